@@ -3,6 +3,7 @@
 
 #include "app/window/project_account.h"
 #include "journal/ledger_keeper.h"
+#include "project/bus_kind.h"
 
 namespace codewheel {
 
@@ -13,6 +14,11 @@ BusAtWork::BusAtWork(BusId id, Surroundings surroundings, QObject *parent)
 {}
 
 BusAtWork::~BusAtWork() = default;
+
+bool BusAtWork::isTraining() const
+{
+    return busKind(kind())->trainingBus() == m_id;
+}
 
 void BusAtWork::tellMessagesOf(EncoderBus &bus)
 {

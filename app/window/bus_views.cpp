@@ -6,7 +6,31 @@
 #include "app/window/ring_views.h"
 #include "app/window/serial_line.h"
 
+#include <QWidget>
+
 namespace codewheel {
+
+BusViews::~BusViews()
+{
+    for (QWidget *widget : m_own) {
+        widget->disconnect(this);
+        delete widget;
+    }
+}
+
+void BusViews::setCurrent(bool isCurrent)
+{
+    m_isCurrent = isCurrent;
+    showCurrent();
+}
+
+void BusViews::tellTraining(Place place, const QString &what, MessageId id)
+{
+    Q_EMIT told({.place = place.isEmpty() ? std::nullopt : std::optional(place),
+                 .severity = Severity::information,
+                 .id = id,
+                 .arguments = {what}});
+}
 
 BusViews *makeBusViews(BusAtWork &bus, const WindowParts &parts, QObject *parent)
 {

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "app/window/bus_at_work.h"
+#include "app/window/panels.h"
 
+#include <QAction>
 #include <QObject>
 
 #include <vector>
 
-class QAction;
 class QMenu;
 class QStackedWidget;
 class QVBoxLayout;
@@ -43,32 +44,54 @@ class BusViews : public QObject
 
 public:
     using QObject::QObject;
+    ~BusViews() override;
 
-    // In the dock of this name (panels.h), where the other buses of its kind have theirs.
-    struct Panel
-    {
-        const char *dock;
-        QWidget *widget;
-    };
-    virtual std::vector<Panel> panels() const = 0;
+    virtual std::vector<std::pair<Panel, QWidget *>> panels() const = 0;
     virtual QMenu *menu() const { return nullptr; } // of its row in the bus structure; null: none
 
     // This bus is meant by actions, docks and status line, or another one is.
-    virtual void setCurrent(bool isCurrent) = 0;
+    void setCurrent(bool isCurrent);
     // The device that is chosen in the window, if it is one of this bus.
     virtual void setChosen(std::optional<Place>) {}
     virtual void open() = 0; // its row was opened
     // A device was opened. False: its words are to be looked at, as everybody's.
     virtual bool open(Place) { return false; }
     virtual void showPicture() {} // with each picture of the window
+    virtual void compare() {}     // it says how its bus differs from the project
 
 Q_SIGNALS:
-    void panelRequested(const char *dock); // it is to be seen
+    void panelRequested(codewheel::Panel panel); // it is to be seen
     void told(const codewheel::Message &message);
     void encoderChanged(); // something of the chosen encoder that actions depend on
     void devicesChanged(); // another ring was read in: what is chosen stays so if it is there
     void startRequested(); // of this bus
     void stopRequested();
+
+protected:
+    bool isCurrent() const { return m_isCurrent; }
+    virtual void showCurrent() = 0; // isCurrent() is another
+    // Actions mean the bus of its kind that is chosen, or was chosen last.
+    template <typename What>
+    void onAction(QAction *action, What what)
+    {
+        connect(action, &QAction::triggered, this, [this, what] {
+            if (m_isCurrent)
+                what();
+        });
+    }
+    // A page or panel in the window, which goes with the views.
+    template <typename Widget>
+    Widget *own(Widget *widget)
+    {
+        m_own.push_back(widget);
+        return widget;
+    }
+    // Without a node it is of the bus itself.
+    void tellTraining(Place place, const QString &what, MessageId id = MessageId::training);
+
+private:
+    std::vector<QWidget *> m_own;
+    bool m_isCurrent = false;
 };
 
 // The list of kinds: the views of each.

@@ -6,7 +6,6 @@
 #include "app/window/line_ports.h"
 #include "app/window/line_rate.h"
 #include "app/window/serial_line.h"
-#include "app/window/status_line.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -55,13 +54,14 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
     : BusViews(parent)
     , m_line(line)
     , m_parts(parts)
-    , m_notice(new InlineMessage(&parts.pages))
+    , m_status(parts.status)
+    , m_notice(own(new InlineMessage(&parts.pages)))
     , m_keeper(new LineKeeper(line, line.project(), this))
-    , m_terminal(new LineTerminal(&parts.pages))
-    , m_panel(new LinePanel(&parts.pages))
-    , m_form(new LineSettingsForm(&parts.pages))
-    , m_search(new LineSearch(&parts.pages))
-    , m_training(new LineTrainingPanel(line.id(), &parts.pages))
+    , m_terminal(own(new LineTerminal(&parts.pages)))
+    , m_panel(own(new LinePanel(&parts.pages)))
+    , m_form(own(new LineSettingsForm(&parts.pages)))
+    , m_search(own(new LineSearch(&parts.pages)))
+    , m_training(own(new LineTrainingPanel(line.id(), &parts.pages)))
 {
     m_notice->setObjectName(QStringLiteral("lineNotice"));
     parts.notices.insertWidget(0, m_notice);
@@ -81,48 +81,26 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
     connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showWish);
-    connect(m_training, &LineTrainingPanel::acted, this, [this](Place place, const QString &what) {
-        Q_EMIT told({.place = place.isEmpty() ? std::nullopt : std::optional(place),
-                     .severity = Severity::information,
-                     .id = MessageId::training,
-                     .arguments = {what}});
-    });
+    connect(m_training, &LineTrainingPanel::acted, this,
+            [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(&line, &SerialLine::aboutToChange, this, [this] { setLine(nullptr); });
     connect(&line, &SerialLine::changed, this, [this] { setLine(m_line.session()); });
     const WindowActions &actions = parts.actions;
-    onAction(actions.lineSettings, &QAction::triggered, &LineViews::showSettings);
-    onAction(actions.lineSearch, &QAction::triggered, &LineViews::showSearch);
-    onAction(actions.lineTerminal, &QAction::triggered, &LineViews::showTerminal);
-    onAction(actions.linePanel, &QAction::triggered, qOverload<>(&LineViews::open));
-    onAction(actions.lineTraining, &QAction::triggered, &LineViews::connectTraining);
-    onAction(actions.disconnectLine, &QAction::triggered, &LineViews::disconnectLine);
-    onAction(actions.removeFromLine, &QAction::triggered, &LineViews::removeChosen);
+    onAction(actions.lineSettings, [this] { showSettings(); });
+    onAction(actions.lineSearch, [this] { showSearch(); });
+    onAction(actions.lineTerminal, [this] { showTerminal(); });
+    onAction(actions.linePanel, [this] { open(); });
+    onAction(actions.lineTraining, [this] { connectTraining(); });
+    onAction(actions.disconnectLine, [this] { disconnectLine(); });
+    onAction(actions.removeFromLine, [this] { removeChosen(); });
     connect(actions.swapWarningBytes, &QAction::triggered, this, &LineViews::swapWarningBytes);
     setLine(line.session());
     showWish();
 }
 
-LineViews::~LineViews()
+std::vector<std::pair<Panel, QWidget *>> LineViews::panels() const
 {
-    for (QWidget *widget : {static_cast<QWidget *>(m_notice), static_cast<QWidget *>(m_terminal),
-                            static_cast<QWidget *>(m_panel), static_cast<QWidget *>(m_form),
-                            static_cast<QWidget *>(m_search), static_cast<QWidget *>(m_training)})
-        delete widget;
-}
-
-// Actions mean the line that is chosen, or was chosen last.
-template <typename Signal, typename What>
-void LineViews::onAction(QAction *action, Signal signal, What what)
-{
-    connect(action, signal, this, [this, what] {
-        if (m_isCurrent)
-            (this->*what)();
-    });
-}
-
-std::vector<BusViews::Panel> LineViews::panels() const
-{
-    return {{"trainingDock", m_training}, {"terminalDock", m_terminal}, {"lineDock", m_panel}};
+    return {{Panel::training, m_training}, {Panel::terminal, m_terminal}, {Panel::line, m_panel}};
 }
 
 QMenu *LineViews::menu() const
@@ -130,17 +108,21 @@ QMenu *LineViews::menu() const
     return m_parts.actions.lineMenu;
 }
 
-void LineViews::setCurrent(bool isCurrent)
+void LineViews::showCurrent()
 {
-    m_isCurrent = isCurrent;
-    m_parts.status.setLine(isCurrent ? m_session.get() : nullptr);
+    showStatus();
     tellActions();
+}
+
+void LineViews::showStatus()
+{
+    m_status.show(isCurrent() ? m_session.get() : nullptr);
 }
 
 void LineViews::tellActions()
 {
-    m_parts.actions.disconnectLine->setEnabled(m_isCurrent && m_line.session() != nullptr);
-    m_parts.actions.lineTraining->setEnabled(m_isCurrent && m_line.training() == nullptr);
+    m_parts.actions.disconnectLine->setEnabled(isCurrent() && m_line.session() != nullptr);
+    m_parts.actions.lineTraining->setEnabled(isCurrent() && m_line.training() == nullptr);
 }
 
 void LineViews::setChosen(std::optional<Place> place)
@@ -152,11 +134,12 @@ void LineViews::setChosen(std::optional<Place> place)
 void LineViews::showPicture()
 {
     m_training->refresh();
+    showStatus();
 }
 
 void LineViews::open()
 {
-    Q_EMIT panelRequested("lineDock");
+    Q_EMIT panelRequested(Panel::line);
     m_panel->setFocus();
 }
 
@@ -168,7 +151,7 @@ bool LineViews::open(Place)
 
 void LineViews::showTerminal()
 {
-    Q_EMIT panelRequested("terminalDock");
+    Q_EMIT panelRequested(Panel::terminal);
     m_terminal->setFocus();
 }
 
@@ -199,14 +182,13 @@ void LineViews::setLine(LineSession *line)
     m_panel->setLine(line);
     m_search->setLine(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
-    if (m_isCurrent)
-        m_parts.status.setLine(line);
+    showStatus();
     showActions();
 }
 
 void LineViews::showActions()
 {
-    if (m_isCurrent)
+    if (isCurrent())
         tellActions();
     m_form->setCanDetermine(m_session && !m_session->places().empty());
 }
@@ -384,7 +366,7 @@ void LineViews::removeChosen()
 
 void LineViews::swapWarningBytes(bool on)
 {
-    if (!m_isCurrent || !m_chosen)
+    if (!isCurrent() || !m_chosen)
         return;
     if (m_session)
         m_session->setSwapsWarningBytes(*m_chosen, on);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/bus_views.h"
+#include "app/window/line_status.h"
 #include "encoder/refusal.h"
 #include "line/line_scan.h"
 
@@ -29,11 +30,9 @@ class LineViews final : public BusViews
 
 public:
     LineViews(SerialLine &line, const WindowParts &parts, QObject *parent);
-    ~LineViews() override;
 
-    std::vector<Panel> panels() const override;
+    std::vector<std::pair<Panel, QWidget *>> panels() const override;
     QMenu *menu() const override;
-    void setCurrent(bool isCurrent) override;
     void setChosen(std::optional<Place> place) override;
     void open() override;
     bool open(Place place) override; // its terminal: it has no words
@@ -43,8 +42,8 @@ public:
     void showSearch();
 
 private:
-    template <typename Signal, typename What>
-    void onAction(QAction *action, Signal signal, What what);
+    void showCurrent() override;
+    void showStatus();
     void showTerminal();
     void determineFractionBits();
     // Takes the chosen encoder out of polling and, unless it is one of the training line, out of the project.
@@ -72,11 +71,11 @@ private:
 
     SerialLine &m_line;
     const WindowParts m_parts;
+    LineStatus m_status;
     InlineMessage *m_notice; // what is asked of an adapter
     LineKeeper *m_keeper;
     QPointer<LineSession> m_session;
     std::optional<Place> m_chosen;
-    bool m_isCurrent = false;
     bool m_takesOther = false; // another adapter, once it is open
     LineTerminal *m_terminal;
     LinePanel *m_panel;

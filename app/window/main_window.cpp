@@ -2,16 +2,15 @@
 #include "app/window/main_window.h"
 
 #include "app/window/alarm_stop.h"
+#include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/leaving.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
-#include "app/window/ring_views.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
 #include "bus/buses.h"
-#include "ring/bus_session.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
@@ -130,10 +129,10 @@ void MainWindow::tell(const Message &message)
     m_messageModel->addNow(message);
 }
 
-RingConnection *MainWindow::connection() const
+void MainWindow::compare()
 {
-    const auto *views = qobject_cast<RingViews *>(viewsOf(firstRing));
-    return views != nullptr ? &views->connection() : nullptr;
+    for (const auto &[bus, views] : m_views)
+        views->compare();
 }
 
 // Of a device that is only planned, what is wanted can be looked at and edited; all else needs it connected.
@@ -175,6 +174,7 @@ void MainWindow::showPicture()
     m_buses->pump();
     for (const auto &[bus, views] : m_views)
         views->showPicture();
+    m_status->showPicture();
 }
 
 bool MainWindow::hasJob() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/panels.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "encoder/place.h"
@@ -13,7 +14,6 @@
 #include <set>
 #include <vector>
 
-class QDockWidget;
 class QStackedWidget;
 
 namespace codewheel {
@@ -41,7 +41,6 @@ class ProjectFiles;
 class ProjectPage;
 class ProjectRecovery;
 class ReportExport;
-class RingConnection;
 class SequenceView;
 class StatusLine;
 class StructureEditor;
@@ -81,7 +80,7 @@ public:
     void showProjectPage();
     ProjectFiles &files() { return *m_files; }
     void askForRecovery(ProjectRecovery &recovery);
-    RingConnection *connection() const; // of the first ring; null before attach()
+    void compare();                     // each bus says how it differs from the project
     BusViews *viewsOf(BusId bus) const; // null: there is no such bus, or its kind has none
     // Size, layout and monitors, for the next start.
     void saveWindow();
@@ -95,13 +94,9 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    static constexpr char kindPages[] = "kindPages"; // in a dock, a page for each bus of the kind
-    static constexpr int layoutVersion = 3;          // of docks and tool bar: another one is not restored
+    static constexpr int layoutVersion = 3; // of docks and tool bar: another one is not restored
 
     void makeDocks(MessageModel &messages);
-    void addDock(const char *name, const QString &title, QWidget *content, const QKeySequence &key);
-    void addKindDock(const char *name, const QString &title, const QKeySequence &key);
-    void showDock(const char *name);
     void connectActions();
     void connectViewActions();
     void connectViews();
@@ -115,8 +110,6 @@ private:
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
-    QStackedWidget *kindDock(const char *name) const;
-    void makeRoomFor(QDockWidget &dock);
     void showChosen();
     void openFirstMonitors();
     void makePages();
@@ -145,7 +138,7 @@ private:
     ReportExport *m_report = nullptr;
     StructureEditor *m_editor = nullptr;
     ProjectPage *m_projectPage = nullptr;
-    std::vector<QDockWidget *> m_docks;
+    Panels m_panels{*this};
     StructureView *m_structure = nullptr;
     DeviceChoice *m_choice = nullptr;
     MonitorArea *m_monitors = nullptr;

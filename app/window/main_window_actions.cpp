@@ -3,7 +3,6 @@
 #include "app/window/help.h"
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
-#include "app/window/panels.h"
 #include "app/window/plant.h"
 #include "app/window/status_line.h"
 #include "bus/buses.h"
@@ -92,8 +91,8 @@ void MainWindow::connectViewActions()
             [this](const QAction *language) { Q_EMIT languageChosen(language->data().toString()); });
     connect(m_actions.defaultLayout, &QAction::triggered, this, [this] {
         restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
-        arrangePanels(*this);
-        raiseFirstPanels(*this);
+        m_panels.arrange();
+        m_panels.raiseFirst();
     });
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(*this); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this); });

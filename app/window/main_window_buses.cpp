@@ -4,12 +4,10 @@
 #include "app/window/device_choice.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
-#include "app/window/status_line.h"
 #include "bus/buses.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -54,12 +52,12 @@ void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
 {
     const BusId id = bus.id();
     m_views[id] = &views;
-    for (const BusViews::Panel &panel : views.panels())
-        kindDock(panel.dock)->addWidget(panel.widget);
+    for (const auto &[panel, page] : views.panels())
+        m_panels.addPage(panel, page);
     connect(&views, &BusViews::told, this, &MainWindow::tell);
-    connect(&views, &BusViews::panelRequested, this, [this, id](const char *dock) {
+    connect(&views, &BusViews::panelRequested, this, [this, id](Panel panel) {
         chooseBus(id);
-        showDock(dock);
+        m_panels.show(panel);
     });
     connect(&views, &BusViews::encoderChanged, this, [this] { m_actions.showChosen(m_choice->encoder()); });
     connect(
@@ -151,8 +149,8 @@ void MainWindow::chooseBus(BusId bus)
         return;
     m_chosenBus = bus;
     if (const BusViews *views = viewsOf(bus))
-        for (const BusViews::Panel &panel : views->panels())
-            kindDock(panel.dock)->setCurrentWidget(panel.widget);
+        for (const auto &[panel, page] : views->panels())
+            m_panels.showPage(panel, page);
     setCurrent(*its);
     showBusState();
 }
@@ -167,20 +165,6 @@ BusViews *MainWindow::viewsOf(BusId bus) const
 {
     const auto found = m_views.find(bus);
     return found == m_views.end() ? nullptr : found->second;
-}
-
-QStackedWidget *MainWindow::kindDock(const char *name) const
-{
-    return findChild<QDockWidget *>(QLatin1String(name))
-        ->findChild<QStackedWidget *>(QLatin1String(kindPages));
-}
-
-// So that some rows are seen; whoever has more room for it keeps that.
-void MainWindow::makeRoomFor(QDockWidget &dock)
-{
-    const int wanted = height() / 3;
-    if (!dock.isFloating() && dockWidgetArea(&dock) == Qt::BottomDockWidgetArea && dock.height() < wanted)
-        resizeDocks({&dock}, {wanted}, Qt::Vertical);
 }
 
 } // namespace codewheel

@@ -3,7 +3,6 @@
 #include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/main_window.h"
-#include "app/window/panels.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/report_export.h"
@@ -26,7 +25,6 @@
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -42,8 +40,7 @@ void MainWindow::makePages()
     m_projectPage = new ProjectPage(m_project, this);
     m_projectPage->buses().setIsFree([this](BusId bus, const QString &kind) {
         const BusAtWork *its = m_plant->find(bus);
-        const bool isTraining = bus == firstRing || bus == firstLine;
-        return its == nullptr || !its->isOpen() || (isTraining && its->kind() == kind);
+        return its == nullptr || !its->isOpen() || (its->isTraining() && its->kind() == kind);
     });
     for (QWidget *page : {static_cast<QWidget *>(m_monitors), static_cast<QWidget *>(m_wizard),
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
@@ -59,7 +56,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_structure = new StructureView(this);
     m_parameters = new ParameterPanel(*m_wanted, this);
     m_dial = new DialPanel(this);
-    m_device = new DevicePanel(m_plant->catalog(), this);
+    m_device = new DevicePanel(*m_buses, m_plant->catalog(), this);
     m_trace = new TraceView(*m_buses, this);
     m_sequence = new SequenceView(this);
     auto *sequences = new QWidget(this);
@@ -71,49 +68,25 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_messages = new MessagesView(messages, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
-    addDock("structureDock", tr("Bus structure"), m_structure, Qt::ALT | Qt::Key_1);
-    addKindDock("trainingDock", tr("Training"), Qt::ALT | Qt::Key_2);
-    addDock("parametersDock", tr("Parameters"), m_parameters, Qt::ALT | Qt::Key_3);
-    addDock("dialDock", tr("Encoder"), m_dial, Qt::ALT | Qt::Key_4);
-    addDock("messagesDock", tr("Messages"), m_messages, Qt::ALT | Qt::Key_5);
-    addDock("traceDock", tr("Handshake trace"), m_trace, Qt::ALT | Qt::Key_6);
-    addDock("sequenceDock", tr("Sequence"), sequences, Qt::ALT | Qt::Key_7);
-    addDock("deviceDock", tr("Device"), m_device, Qt::ALT | Qt::Key_8);
-    addKindDock("masterDock", tr("Master"), Qt::ALT | Qt::Key_9);
-    addKindDock("terminalDock", tr("Line terminal"), Qt::ALT | Qt::Key_0);
-    addKindDock("lineDock", tr("Serial line"), Qt::ALT | Qt::SHIFT | Qt::Key_L);
-    arrangePanels(*this);
+    const auto add = [this](Panel panel, QWidget *content) {
+        m_actions.docks->addAction(m_panels.add(panel, content));
+    };
+    const auto addPaged = [this](Panel panel) { m_actions.docks->addAction(m_panels.addPaged(panel)); };
+    add(Panel::structure, m_structure);
+    addPaged(Panel::training);
+    add(Panel::parameters, m_parameters);
+    add(Panel::dial, m_dial);
+    add(Panel::messages, m_messages);
+    add(Panel::trace, m_trace);
+    add(Panel::sequence, sequences);
+    add(Panel::device, m_device);
+    addPaged(Panel::master);
+    addPaged(Panel::terminal);
+    addPaged(Panel::line);
+    m_panels.arrange();
     m_defaultLayout = saveState(layoutVersion);
     if (!restoreState(m_settings.layout(), layoutVersion))
-        raiseFirstPanels(*this);
-}
-
-void MainWindow::addDock(const char *name, const QString &title, QWidget *content, const QKeySequence &key)
-{
-    auto *dock = new QDockWidget(title, this);
-    dock->setObjectName(QLatin1String(name));
-    dock->setWidget(content);
-    content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
-    QAction *toggle = makePanelAction(*dock);
-    toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
-    toggle->setShortcut(key);
-    m_actions.docks->addAction(toggle);
-    m_docks.push_back(dock);
-}
-
-void MainWindow::addKindDock(const char *name, const QString &title, const QKeySequence &key)
-{
-    auto *pages = new QStackedWidget(this);
-    pages->setObjectName(QLatin1String(kindPages));
-    addDock(name, title, pages, key);
-}
-
-void MainWindow::showDock(const char *name)
-{
-    auto *dock = findChild<QDockWidget *>(QLatin1String(name));
-    dock->show();
-    dock->raise();
-    makeRoomFor(*dock);
+        m_panels.raiseFirst();
 }
 
 void MainWindow::connectProject()
@@ -140,11 +113,11 @@ void MainWindow::connectViews()
     connect(m_structure, &StructureView::menuRequested, this,
             [this](Place, const QPoint &position) { m_actions.deviceMenu->popup(position); });
     connect(m_structure, &StructureView::namingRequested, this, [this] {
-        showDock("deviceDock");
+        m_panels.show(Panel::device);
         m_device->focusNaming();
     });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
-    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { showDock("parametersDock"); });
+    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(Panel::parameters); });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
     connect(m_trace, &TraceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
     connect(m_sequence, &SequenceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);

@@ -4,68 +4,43 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QStackedWidget>
 #include <QTimer>
-
-#include <array>
 
 namespace codewheel {
 namespace {
 
 constexpr int lowWindow = 720; // below, there is no room for all panels above each other
 
-struct Panels
+struct PanelRow
 {
-    explicit Panels(const QMainWindow &window)
-        : structure(window.findChild<QDockWidget *>(QStringLiteral("structureDock")))
-        , training(window.findChild<QDockWidget *>(QStringLiteral("trainingDock")))
-        , parameters(window.findChild<QDockWidget *>(QStringLiteral("parametersDock")))
-        , device(window.findChild<QDockWidget *>(QStringLiteral("deviceDock")))
-        , dial(window.findChild<QDockWidget *>(QStringLiteral("dialDock")))
-        , messages(window.findChild<QDockWidget *>(QStringLiteral("messagesDock")))
-        , trace(window.findChild<QDockWidget *>(QStringLiteral("traceDock")))
-        , sequence(window.findChild<QDockWidget *>(QStringLiteral("sequenceDock")))
-        , master(window.findChild<QDockWidget *>(QStringLiteral("masterDock")))
-        , terminal(window.findChild<QDockWidget *>(QStringLiteral("terminalDock")))
-        , line(window.findChild<QDockWidget *>(QStringLiteral("lineDock")))
-    {}
-
-    std::array<QDockWidget *, 11> all() const
-    {
-        return {structure, training, parameters, device,   dial, messages,
-                trace,     sequence, master,     terminal, line};
-    }
-
-    QDockWidget *structure;
-    QDockWidget *training;
-    QDockWidget *parameters;
-    QDockWidget *device;
-    QDockWidget *dial;
-    QDockWidget *messages;
-    QDockWidget *trace;
-    QDockWidget *sequence;
-    QDockWidget *master;
-    QDockWidget *terminal;
-    QDockWidget *line;
+    Panel panel;
+    const char *name; // by which settings and tests know its dock
+    const char *title;
+    QKeyCombination key;
 };
 
-void arrangeSides(QMainWindow &window, const Panels &panels)
-{
-    window.splitDockWidget(panels.structure, panels.training, Qt::Vertical);
-    window.tabifyDockWidget(panels.training, panels.master);
-    window.tabifyDockWidget(panels.master, panels.line);
-    window.splitDockWidget(panels.parameters, panels.dial, Qt::Vertical);
-    window.tabifyDockWidget(panels.parameters, panels.device);
-}
-
-// What one looks at all the time stays in sight: the dial below the tree, the parameters in all the height.
-void arrangeLowSides(QMainWindow &window, const Panels &panels)
-{
-    window.splitDockWidget(panels.structure, panels.dial, Qt::Vertical);
-    window.tabifyDockWidget(panels.dial, panels.master);
-    window.tabifyDockWidget(panels.master, panels.line);
-    window.tabifyDockWidget(panels.parameters, panels.device);
-    window.tabifyDockWidget(panels.device, panels.training);
-}
+constexpr PanelRow panelRows[] = {
+    {Panel::structure, "structureDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Bus structure"),
+     Qt::ALT | Qt::Key_1},
+    {Panel::training, "trainingDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Training"),
+     Qt::ALT | Qt::Key_2},
+    {Panel::parameters, "parametersDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Parameters"),
+     Qt::ALT | Qt::Key_3},
+    {Panel::dial, "dialDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Encoder"), Qt::ALT | Qt::Key_4},
+    {Panel::messages, "messagesDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Messages"),
+     Qt::ALT | Qt::Key_5},
+    {Panel::trace, "traceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Handshake trace"),
+     Qt::ALT | Qt::Key_6},
+    {Panel::sequence, "sequenceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Sequence"),
+     Qt::ALT | Qt::Key_7},
+    {Panel::device, "deviceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Device"), Qt::ALT | Qt::Key_8},
+    {Panel::master, "masterDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Master"), Qt::ALT | Qt::Key_9},
+    {Panel::terminal, "terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
+     Qt::ALT | Qt::Key_0},
+    {Panel::line, "lineDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Serial line"),
+     Qt::ALT | Qt::SHIFT | Qt::Key_L},
+};
 
 // Where the keys go in a panel: to itself, or to the first control in it.
 QWidget *firstFocus(QWidget &content)
@@ -77,46 +52,6 @@ QWidget *firstFocus(QWidget &content)
             (each->focusPolicy() & Qt::TabFocus) != 0)
             return each;
     return &content;
-}
-
-} // namespace
-
-void arrangePanels(QMainWindow &window)
-{
-    const Panels panels(window);
-    const bool isLow = window.height() < lowWindow;
-    for (QDockWidget *panel : panels.all()) // while they move, the window would grow to hold them
-        window.removeDockWidget(panel);
-    window.addDockWidget(Qt::LeftDockWidgetArea, panels.structure);
-    window.addDockWidget(Qt::RightDockWidgetArea, panels.parameters);
-    window.addDockWidget(Qt::BottomDockWidgetArea, panels.messages);
-    window.tabifyDockWidget(panels.messages, panels.trace);
-    window.tabifyDockWidget(panels.trace, panels.sequence);
-    window.tabifyDockWidget(panels.sequence, panels.terminal);
-    if (isLow)
-        arrangeLowSides(window, panels);
-    else
-        arrangeSides(window, panels);
-    for (QDockWidget *panel : panels.all())
-        panel->show();
-
-    // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
-    window.resizeDocks({panels.structure, panels.parameters}, {isLow ? 210 : 370, isLow ? 290 : 310},
-                       Qt::Horizontal);
-    window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial},
-                       {isLow ? 300 : 430, isLow ? 240 : 300}, Qt::Vertical);
-    if (!isLow) // the devices of the training bus, and all the rest for what one does with them
-        window.resizeDocks({panels.structure, panels.training}, {320, 420}, Qt::Vertical);
-    window.resizeDocks({panels.trace}, {170}, Qt::Vertical);
-}
-
-void raiseFirstPanels(QMainWindow &window)
-{
-    QTimer::singleShot(0, &window, [panels = Panels(window)] { // once there are tab bars
-        // the parameters last: in a low window they share the place of the training panel
-        for (QDockWidget *first : {panels.trace, panels.training, panels.dial, panels.parameters})
-            first->raise();
-    });
 }
 
 QAction *makePanelAction(QDockWidget &panel)
@@ -134,6 +69,103 @@ QAction *makePanelAction(QDockWidget &panel)
         firstFocus(*panel.widget())->setFocus(Qt::ShortcutFocusReason);
     });
     return action;
+}
+
+} // namespace
+
+QAction *Panels::add(Panel panel, QWidget *content)
+{
+    const PanelRow &row = panelRows[static_cast<std::size_t>(panel)];
+    auto *dock = new QDockWidget(tr(row.title), &m_window);
+    dock->setObjectName(QLatin1String(row.name));
+    dock->setWidget(content);
+    content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
+    m_docks[panel] = dock;
+    QAction *toggle = makePanelAction(*dock);
+    toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(dock->windowTitle()));
+    toggle->setShortcut(row.key);
+    return toggle;
+}
+
+QAction *Panels::addPaged(Panel panel)
+{
+    m_pages[panel] = new QStackedWidget(&m_window);
+    return add(panel, m_pages[panel]);
+}
+
+void Panels::addPage(Panel panel, QWidget *page)
+{
+    m_pages.at(panel)->addWidget(page);
+}
+
+void Panels::showPage(Panel panel, QWidget *page)
+{
+    m_pages.at(panel)->setCurrentWidget(page);
+}
+
+// Whoever has more room for it keeps that.
+void Panels::show(Panel panel)
+{
+    QDockWidget *its = dock(panel);
+    its->show();
+    its->raise();
+    const int wanted = m_window.height() / 3;
+    if (!its->isFloating() && m_window.dockWidgetArea(its) == Qt::BottomDockWidgetArea &&
+        its->height() < wanted)
+        m_window.resizeDocks({its}, {wanted}, Qt::Vertical);
+}
+
+void Panels::splitBelow(Panel above, Panel below)
+{
+    m_window.splitDockWidget(dock(above), dock(below), Qt::Vertical);
+}
+
+// Behind each other, the first in front.
+void Panels::stack(std::initializer_list<Panel> panels)
+{
+    for (const Panel *behind = panels.begin() + 1; behind != panels.end(); ++behind)
+        m_window.tabifyDockWidget(dock(behind[-1]), dock(*behind));
+}
+
+void Panels::arrange()
+{
+    using enum Panel;
+    const bool isLow = m_window.height() < lowWindow;
+    for (const auto &[panel, its] : m_docks) // while they move, the window would grow to hold them
+        m_window.removeDockWidget(its);
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, dock(structure));
+    m_window.addDockWidget(Qt::RightDockWidgetArea, dock(parameters));
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(messages));
+    stack({messages, trace, sequence, terminal});
+    if (isLow) { // what one looks at all the time stays in sight: the dial below the tree
+        splitBelow(structure, dial);
+        stack({dial, master, line});
+        stack({parameters, device, training});
+    } else {
+        splitBelow(structure, training);
+        stack({training, master, line});
+        splitBelow(parameters, dial);
+        stack({parameters, device});
+    }
+    for (const auto &[panel, its] : m_docks)
+        its->show();
+
+    // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
+    m_window.resizeDocks({dock(structure), dock(parameters)}, {isLow ? 210 : 370, isLow ? 290 : 310},
+                         Qt::Horizontal);
+    m_window.resizeDocks({dock(isLow ? structure : parameters), dock(dial)},
+                         {isLow ? 300 : 430, isLow ? 240 : 300}, Qt::Vertical);
+    if (!isLow) // the devices of the training bus, and all the rest for what one does with them
+        m_window.resizeDocks({dock(structure), dock(training)}, {320, 420}, Qt::Vertical);
+    m_window.resizeDocks({dock(trace)}, {170}, Qt::Vertical);
+}
+
+void Panels::raiseFirst()
+{
+    using enum Panel;
+    // the parameters last: in a low window they share the place of the training panel
+    for (const Panel first : {trace, training, dial, parameters})
+        QTimer::singleShot(0, dock(first), [its = dock(first)] { its->raise(); }); // once there are tab bars
 }
 
 } // namespace codewheel

@@ -29,8 +29,6 @@ Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
     : QObject(parent)
     , m_surroundings(std::move(surroundings))
 {
-    add(makeBus(QString::fromLatin1(interbusKind), firstRing, m_surroundings));
-    add(makeBus(QString::fromLatin1(escKind), firstLine, m_surroundings));
     connect(&m_surroundings.project, &ProjectDocument::changed, this, &Plant::followProject);
     connect(&m_sessions, &Buses::changed, this, &Plant::nameBuses);
     followProject();
@@ -72,30 +70,18 @@ std::vector<const LedgerKeeper *> Plant::ledgers() const
     return ledgers;
 }
 
-RingAtWork *Plant::ring() const
-{
-    return qobject_cast<RingAtWork *>(find(firstRing));
-}
-
-SerialLine *Plant::line() const
-{
-    return qobject_cast<SerialLine *>(find(firstLine));
-}
-
 void Plant::openTraining()
 {
-    if (RingAtWork *first = ring())
-        if (!first->open({})) // a simulated link always opens
-            Q_UNREACHABLE();
-    if (SerialLine *first = line())
-        first->openTraining();
+    for (const auto &bus : m_buses)
+        if (bus->isTraining())
+            bus->openTraining();
 }
 
 void Plant::start()
 {
     for (const auto &bus : m_buses)
-        if (auto *ring = qobject_cast<RingAtWork *>(bus.get()); ring != nullptr && ring->isOpen())
-            ring->start();
+        if (bus->isOpen())
+            bus->start();
 }
 
 void Plant::add(std::unique_ptr<BusAtWork> bus)
@@ -122,7 +108,7 @@ bool Plant::isNeeded(const BusAtWork &bus) const
 {
     if (const PlannedBus *planned = findBus(m_surroundings.project.project(), bus.id()))
         return planned->kind == bus.kind();
-    return bus.isOpen() || bus.id() == firstRing || bus.id() == firstLine;
+    return bus.isOpen() || bus.isTraining();
 }
 
 void Plant::removeUnneeded()
@@ -141,6 +127,9 @@ void Plant::followProject()
     for (const PlannedBus &planned : m_surroundings.project.project().buses)
         if (find(planned.id) == nullptr)
             add(makeBus(planned.kind, planned.id, m_surroundings));
+    for (const QString &kind : busKindKeys())
+        if (const auto training = busKind(kind)->trainingBus(); training && find(*training) == nullptr)
+            add(makeBus(kind, *training, m_surroundings));
     nameBuses();
 }
 

@@ -9,9 +9,6 @@
 
 namespace codewheel {
 
-class RingAtWork;
-class SerialLine;
-
 // The buses of the program: the training ring and the training line, and those that the project plans. A bus
 // that is open stays when the project does not plan it any more, until it is closed.
 class Plant : public QObject
@@ -32,11 +29,16 @@ public:
     std::vector<const LedgerKeeper *> ledgers() const;
     // One of whatever kind: it is here as long as it is open, or the project plans it.
     void add(std::unique_ptr<BusAtWork> bus);
-    // The first ones; null where the project plans another kind of bus with their number.
-    RingAtWork *ring() const;
-    SerialLine *line() const;
+    template <class Bus>
+    Bus *first() const // of this class; null: there is none
+    {
+        for (const auto &bus : m_buses)
+            if (auto *its = qobject_cast<Bus *>(bus.get()))
+                return its;
+        return nullptr;
+    }
 
-    // Connects the training ring and the training line, which begin in Operate.
+    // Connects the training buses, which begin in Operate.
     void openTraining();
     // By threads of their own from now on, unless they are driven by hand.
     void start();

@@ -7,10 +7,7 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
-#include "app/window/ring_at_work.h"
-#include "app/window/ring_connection.h"
 #include "app/window/start_probe.h"
-#include "project/project_take_over.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -79,9 +76,7 @@ void Program::startBus()
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
     m_plant->openTraining();
-    const RingAtWork &ring = *m_plant->ring();
-    m_messages->setClock(*ring.bus());
-    m_project.setProject(projectOf(ring.bus()->structure()), {}); // nothing differs at first
+    m_messages->setClock(*m_plant->buses().open().front());
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
@@ -102,8 +97,7 @@ void Program::openProject()
 {
     if (!m_file.isEmpty())
         m_window->files().open(m_file);
-    if (RingConnection *connection = m_window->connection())
-        connection->tellComparison();
+    m_window->compare();
     m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);
     connect(m_recovery.get(), &ProjectRecovery::told, m_messages.get(), &MessageModel::addNow);
     m_window->askForRecovery(*m_recovery);

@@ -3,7 +3,9 @@
 
 #include "app/journal_files.h"
 #include "journal/ledger_keeper.h"
+#include "project/project_take_over.h"
 #include "project/ring_plan.h"
+#include "widgets/project/project_document.h"
 
 namespace codewheel {
 namespace {
@@ -40,6 +42,13 @@ std::optional<Pacing> RingAtWork::pacing() const
 Result<void> RingAtWork::open(std::optional<Pacing> pacing)
 {
     return bus()->open(BusSession::Start::operating, std::move(pacing));
+}
+
+void RingAtWork::openTraining()
+{
+    if (!open({})) // a simulated link always opens
+        Q_UNREACHABLE();
+    project().setProject(projectOf(bus()->structure(), id()), {});
 }
 
 // What the plan of the training ring knows of its encoders, the first time.

@@ -23,8 +23,8 @@ public:
     std::optional<Pacing> pacing() const;
     // Connects it, in Operate, as BusSession::open().
     Result<void> open(std::optional<Pacing> pacing);
-    // By a thread of its own from now on, unless it is driven by hand.
-    void start();
+    void openTraining() override; // and plans it as it is: nothing differs at first
+    void start() override;
 
 private:
     void tellPlan();

@@ -3,7 +3,6 @@
 
 #include "app/window/leaving.h"
 #include "app/window/ring_at_work.h"
-#include "app/window/window_actions.h"
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
@@ -13,36 +12,23 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 
-#include <QAction>
-
 #include <utility>
 
 namespace codewheel {
 
 RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving,
-                               const WindowActions &actions, InlineMessage &notice, QObject *parent)
+                               InlineMessage &notice, QObject *parent)
     : QObject(parent)
     , m_ring(ring)
     , m_bus(*ring.bus())
     , m_project(project)
     , m_leaving(leaving)
-    , m_actions(actions)
     , m_notice(notice)
 {
-    const auto onAction = [this](QAction *action, void (RingConnection::*what)()) {
-        connect(action, &QAction::triggered, this, [this, what] {
-            if (m_isCurrent)
-                (this->*what)();
-        });
-    };
-    onAction(actions.connectBus, &RingConnection::connectRing);
-    onAction(actions.disconnectBus, &RingConnection::disconnectRing);
-    onAction(actions.readIn, &RingConnection::readIn);
-    onAction(actions.confirmDiagnostics, &RingConnection::confirmDiagnostics);
     connect(&m_bus, &BusSession::openRefused, this,
             [this](const Refusal &why) { m_notice.showMessage(Role::fault, refusalText(why)); });
     connect(&m_bus, &BusSession::stateChanged, this, [this] {
-        showIfCurrent();
+        Q_EMIT changed();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
             m_notice.withdraw();
     });
@@ -51,39 +37,14 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     });
     connect(&m_bus, &BusSession::readInEnded, this, [this] {
         m_notice.withdraw();
-        showIfCurrent();
+        Q_EMIT changed();
         tellComparison();
     });
     connect(&m_bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
         m_notice.showMessage(Role::fault, refusalText(why));
-        showIfCurrent();
+        Q_EMIT changed();
     });
     connect(&m_bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
-}
-
-void RingConnection::setCurrent(bool isCurrent)
-{
-    m_isCurrent = isCurrent;
-    showActions();
-}
-
-bool RingConnection::isOnline() const
-{
-    return m_bus.isOpen();
-}
-
-void RingConnection::showIfCurrent()
-{
-    if (m_isCurrent)
-        showActions();
-}
-
-void RingConnection::showActions()
-{
-    const bool isOnline = m_isCurrent && m_bus.isOpen();
-    m_actions.connectBus->setEnabled(m_isCurrent && m_bus.state() == BusState::closed);
-    m_actions.disconnectBus->setEnabled(m_isCurrent && m_bus.state() != BusState::closed);
-    m_actions.readIn->setEnabled(isOnline && m_bus.master() != nullptr && !m_bus.isReadingIn());
 }
 
 // The training bus alone begins in Operate.
@@ -100,7 +61,7 @@ void RingConnection::ringConnected()
 {
     m_notice.withdraw();
     tellAgain();
-    showIfCurrent();
+    Q_EMIT changed();
     tellComparison();
 }
 
@@ -114,7 +75,7 @@ void RingConnection::disconnectRing()
         rememberTold();
         m_bus.close();
         m_notice.withdraw();
-        showIfCurrent();
+        Q_EMIT changed();
         Q_EMIT told({.severity = Severity::information, .id = MessageId::disconnected});
     });
 }
@@ -140,7 +101,7 @@ void RingConnection::readIn()
         return;
     m_leaving.ask(Leaving::Why::stop, {&m_bus}, [this] {
         m_bus.readIn();
-        showIfCurrent();
+        Q_EMIT changed();
     });
 }
 

@@ -14,7 +14,6 @@ class InlineMessage;
 class Leaving;
 class ProjectDocument;
 class RingAtWork;
-class WindowActions;
 
 // Offline and online: connects to the ring and leaves it, has it read in, and says whether it is as the
 // project has it. What it does to the views is up to the window.
@@ -24,12 +23,9 @@ class RingConnection : public QObject
 
 public:
     // All must outlive it. The notice stands in the window.
-    RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving, const WindowActions &actions,
-                   InlineMessage &notice, QObject *parent = nullptr);
+    RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving, InlineMessage &notice,
+                   QObject *parent = nullptr);
 
-    // The actions of the window mean this ring, or another bus.
-    void setCurrent(bool isCurrent);
-    bool isOnline() const;
     void connectRing();
     void disconnectRing();     // asks first for handshakes on their way and OUT words that are not 0
     void readIn();             // likewise: the data cycles stop meanwhile; needs Operate
@@ -39,23 +35,20 @@ public:
 
 Q_SIGNALS:
     void ringChanged(); // another one was read in
+    void changed();     // what can be done with it
     void told(const codewheel::Message &message);
 
 private:
     void ringConnected();
     void rememberTold();
     void tellAgain();
-    void showIfCurrent();
-    void showActions();
     bool mayChangeRing(); // else it says why not
 
     RingAtWork &m_ring;
     BusSession &m_bus; // of the ring
     ProjectDocument &m_project;
     Leaving &m_leaving;
-    const WindowActions &m_actions;
     InlineMessage &m_notice;
-    bool m_isCurrent = false;
     bool m_isRefused = false; // as the notice says
     // What the user told of each device, with the make it was taken for.
     struct Told

@@ -3,11 +3,11 @@
 
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
-#include "app/window/status_line.h"
 #include "app/window/window_actions.h"
 #include "encoder/device_number.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/project/device_names.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -22,58 +22,49 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     : BusViews(parent)
     , m_ring(ring)
     , m_parts(parts)
-    , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.actions, parts.notice, this))
-    , m_master(new MasterPanel(*ring.bus(), &parts.pages))
-    , m_training(new TrainingPanel(ring.controls(), ring.id(), &parts.pages))
-    , m_comparison(new ComparisonPage(ring.project(), *ring.bus(), &parts.pages))
+    , m_status(parts.status)
+    , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
+    , m_master(own(new MasterPanel(*ring.bus(), &parts.pages)))
+    , m_training(own(new TrainingPanel(ring.controls(), ring.id(), &parts.pages)))
+    , m_comparison(own(new ComparisonPage(ring.project(), *ring.bus(), &parts.pages)))
+    , m_leds(own(new LedRow(*ring.bus(), &parts.device)))
 {
     new DeviceNames(ring.project(), *ring.bus(), this);
     parts.pages.addWidget(m_comparison);
+    parts.device.addRow(m_leds);
     connect(m_connection, &RingConnection::told, this, &RingViews::told);
     connect(m_connection, &RingConnection::ringChanged, this, &RingViews::devicesChanged);
+    connect(m_connection, &RingConnection::changed, this, &RingViews::showState);
     connect(m_master, &MasterPanel::startRequested, this, &RingViews::startRequested);
     connect(m_master, &MasterPanel::stopRequested, this, &RingViews::stopRequested);
     connect(m_master, &MasterPanel::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_master, &MasterPanel::asked, this, &RingViews::open);
     connect(m_comparison, &ComparisonPage::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_training, &TrainingPanel::acted, this,
-            [this](Place place, const QString &what) { tellTraining(place, MessageId::training, what); });
+            [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
-            [this](Place place, const QString &what) { tellTraining(place, MessageId::faultPlan, what); });
-    connect(parts.actions.compare, &QAction::triggered, this, &RingViews::showComparison);
-    connect(parts.actions.switchSegment, &QAction::triggered, this, [this] {
-        if (m_isCurrent && m_chosen)
+            [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
+    onAction(parts.actions.connectBus, [this] { m_connection->connectRing(); });
+    onAction(parts.actions.disconnectBus, [this] { m_connection->disconnectRing(); });
+    onAction(parts.actions.readIn, [this] { m_connection->readIn(); });
+    onAction(parts.actions.confirmDiagnostics, [this] { m_connection->confirmDiagnostics(); });
+    onAction(parts.actions.compare, [this] { showComparison(); });
+    onAction(parts.actions.switchSegment, [this] {
+        if (m_chosen)
             m_master->toggleSegment(DeviceNumber::of(m_chosen->node).segment);
     });
-    connect(ring.bus(), &BusSession::stateChanged, this, &RingViews::showState);
-    m_comparison->setConnected(ring.isOpen());
+    showState();
 }
 
-RingViews::~RingViews()
+std::vector<std::pair<Panel, QWidget *>> RingViews::panels() const
 {
-    for (QWidget *widget : {static_cast<QWidget *>(m_master), static_cast<QWidget *>(m_training),
-                            static_cast<QWidget *>(m_comparison)})
-        delete widget;
-}
-
-std::vector<BusViews::Panel> RingViews::panels() const
-{
-    return {{"trainingDock", m_training}, {"masterDock", m_master}};
-}
-
-void RingViews::setCurrent(bool isCurrent)
-{
-    m_isCurrent = isCurrent;
-    m_connection->setCurrent(isCurrent);
-    m_parts.device.setRing(isCurrent ? m_ring.bus() : nullptr);
-    if (isCurrent)
-        m_parts.editor.setRing(m_ring.id());
-    showActions();
+    return {{Panel::training, m_training}, {Panel::master, m_master}};
 }
 
 void RingViews::setChosen(std::optional<Place> place)
 {
     m_chosen = place;
+    m_leds->setPlace(place);
     if (place) {
         m_training->setDevice(*place);
         m_parts.editor.choose(*place);
@@ -82,43 +73,69 @@ void RingViews::setChosen(std::optional<Place> place)
 
 void RingViews::open()
 {
-    Q_EMIT panelRequested("masterDock");
+    Q_EMIT panelRequested(Panel::master);
 }
 
 void RingViews::showPicture()
 {
     m_training->refresh();
+    showStatus();
+}
+
+void RingViews::compare()
+{
+    if (m_ring.isOpen())
+        m_connection->tellComparison();
+}
+
+void RingViews::showCurrent()
+{
+    if (isCurrent())
+        m_parts.editor.setRing(m_ring.id());
+    else
+        leaveActions();
+    showState();
+}
+
+// The ring that is current next has them as it needs them.
+void RingViews::leaveActions()
+{
+    for (QAction *action : {m_parts.actions.connectBus, m_parts.actions.disconnectBus, m_parts.actions.readIn,
+                            m_parts.actions.confirmDiagnostics, m_parts.actions.switchSegment})
+        action->setEnabled(false);
+    m_status.clear();
 }
 
 void RingViews::showState()
 {
     m_comparison->setConnected(m_ring.isOpen());
-    if (m_isCurrent)
-        showActions();
-}
-
-void RingViews::showActions()
-{
-    const bool hasMaster = m_isCurrent && m_ring.isOpen() && m_ring.bus()->master() != nullptr;
+    if (!isCurrent())
+        return;
+    const BusSession &bus = *m_ring.bus();
+    const bool isClosed = bus.state() == BusState::closed;
+    const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
+    m_parts.actions.connectBus->setEnabled(isClosed);
+    m_parts.actions.disconnectBus->setEnabled(!isClosed);
+    m_parts.actions.readIn->setEnabled(hasMaster && !bus.isReadingIn());
     m_parts.actions.confirmDiagnostics->setEnabled(hasMaster);
     m_parts.actions.switchSegment->setEnabled(hasMaster);
-    m_parts.status.setBus(m_isCurrent && m_ring.isOpen() ? m_ring.bus() : nullptr, tr("training bus"));
+    showStatus();
+}
+
+void RingViews::showStatus()
+{
+    if (!isCurrent())
+        return;
+    if (m_ring.isOpen())
+        m_status.show(*m_ring.bus());
+    else
+        m_status.clear();
 }
 
 void RingViews::showComparison()
 {
-    if (!m_isCurrent)
-        return;
     m_parts.pages.setCurrentWidget(m_comparison);
     m_comparison->setFocus();
-}
-
-void RingViews::tellTraining(Place place, MessageId what, const QString &text)
-{
-    Q_EMIT told({.place = place.isEmpty() ? std::nullopt : std::optional(place),
-                 .severity = Severity::information,
-                 .id = what,
-                 .arguments = {text}});
 }
 
 } // namespace codewheel

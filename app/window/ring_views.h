@@ -2,10 +2,12 @@
 #pragma once
 
 #include "app/window/bus_views.h"
+#include "app/window/ring_status.h"
 
 namespace codewheel {
 
 class ComparisonPage;
+class LedRow;
 class MasterPanel;
 class RingAtWork;
 class RingConnection;
@@ -18,31 +20,29 @@ class RingViews final : public BusViews
 
 public:
     RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent);
-    ~RingViews() override;
 
-    RingConnection &connection() const { return *m_connection; }
-    TrainingPanel &training() const { return *m_training; }
-
-    std::vector<Panel> panels() const override;
-    void setCurrent(bool isCurrent) override;
+    std::vector<std::pair<Panel, QWidget *>> panels() const override;
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void showPicture() override;
+    void compare() override;
 
 private:
-    void tellTraining(Place place, MessageId what, const QString &text);
+    void showCurrent() override;
+    void leaveActions();
     void showState();
-    void showActions();
+    void showStatus();
     void showComparison();
 
     RingAtWork &m_ring;
     const WindowParts m_parts;
+    RingStatus m_status;
     RingConnection *m_connection;
     MasterPanel *m_master;
     TrainingPanel *m_training;
     ComparisonPage *m_comparison;
+    LedRow *m_leds;
     std::optional<Place> m_chosen;
-    bool m_isCurrent = false;
 };
 
 } // namespace codewheel

@@ -27,7 +27,7 @@ public:
     SimulatedLine *training() const { return m_training.get(); } // null: it is no training line
 
     // Each ends the line there was. The training line begins in Operate.
-    void openTraining();
+    void openTraining() override;
     // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
     // plugged in. Refused as ByteLink::open(): then the line there was goes on, unless it was at the same
     // port.

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "encoder/encoder_session.h"
+#include "widgets/look/roles.h"
 
 #include <QPointer>
 #include <QWidget>
 
-#include <optional>
+#include <vector>
 
 class QLabel;
 class QStatusBar;
 
 namespace codewheel {
 
-class BusSession;
-class LineSession;
 class RoleLabel;
 
-// The line at the foot of the window: state of the bus, cycle, link, and what the chosen encoder's memory has
-// had from here. Numbers that change stand in the fixed font. It never widens the window: in a narrow one it
-// leaves out what also stands in the panels.
+// The line at the foot of the window: state of the bus, what the views of each bus tell of it, and what the
+// chosen encoder's memory has had from here. Numbers that change stand in the fixed font. It never widens the
+// window: in a narrow one it leaves out what also stands in the panels.
 class StatusLine : public QObject
 {
     Q_OBJECT
@@ -28,36 +26,38 @@ class StatusLine : public QObject
 public:
     StatusLine(QStatusBar &bar, QObject *parent);
 
-    void setBus(BusSession *bus, const QString &link);
-    void setLine(LineSession *line); // null: none
-    void setMode(bool isOperating);  // of the chosen bus
+    // For the views of a bus, who delete what they got. What is left out first has the highest rank.
+    QLabel *addFigure(int rank, const QString &name, const QString &toolTip);
+    RoleLabel *addState();
+    void show(QLabel *figure, const QString &text); // nothing, where it is empty
+    void fit();                                     // after something of it changed
+
+    void setState(Role role, const QString &text); // of the bus that has a master
+    void setMode(bool isOperating);                // of the chosen bus
     void setEncoder(EncoderSession *encoder);
+    void showPicture();
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void fit();
-    void refresh();
-    void showState();
-    void showLine();
-    void showWrites();
+    struct Figure
+    {
+        int rank = 0;
+        QPointer<QLabel> label;
+    };
+
+    void add(QWidget *widget);
 
     QStatusBar &m_bar;
-    QPointer<BusSession> m_bus;
-    QPointer<LineSession> m_line;
     QPointer<EncoderSession> m_encoder;
-    QString m_link;
-    bool m_isOperating = false;
     RoleLabel *m_state;
     RoleLabel *m_mode;
-    QLabel *m_cycle;
-    QLabel *m_late;
-    QLabel *m_crc;
-    QLabel *m_linkLabel;
-    RoleLabel *m_lineLabel; // port, baud rate, and who answers
-    QLabel *m_hint;         // what the mouse or the focus is on
+    QLabel *m_hint; // what the mouse or the focus is on
     QLabel *m_writes;
+    int m_added = 0;                         // between mode and hint
+    std::vector<Figure> m_figures;           // by rank
+    std::vector<QPointer<QWidget>> m_always; // never left out
 };
 
 } // namespace codewheel

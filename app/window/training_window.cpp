@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/training_window.h"
 
-#include "project/project_take_over.h"
-#include "ring/bus_session.h"
-
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -27,7 +24,6 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     QObject::connect(&m_plant, &Plant::messaged, &m_messages, &MessageModel::add);
     m_plant.openTraining();
     m_messages.setClock(bus());
-    m_project.setProject(projectOf(bus().structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     if (size.isValid())
         m_window->resize(size);

@@ -21,11 +21,11 @@ public:
     ~TrainingWindow();
 
     MainWindow &window() { return *m_window; }
-    BusSession &bus() { return *m_plant.ring()->bus(); }
-    SerialLine &line() { return *m_plant.line(); }
+    BusSession &bus() { return *m_plant.first<RingAtWork>()->bus(); }
+    SerialLine &line() { return *m_plant.first<SerialLine>(); }
     Plant &plant() { return m_plant; }
     Buses &buses() { return m_plant.buses(); }
-    TrainingControls &controls() { return m_plant.ring()->controls(); }
+    TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }
     MessageModel &messages() { return m_messages; }
     ProjectDocument &project() { return m_project; } // of the plant, at first
     // So many milliseconds pass on the bus; a picture is taken every 33.

@@ -41,7 +41,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitFor([this] { return program.plant() != nullptr; }, generous));
     }
 
-    BusSession &bus() { return *program.plant()->ring()->bus(); }
+    BusSession &bus() { return *program.plant()->first<RingAtWork>()->bus(); }
     bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, generous); }
 
     void click(const QString &button)
@@ -80,7 +80,7 @@ TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
     for (const Place number : {fraba, baumer})
         for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
             monitors->openMonitor(number, kind);
-    program.plant()->ring()->controls().setSpeed(fraba.node, 300);
+    program.plant()->first<RingAtWork>()->controls().setSpeed(fraba.node, 300);
     ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
 
     runTheWizard();
@@ -99,7 +99,7 @@ TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
 {
     const QLocale before;
-    const BusSession *session = program.plant()->ring()->bus();
+    const BusSession *session = program.plant()->first<RingAtWork>()->bus();
     const std::uint64_t cycle = bus().latest().cycle;
     auto *wanted = program.window()->findChild<WantedValues *>();
     wanted->set(fraba, Parameter::steps, 255);
@@ -108,7 +108,7 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
         return program.window()->findChild<MonitorArea *>() != nullptr &&
                QLocale().language() == QLocale::German;
     }));
-    EXPECT_EQ(program.plant()->ring()->bus(), session);
+    EXPECT_EQ(program.plant()->first<RingAtWork>()->bus(), session);
     wanted = program.window()->findChild<WantedValues *>();
     EXPECT_EQ(wanted->value(fraba, Parameter::steps), 255);
     program.window()->actions().undo->trigger();

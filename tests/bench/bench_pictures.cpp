@@ -93,7 +93,7 @@ int main(int argc, char **argv)
                  .clock = [] { return QDateTime::currentDateTime(); },
                  .trainingRing = [](const Catalog &) { return makeMovingRing(movingWords); }});
     plant.openTraining();
-    BusSession &bus = *plant.ring()->bus();
+    BusSession &bus = *plant.first<RingAtWork>()->bus();
     MainWindow window(settings, project);
     window.attach(plant, messages);
     auto *monitors = window.findChild<MonitorArea *>();

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/device/device_panel.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
-#include "ring/bus_session.h"
 #include "widgets/device/device_html.h"
 #include "widgets/device/naming_bar.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
-#include "widgets/master/led_row.h"
 
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <utility>
 
 namespace codewheel {
 
-DevicePanel::DevicePanel(const Catalog &catalog, QWidget *parent)
+DevicePanel::DevicePanel(const Buses &buses, const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
+    , m_buses(buses)
     , m_naming(new NamingBar(catalog, this))
-    , m_leds(new LedRow(this))
     , m_page(describe(new QTextBrowser(this), "devicePage", tr("What the manual says of the device"),
                       tr("Pins, LEDs, limits, label key and parameters, with the chapter of the manual")))
     , m_empty(new EmptyState(Icon::encoder, tr("No description"), QString(), this))
@@ -34,57 +32,31 @@ DevicePanel::DevicePanel(const Catalog &catalog, QWidget *parent)
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
     rows->setSpacing(grid::margin);
-    rows->addWidget(m_leds);
     rows->addWidget(m_naming);
     rows->addWidget(m_page, 1);
     rows->addWidget(m_empty, 1);
     setFocusProxy(m_naming);
+    connect(&buses, &Buses::changed, this, [this] { setPlace(m_number, m_planned); });
     connect(m_naming, &NamingBar::lookedUp, this, &DevicePanel::showDevice);
     showDevice();
 }
 
-void DevicePanel::setRing(BusSession *ring)
+void DevicePanel::addRow(QWidget *row)
 {
-    if (m_ring)
-        m_ring->disconnect(this);
-    m_ring = ring;
-    if (ring != nullptr) {
-        connect(ring, &BusSession::named, this, [this](Place number) {
-            if (m_number == number)
-                setPlace(number, m_planned);
-        });
-        connect(ring, &BusSession::updated, this, &DevicePanel::showLeds);
-        connect(ring, &BusSession::stateChanged, this, &DevicePanel::showLeds);
-        connect(ring, &BusSession::structureChanged, this, [this] { setPlace(m_number, m_planned); });
-    }
-    setPlace(m_number, m_planned);
+    static_cast<QVBoxLayout *>(layout())->insertWidget(0, row);
 }
 
-bool DevicePanel::isConnected() const
+EncoderBus *DevicePanel::bus() const
 {
-    return m_ring && m_ring->isOpen() && m_number && m_number->bus == m_ring->id();
+    return m_number ? m_buses.open(m_number->bus) : nullptr;
 }
 
 void DevicePanel::setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned)
 {
     m_number = number;
     m_planned = std::move(planned);
-    m_naming->setPlace(m_ring, m_planned || !isConnected() ? std::nullopt : number);
+    m_naming->setPlace(m_planned ? nullptr : bus(), number);
     showDevice();
-    showLeds();
-}
-
-// As they have to be; a look at the housing tells whether they are.
-void DevicePanel::showLeds()
-{
-    const Participant *participant = isConnected() && !m_planned ? participantAt(m_ring, m_number) : nullptr;
-    const auto place =
-        participant != nullptr ? static_cast<std::size_t>(participant - m_ring->structure().data()) : 0;
-    const bool isShown = participant != nullptr && place < m_ring->latest().devices.size() &&
-                         hasRemoteBusLeds(m_ring->encoder(participant->number));
-    m_leds->setVisible(isShown);
-    if (isShown)
-        m_leds->showLeds(ledsOf(m_ring->latest().state, m_ring->latest().devices[place].inRing));
 }
 
 void DevicePanel::focusNaming()
@@ -98,7 +70,7 @@ std::optional<DeviceDescription> DevicePanel::shown() const
         return describedDevice(*looked);
     if (m_planned)
         return m_planned;
-    const EncoderSession *encoder = isConnected() ? m_ring->encoder(*m_number) : nullptr;
+    const EncoderSession *encoder = m_number ? m_buses.encoder(*m_number) : nullptr;
     return encoder ? std::optional(encoder->device()) : std::nullopt;
 }
 
@@ -112,7 +84,7 @@ void DevicePanel::showDevice()
         m_page->clear();
     else if (device)
         fillPage();
-    else if (isBusTerminal(participantAt(m_ring, m_number)))
+    else if (bus() != nullptr && isCoupler(*bus(), *m_number))
         m_empty->setTexts(tr("%1 is a bus terminal.").arg(m_number->toString()),
                           tr("It connects the devices behind it to the ring; there is nothing to describe."));
     else if (m_number)

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "ring/bus_session.h"
+#include "encoder/place.h"
 
-#include <QPointer>
 #include <QWidget>
 
 #include <optional>
@@ -13,8 +12,10 @@ class QTextBrowser;
 
 namespace codewheel {
 
+class Buses;
+class Catalog;
 class EmptyState;
-class LedRow;
+class EncoderBus;
 class NamingBar;
 
 // What the manual says of the chosen device, and the question which one it is where the bus does not tell.
@@ -24,11 +25,11 @@ class DevicePanel : public QWidget
     Q_OBJECT
 
 public:
-    // The catalog must outlive the panel.
-    explicit DevicePanel(const Catalog &catalog, QWidget *parent = nullptr);
+    // Both must outlive the panel.
+    DevicePanel(const Buses &buses, const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The ring whose devices are named, and whose LEDs are told; null: none.
-    void setRing(BusSession *ring);
+    // What the views of a bus tell of the chosen device besides; above all else.
+    void addRow(QWidget *row);
 
     // planned: what stands there by the project, where it is not connected; it can be looked at, not named.
     void setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned = {});
@@ -41,17 +42,15 @@ protected:
 private:
     void showDevice();
     void fillPage();
-    void showLeds();
     std::optional<DeviceDescription> shown() const;
 
-    bool isConnected() const;
+    EncoderBus *bus() const; // of the device; null: not connected
 
-    QPointer<BusSession> m_ring;
+    const Buses &m_buses;
     std::optional<Place> m_number;
     std::optional<DeviceDescription> m_planned;
     std::optional<DeviceDescription> m_toFill; // the page with, once it is seen
     NamingBar *m_naming;
-    LedRow *m_leds;
     QTextBrowser *m_page;
     EmptyState *m_empty;
 };

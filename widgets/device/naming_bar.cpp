@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/device/naming_bar.h"
 
+#include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -21,19 +21,11 @@
 
 namespace codewheel {
 
-const Participant *participantAt(const BusSession *ring, std::optional<Place> number)
+bool isCoupler(const EncoderBus &bus, Place place)
 {
-    if (ring == nullptr)
-        return nullptr;
-    const auto found = std::ranges::find_if(ring->structure(), [&](const Participant &participant) {
-        return ring->placeOf(participant.number) == number;
-    });
-    return found == ring->structure().end() ? nullptr : &*found;
-}
-
-bool isBusTerminal(const Participant *participant)
-{
-    return participant && participant->idCode == busTerminalIdCode;
+    const std::vector<BusNode> nodes = bus.outline().nodes();
+    const auto node = std::ranges::find(nodes, place.node, &BusNode::node);
+    return node != nodes.end() && node->isCoupler;
 }
 
 NamingBar::NamingBar(const Catalog &catalog, QWidget *parent)
@@ -80,13 +72,18 @@ NamingBar::NamingBar(const Catalog &catalog, QWidget *parent)
     connect(m_key, &QLineEdit::editingFinished, this, &NamingBar::tellProblem);
     connect(m_choice, &QComboBox::activated, m_message, &InlineMessage::withdraw);
     connect(m_name, &QPushButton::clicked, this, &NamingBar::name);
-    setPlace(nullptr, {});
+    ask();
+    fillChoices();
 }
 
-void NamingBar::setPlace(BusSession *ring, std::optional<Place> number)
+void NamingBar::setPlace(EncoderBus *bus, std::optional<Place> number)
 {
-    m_ring = ring;
+    auto device = bus != nullptr && number && !isCoupler(*bus, *number) ? bus->found(*number) : std::nullopt;
+    if (m_bus == bus && m_number == number && m_device == device)
+        return;
+    m_bus = bus;
     m_number = number;
+    m_device = std::move(device);
     m_key->clear();
     m_message->withdraw();
     ask();
@@ -101,29 +98,26 @@ void NamingBar::focusKey()
 
 void NamingBar::ask()
 {
-    const Participant *participant = participantAt(m_ring, m_number);
-    const bool asks = participant && !isBusTerminal(participant);
-    m_question->setVisible(asks);
-    if (!asks)
+    m_question->setVisible(m_device.has_value());
+    if (!m_device)
         return;
-    const QString place = participant->number.toString();
+    const QString place = m_device->number.toString();
     m_question->setText(
-        participant->deviceKey.isEmpty()
+        m_device->deviceKey.isEmpty()
             ? tr("Which encoder is %1? The bus tells its device code (%2) but not its make.")
-                  .arg(place, hexCode(participant->deviceCode, 4))
+                  .arg(place, hexCode(m_device->deviceCode, 4))
             : tr("%1 has been named. Choose \"make not known\" to take that back.").arg(place));
 }
 
 void NamingBar::fillChoices()
 {
     m_choice->clear();
-    const Participant *participant = participantAt(m_ring, m_number);
-    if (participant && !isBusTerminal(participant)) {
+    if (m_device) {
         m_choice->addItem(tr("make not known"), QString());
         for (const DeviceDescription &device : m_catalog.devices())
-            if (!device.isGeneric() && device.deviceCode == participant->deviceCode)
+            if (!device.isGeneric() && device.deviceCode == m_device->deviceCode)
                 m_choice->addItem(device.fullName(), device.key);
-        m_choice->setCurrentIndex(std::max(0, m_choice->findData(participant->deviceKey)));
+        m_choice->setCurrentIndex(std::max(0, m_choice->findData(m_device->deviceKey)));
     }
     m_choice->setEnabled(m_choice->count() > 1);
     m_name->setEnabled(m_choice->count() > 1);
@@ -165,20 +159,20 @@ void NamingBar::chooseMatch()
     m_reading->setText(tr("%1: %2 turns, %3 steps per turn")
                            .arg(names.join(tr(" or ")), QLocale().toString(first.turns),
                                 QLocale().toString(first.stepsPerTurn)));
-    if (!m_number || !m_ring)
+    if (!m_number || !m_bus)
         return;
     for (const LabelMatch &match : m_matches)
         if (const int row = m_choice->findData(match.device->key); row >= 0) {
             m_choice->setCurrentIndex(row);
             return;
         }
-    if (const auto can = m_ring->canBe(*m_number, *first.device); !can)
+    if (const auto can = m_bus->canBe(*m_number, *first.device); !can)
         m_message->showMessage(Role::attention, refusalText(can.error()));
 }
 
 void NamingBar::name()
 {
-    if (!m_number || !m_ring)
+    if (!m_device || !m_bus)
         return;
     const QString key = m_choice->currentData().toString();
     int turns = 0;
@@ -188,8 +182,10 @@ void NamingBar::name()
             turns = match.turns;
             stepsPerTurn = match.stepsPerTurn;
         }
-    const auto named = m_ring->name(*m_number, key, turns, stepsPerTurn);
-    if (!named)
+    const auto named = m_bus->name(*m_number, key, turns, stepsPerTurn);
+    if (named)
+        m_key->clear();
+    else
         m_message->showMessage(Role::attention, refusalText(named.error()));
 }
 

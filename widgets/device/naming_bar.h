@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/encoder_bus.h"
 #include "catalog/label_key.h"
-#include "ring/bus_session.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -16,12 +16,9 @@ namespace codewheel {
 
 class Catalog;
 class InlineMessage;
-struct Participant;
 
-// Null where there is no such device, or no ring.
-const Participant *participantAt(const BusSession *ring, std::optional<Place> number);
 // A bus terminal has no make that matters and nothing to describe.
-bool isBusTerminal(const Participant *participant);
+bool isCoupler(const EncoderBus &bus, Place place);
 
 // "Which encoder is 1.0?": the key on its label, or a choice of the catalog's devices of its device code.
 // Name gives the place that driver; nothing is sent. A key is looked up even where it is no place's. Stands
@@ -34,8 +31,8 @@ public:
     // The catalog outlives it.
     explicit NamingBar(const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The device of a ring to be named; nothing: keys are only looked up.
-    void setPlace(BusSession *ring, std::optional<Place> number);
+    // The device of a bus to be named; without both keys are only looked up.
+    void setPlace(EncoderBus *bus, std::optional<Place> number);
     void focusKey();
     // What the typed key stands for; null where it is empty or not understood.
     const LabelMatch *looked() const { return m_matches.empty() ? nullptr : &m_matches.front(); }
@@ -52,8 +49,9 @@ private:
     void ask();
 
     const Catalog &m_catalog;
-    QPointer<BusSession> m_ring; // of the device
+    QPointer<EncoderBus> m_bus; // of the device
     std::optional<Place> m_number;
+    std::optional<Participant> m_device; // to be named
     std::vector<LabelMatch> m_matches;
     std::optional<Refusal> m_problem; // of the typed key
     QLabel *m_question;

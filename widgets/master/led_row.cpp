@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/master/led_row.h"
 
+#include "ring/bus_session.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
 
 #include <QHBoxLayout>
 
+#include <algorithm>
+
 namespace codewheel {
 
-LedRow::LedRow(QWidget *parent)
+LedRow::LedRow(const BusSession &ring, QWidget *parent)
     : QWidget(parent)
+    , m_ring(ring)
 {
     setObjectName(QStringLiteral("leds"));
     auto *row = new QHBoxLayout(this);
@@ -25,6 +29,29 @@ LedRow::LedRow(QWidget *parent)
         row->addWidget(m_leds[i]);
     }
     row->addStretch(1);
+    connect(&ring, &BusSession::updated, this, &LedRow::refresh);
+    connect(&ring, &BusSession::stateChanged, this, &LedRow::refresh);
+    refresh();
+}
+
+void LedRow::setPlace(std::optional<Place> place)
+{
+    m_place = place;
+    refresh();
+}
+
+void LedRow::refresh()
+{
+    const Snapshot &latest = m_ring.latest();
+    const RingStructure &structure = m_ring.structure();
+    const auto device =
+        m_place ? std::ranges::find(structure, m_place->node, &Participant::number) : structure.end();
+    const auto index = static_cast<std::size_t>(device - structure.begin());
+    const bool isShown =
+        m_ring.isOpen() && index < latest.devices.size() && hasRemoteBusLeds(m_ring.encoder(device->number));
+    setVisible(isShown);
+    if (isShown)
+        showLeds(ledsOf(latest.state, latest.devices[index].inRing));
 }
 
 void LedRow::showLeds(const DeviceLeds &leds)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
 #include "ring/device_leds.h"
 
 #include <QWidget>
@@ -10,20 +11,28 @@
 
 namespace codewheel {
 
+class BusSession;
 class RoleLabel;
 
 // The LEDs on the housing of a device as they have to be: each with its name and "on", "off" or "blinking".
-// Used by the device panel.
+// A look at the housing tells whether they are. Hidden where the device has none of these. Stands in the
+// device panel.
 class LedRow : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit LedRow(QWidget *parent = nullptr);
+    // The ring outlives it.
+    explicit LedRow(const BusSession &ring, QWidget *parent = nullptr);
 
-    void showLeds(const DeviceLeds &leds);
+    void setPlace(std::optional<Place> place); // of this ring; nothing: hidden
 
 private:
+    void refresh();
+    void showLeds(const DeviceLeds &leds);
+
+    const BusSession &m_ring;
+    std::optional<Place> m_place;
     std::array<RoleLabel *, 4> m_leds{}; // UL, RC, BA, RBDA
     std::optional<DeviceLeds> m_shown;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_html.h"
@@ -24,7 +25,7 @@ class DevicePanelTest : public testing::Test
 protected:
     DevicePanelTest()
     {
-        panel.setRing(&ring.bus);
+        buses.add(ring.bus);
         panel.resize(320, 600);
         panel.show();
     }
@@ -50,7 +51,8 @@ protected:
     }
 
     test::TrainingBusSession ring;
-    DevicePanel panel{ring.catalog};
+    Buses buses;
+    DevicePanel panel{buses, ring.catalog};
 };
 
 TEST_F(DevicePanelTest, WithoutADeviceSaysWhatBelongsHere)

@@ -3,7 +3,6 @@
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
-#include "widgets/device/device_panel.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/led_row.h"
@@ -224,30 +223,27 @@ TEST(ASegmentModel, KeepsTheRulesOfModels)
 TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.catalog);
-    panel.setRing(&ring.bus);
-    panel.setPlace(fourth);
-    auto *leds = panel.findChild<LedRow *>();
-    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
+    LedRow leds(ring.bus);
+    leds.setPlace(fourth);
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
     ring.bus.setRunning(false);
     ring.bus.advance(2);
-    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA blinking, RBDA off"));
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA blinking, RBDA off"));
     ring.bus.setRunning(true);
     ring.bus.switchSegment(4, false);
     ring.bus.advance(2);
-    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));
-    EXPECT_EQ(leds->findChildren<RoleLabel *>().last()->word(), QStringLiteral("RBDA on"));
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));
+    EXPECT_EQ(leds.findChildren<RoleLabel *>().last()->word(), QStringLiteral("RBDA on"));
 }
 
 TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.catalog);
-    panel.setRing(&ring.bus);
-    panel.setPlace(fourth);
-    EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
-    panel.setPlace("6.1"_ring);
-    EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << "it has a single one, of another meaning";
+    LedRow leds(ring.bus);
+    leds.setPlace(fourth);
+    EXPECT_FALSE(leds.isHidden());
+    leds.setPlace("6.1"_ring);
+    EXPECT_TRUE(leds.isHidden()) << "it has a single one, of another meaning";
     StructureModel model;
     model.addBus(ring.bus);
     const auto toolTip = [&](Place number) { return model.indexOf(number).data(Qt::ToolTipRole).toString(); };
@@ -258,18 +254,17 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.catalog);
-    panel.setRing(&ring.bus);
+    LedRow leds(ring.bus);
     StructureModel model;
     model.addBus(ring.bus);
     for (const Place without : {test::baumer, "5.0"_ring}) {
-        panel.setPlace(without);
-        EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << without.toString().toStdString();
+        leds.setPlace(without);
+        EXPECT_TRUE(leds.isHidden()) << without.toString().toStdString();
         EXPECT_FALSE(
             model.indexOf(without).data(Qt::ToolTipRole).toString().contains(QStringLiteral("LEDs")));
     }
-    panel.setPlace(test::singleTurn);
-    EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
+    leds.setPlace(test::singleTurn);
+    EXPECT_FALSE(leds.isHidden());
 }
 
 TEST_F(MasterPanelTest, NothingIsCutOffInANarrowDock)

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+
+class QLabel;
+
+namespace codewheel {
+
+class BusSession;
+class StatusLine;
+
+// What the status line tells of a ring: state of the master, cycle, errors, link. Used by RingViews.
+class RingStatus
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::RingStatus)
+    Q_DISABLE_COPY_MOVE(RingStatus)
+
+public:
+    explicit RingStatus(StatusLine &line);
+    ~RingStatus();
+
+    void show(const BusSession &bus);
+    void clear(); // another ring is shown, or none
+
+private:
+    StatusLine &m_line;
+    QLabel *m_cycle;
+    QLabel *m_late;
+    QLabel *m_crc;
+    QLabel *m_link;
+};
+
+} // namespace codewheel
