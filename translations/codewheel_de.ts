@@ -2988,6 +2988,11 @@
         <source>Change %1 to %2</source>
         <translation>%1 in %2 ändern</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>column, device</comment>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>Trace</name>
@@ -7835,26 +7840,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Codes haben zwei Hexadezimalziffern, etwa BEh und 81h.</translation>
     </message>
     <message>
-        <source>At the end</source>
-        <translation>Am Ende</translation>
-    </message>
-    <message>
-        <source>Behind %1</source>
-        <translation>Hinter %1</translation>
-    </message>
-    <message>
-        <source>Before %1</source>
-        <translation>Vor %1</translation>
-    </message>
-    <message>
-        <source>On the local bus of %1</source>
-        <translation>Am Lokalbus von %1</translation>
-    </message>
-    <message>
-        <source>In the branch of %1</source>
-        <translation>Im Abzweig von %1</translation>
-    </message>
-    <message>
         <source>Close the insert panel</source>
         <translation>Einfügefeld schließen</translation>
     </message>
@@ -7863,8 +7848,12 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Schließt dieses Feld (Esc)</translation>
     </message>
     <message>
-        <source>%1: %2, words: IN %3, OUT %4</source>
-        <translation>%1: %2, Worte: IN %3, OUT %4</translation>
+        <source>Search the catalog: maker or name</source>
+        <translation>Katalog durchsuchen: Hersteller oder Name</translation>
+    </message>
+    <message>
+        <source>Every place of this bus is taken.</source>
+        <translation>Jeder Platz an diesem Bus ist belegt.</translation>
     </message>
 </context>
 <context>
@@ -8747,6 +8736,13 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Another adapter is plugged in</source>
         <translation>Ein anderer Adapter ist eingesteckt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LinePlanRules</name>
+    <message>
+        <source>Address %1</source>
+        <translation>Adresse %1</translation>
     </message>
 </context>
 <context>
@@ -10517,11 +10513,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::PlanModel</name>
-    <message>
-        <source>Number</source>
-        <translation>Nummer</translation>
-    </message>
+    <name>codewheel::PlanRules</name>
     <message>
         <source>Station</source>
         <translation>Station</translation>
@@ -10535,151 +10527,36 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
-    </message>
-    <message>
-        <source>ID code</source>
-        <translation>ID-Code</translation>
-    </message>
-    <message>
-        <source>Words IN / OUT</source>
-        <translation>Worte IN / OUT</translation>
-    </message>
-    <message>
-        <source>IN byte</source>
-        <translation>IN-Byte</translation>
-    </message>
-    <message>
-        <source>IN word</source>
-        <translation>IN-Wort</translation>
-    </message>
-    <message>
-        <source>OUT byte</source>
-        <translation>OUT-Byte</translation>
-    </message>
-    <message>
-        <source>OUT word</source>
-        <translation>OUT-Wort</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>It has no such words.</source>
-        <translation>Solche Worte hat es nicht.</translation>
-    </message>
-    <message>
-        <source>Bytes %1 to %2</source>
-        <translation>Bytes %1 bis %2</translation>
-    </message>
-    <message>
-        <source>Given by hand. Delete the number to have it counted again.</source>
-        <translation>Von Hand vergeben. Die Zahl löschen, damit wieder gezählt wird.</translation>
-    </message>
-    <message>
-        <source>Counted in ring order. Type a number to give it by hand.</source>
-        <translation>In Ringreihenfolge gezählt. Eine Zahl tippen, um sie von Hand zu vergeben.</translation>
-    </message>
-    <message>
-        <source>Station of %1</source>
-        <translation>Station von %1</translation>
-    </message>
-    <message>
-        <source>Group of %1</source>
-        <translation>Gruppe von %1</translation>
-    </message>
-    <message>
-        <source>%1 is no address. Give a number from 0 to %2, or nothing to have it counted.</source>
-        <translation>%1 ist keine Adresse. Eine Zahl von 0 bis %2 eingeben oder nichts, damit gezählt wird.</translation>
-    </message>
-    <message>
-        <source>IN address of %1</source>
-        <translation>IN-Adresse von %1</translation>
-    </message>
-    <message>
-        <source>OUT address of %1</source>
-        <translation>OUT-Adresse von %1</translation>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
     </message>
     <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>Note on %1</source>
-        <translation>Notiz zu %1</translation>
+        <source>Findings</source>
+        <translation>Befunde</translation>
     </message>
     <message>
-        <source>Serial number</source>
-        <translation>Seriennummer</translation>
+        <source>Address</source>
+        <translation>Adresse</translation>
     </message>
     <message>
-        <source>Serial number of %1</source>
-        <translation>Seriennummer von %1</translation>
+        <source>Devices of this bus keep their places.</source>
+        <translation>Geräte dieses Busses behalten ihre Plätze.</translation>
     </message>
     <message>
-        <source>%1  %2
-ID code %3, device code %4
-Words: IN %5, OUT %6</source>
-        <translation>%1  %2
-ID-Code %3, Gerätecode %4
-Worte: IN %5, OUT %6</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::PlanSummary</name>
-    <message>
-        <source>About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters</source>
-        <translation>Wie lange ein Buszyklus auf der Leitung etwa dauert, nach den Formeln der G3- und der G4-Master</translation>
+        <source>&quot;%1&quot; is no address of this bus: type one from %2 to %3.</source>
+        <translation>&quot;%1&quot; ist keine Adresse dieses Busses: eine von %2 bis %3 eingeben.</translation>
     </message>
     <message>
-        <source>Length of cable in km</source>
-        <translation>Kabellänge in km</translation>
+        <source>Another device is planned at %1.</source>
+        <translation>Bei %1 ist ein anderes Gerät geplant.</translation>
     </message>
     <message>
-        <source>Length of all remote bus cables: each km takes 0.016 ms</source>
-        <translation>Länge aller Fernbuskabel: Jeder km kostet 0,016 ms</translation>
-    </message>
-    <message>
-        <source>Cable in k&amp;m</source>
-        <translation>Kabel in k&amp;m</translation>
-    </message>
-    <message>
-        <source>Length of cable</source>
-        <translation>Kabellänge</translation>
-    </message>
-    <message>
-        <source>Devices</source>
-        <translation>Teilnehmer</translation>
-    </message>
-    <message>
-        <source>remote bus</source>
-        <translation>Fernbus</translation>
-    </message>
-    <message>
-        <source>levels</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>longest local bus</source>
-        <translation>längster Lokalbus</translation>
-    </message>
-    <message>
-        <source>PCP</source>
-        <translation>PCP</translation>
-    </message>
-    <message>
-        <source>inputs</source>
-        <translation>Eingänge</translation>
-    </message>
-    <message>
-        <source>outputs</source>
-        <translation>Ausgänge</translation>
-    </message>
-    <message>
-        <source>Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)</source>
-        <translation>Zyklus etwa %1 ms bei 500 kBd, %2 ms bei 2 MBd (G3 / G4)</translation>
+        <source>&quot;%2&quot; is planned at %1.</source>
+        <translation>Bei %1 ist &quot;%2&quot; geplant.</translation>
     </message>
 </context>
 <context>
@@ -12025,6 +11902,190 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingPlanFields</name>
+    <message>
+        <source>Addresses in</source>
+        <translation>Adressen in</translation>
+    </message>
+    <message>
+        <source>How addresses in the process image are shown and typed</source>
+        <translation>Wie Adressen im Prozessabbild gezeigt und getippt werden</translation>
+    </message>
+    <message>
+        <source>First address</source>
+        <translation>Erste Adresse</translation>
+    </message>
+    <message>
+        <source>Where the automatic addresses begin, in bytes</source>
+        <translation>Wo die automatischen Adressen beginnen, in Bytes</translation>
+    </message>
+    <message>
+        <source>Step &amp;5</source>
+        <translation>Step &amp;5</translation>
+    </message>
+    <message>
+        <source>With a Step 5 PLC encoders must stand above P127: checks that</source>
+        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: prüft das</translation>
+    </message>
+    <message>
+        <source>About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters</source>
+        <translation>Wie lange ein Buszyklus auf der Leitung etwa dauert, nach den Formeln der G3- und der G4-Master</translation>
+    </message>
+    <message>
+        <source>Length of cable in km</source>
+        <translation>Kabellänge in km</translation>
+    </message>
+    <message>
+        <source>Length of all remote bus cables: each km takes 0.016 ms</source>
+        <translation>Länge aller Fernbuskabel: Jeder km kostet 0,016 ms</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>words</source>
+        <translation>Worten</translation>
+    </message>
+    <message>
+        <source>Addresses i&amp;n</source>
+        <translation>Adressen i&amp;n</translation>
+    </message>
+    <message>
+        <source>fr&amp;om byte</source>
+        <translation>ab B&amp;yte</translation>
+    </message>
+    <message>
+        <source>Length of cable</source>
+        <translation>Kabellänge</translation>
+    </message>
+    <message>
+        <source>Cable in k&amp;m</source>
+        <translation>Kabel in k&amp;m</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adressen</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Teilnehmer</translation>
+    </message>
+    <message>
+        <source>remote bus</source>
+        <translation>Fernbus</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>longest local bus</source>
+        <translation>längster Lokalbus</translation>
+    </message>
+    <message>
+        <source>PCP</source>
+        <translation>PCP</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>Eingänge</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)</source>
+        <translation>Zyklus etwa %1 ms bei 500 kBd, %2 ms bei 2 MBd (G3 / G4)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingPlanRules</name>
+    <message>
+        <source>It has no such words.</source>
+        <translation>Solche Worte hat es nicht.</translation>
+    </message>
+    <message>
+        <source>Bytes %1 to %2</source>
+        <translation>Bytes %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Given by hand. Delete the number to have it counted again.</source>
+        <translation>Von Hand vergeben. Die Zahl löschen, damit wieder gezählt wird.</translation>
+    </message>
+    <message>
+        <source>Counted in ring order. Type a number to give it by hand.</source>
+        <translation>In Ringreihenfolge gezählt. Eine Zahl tippen, um sie von Hand zu vergeben.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>%1: %2, words: IN %3, OUT %4</source>
+        <translation>%1: %2, Worte: IN %3, OUT %4</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>ID code</source>
+        <translation>ID-Code</translation>
+    </message>
+    <message>
+        <source>Words IN / OUT</source>
+        <translation>Worte IN / OUT</translation>
+    </message>
+    <message>
+        <source>IN byte</source>
+        <translation>IN-Byte</translation>
+    </message>
+    <message>
+        <source>IN word</source>
+        <translation>IN-Wort</translation>
+    </message>
+    <message>
+        <source>OUT byte</source>
+        <translation>OUT-Byte</translation>
+    </message>
+    <message>
+        <source>OUT word</source>
+        <translation>OUT-Wort</translation>
+    </message>
+    <message>
+        <source>ID code %1, device code %2
+Words: IN %3, OUT %4</source>
+        <translation>ID-Code %1, Gerätecode %2
+Worte: IN %3, OUT %4</translation>
+    </message>
+    <message>
+        <source>%1 is no address. Give a number from 0 to %2, or nothing to have it counted.</source>
+        <translation>%1 ist keine Adresse. Eine Zahl von 0 bis %2 eingeben oder nichts, damit gezählt wird.</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Behind %1</source>
+        <translation>Hinter %1</translation>
+    </message>
+    <message>
+        <source>Before %1</source>
+        <translation>Vor %1</translation>
+    </message>
+    <message>
+        <source>On the local bus of %1</source>
+        <translation>Am Lokalbus von %1</translation>
+    </message>
+    <message>
+        <source>In the branch of %1</source>
+        <translation>Im Abzweig von %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingStatus</name>
     <message>
         <source>Cycle time</source>
@@ -12917,10 +12978,6 @@ Zustand: %7</translation>
         <comment>hits of a search</comment>
         <translation>%1 von %2</translation>
     </message>
-    <message>
-        <source>Addresses</source>
-        <translation>Adressen</translation>
-    </message>
     <message numerus="yes">
         <source>%n devices with findings</source>
         <translation>
@@ -12931,18 +12988,6 @@ Zustand: %7</translation>
     <message>
         <source>Insert a device</source>
         <translation>Gerät einfügen</translation>
-    </message>
-    <message>
-        <source>The project has no devices.</source>
-        <translation>Das Projekt hat keine Teilnehmer.</translation>
-    </message>
-    <message>
-        <source>Insert the first one, or read in the ring and take it over.</source>
-        <translation>Den ersten einfügen, oder den Ring einlesen und übernehmen.</translation>
-    </message>
-    <message>
-        <source>Step &amp;5</source>
-        <translation>Step &amp;5</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -13018,48 +13063,12 @@ Zustand: %7</translation>
         <translation>Geht zu den Teilnehmern mit diesem Text; Eingabe und Umschalt+Eingabe zum nächsten und zum vorigen (Strg+F)</translation>
     </message>
     <message>
-        <source>bytes</source>
-        <translation>Bytes</translation>
-    </message>
-    <message>
-        <source>words</source>
-        <translation>Worten</translation>
-    </message>
-    <message>
-        <source>Addresses in</source>
-        <translation>Adressen in</translation>
-    </message>
-    <message>
-        <source>How addresses in the process image are shown and typed</source>
-        <translation>Wie Adressen im Prozessabbild gezeigt und getippt werden</translation>
-    </message>
-    <message>
-        <source>First address</source>
-        <translation>Erste Adresse</translation>
-    </message>
-    <message>
-        <source>Where the automatic addresses begin, in bytes</source>
-        <translation>Wo die automatischen Adressen beginnen, in Bytes</translation>
-    </message>
-    <message>
-        <source>With a Step 5 PLC encoders must stand above P127: checks that</source>
-        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: prüft das</translation>
-    </message>
-    <message>
         <source>Planned bus structure</source>
         <translation>Geplanter Busaufbau</translation>
     </message>
     <message>
         <source>Goes to the next device with a finding (F3)</source>
         <translation>Geht zum nächsten Teilnehmer mit einem Befund (F3)</translation>
-    </message>
-    <message>
-        <source>Addresses i&amp;n</source>
-        <translation>Adressen i&amp;n</translation>
-    </message>
-    <message>
-        <source>fr&amp;om byte</source>
-        <translation>ab B&amp;yte</translation>
     </message>
     <message>
         <source>No findings</source>
@@ -13070,12 +13079,36 @@ Zustand: %7</translation>
         <translation>Geräte ziehen, um sie zu verschieben. F2 oder ein Doppelklick ändert Station, Gruppe, Seriennummer, Notiz und Adressen.</translation>
     </message>
     <message>
-        <source>Name of the ring</source>
-        <translation>Name des Rings</translation>
+        <source>not planned yet</source>
+        <translation>noch nicht geplant</translation>
     </message>
     <message>
-        <source>The ring that is planned here: that of the chosen bus</source>
-        <translation>Der Ring, der hier geplant wird: der des gewählten Busses</translation>
+        <source>F2 or a double click edits address, station, group, serial number and note.</source>
+        <translation>F2 oder ein Doppelklick bearbeitet Adresse, Station, Gruppe, Seriennummer und Notiz.</translation>
+    </message>
+    <message>
+        <source>Address, name, station</source>
+        <translation>Adresse, Name, Station</translation>
+    </message>
+    <message>
+        <source>Planned b&amp;us</source>
+        <translation>Geplanter B&amp;us</translation>
+    </message>
+    <message>
+        <source>Planned bus</source>
+        <translation>Geplanter Bus</translation>
+    </message>
+    <message>
+        <source>The bus that is planned here; choosing a device elsewhere chooses its bus, too</source>
+        <translation>Der Bus, der hier geplant wird; wer anderswo ein Gerät wählt, wählt auch dessen Bus</translation>
+    </message>
+    <message>
+        <source>No devices are planned.</source>
+        <translation>Keine Geräte sind geplant.</translation>
+    </message>
+    <message>
+        <source>Insert the first one, or connect the bus and take it over.</source>
+        <translation>Das erste einfügen, oder den Bus verbinden und ihn übernehmen.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "app/screenshots/scene.h"
 #include "ring/id_code.h"
+#include "ring/ring_edit.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -39,9 +40,10 @@ void planCrane(TrainingWindow &shown)
         });
     const Catalog catalog = Catalog::builtIn();
     PlanEdits edits(project, catalog);
-    (void)edits.insert(
-        deviceOf(0x81BE),
-        {.terminal = project.indexOf(project.idAt(terminal).value_or(0)), .onLocalBus = true, .row = 1});
+    (void)edits.insert(deviceOf(0x81BE),
+                       KindData(RingPlace{.terminal = project.indexOf(project.idAt(terminal).value_or(0)),
+                                          .onLocalBus = true,
+                                          .row = 1}));
     project.editDevice({firstRing, NodeId("4.0")}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
     project.editDevice({firstRing, NodeId("5.0")}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
     shown.advance(40);

@@ -75,7 +75,10 @@ void DeviceChoice::followPlan()
         return;
     }
     const ProjectDevice *planned = m_planned ? m_project.device(*m_planned) : nullptr;
-    choose(planned ? std::optional(planned->place()) : m_place);
+    if (planned && planned->place() == m_place && m_tree.currentBus())
+        show(); // it stays chosen
+    else
+        choose(planned ? std::optional(planned->place()) : m_place);
 }
 
 void DeviceChoice::show()

@@ -151,7 +151,7 @@ void MainWindow::showChosen()
     m_transfer->setEncoder(encoder);
     const auto place = m_choice->place();
     if (place)
-        chooseBus(place->bus);
+        chooseBusOf(*place);
     for (const auto &[bus, views] : m_views)
         views->setChosen(place && place->bus == bus ? place : std::nullopt);
     // what its bus does not name is shown as it is described
@@ -211,7 +211,8 @@ void MainWindow::showStructureEditor()
     const auto chosen = currentNumber(); // the page chooses its first device when it gets the focus
     m_pages->setCurrentWidget(m_editor);
     m_editor->setFocus();
-    m_choice->choose(chosen);
+    if (chosen && chosen->bus == m_chosenBus)
+        m_choice->choose(chosen);
 }
 
 void MainWindow::showComparison()

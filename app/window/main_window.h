@@ -109,6 +109,7 @@ private:
     void showWhetherOpen(BusAtWork &bus);
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
+    void chooseBusOf(Place place);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
     void showChosen();
     void openFirstMonitors();

@@ -6,6 +6,7 @@
 #include "app/window/plant.h"
 #include "bus/buses.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
 #include <QMenu>
@@ -21,6 +22,8 @@ void MainWindow::connectBuses()
     for (BusAtWork *bus : m_plant->all())
         addBus(bus);
     connect(m_structure, &StructureView::busChosen, this, &MainWindow::chooseBus);
+    connect(m_structure, &StructureView::chosen, this, &MainWindow::chooseBusOf);
+    connect(m_editor, &StructureEditor::busChosen, m_structure, qOverload<BusId>(&StructureView::choose));
     connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
         if (BusViews *views = viewsOf(bus))
             views->open();
@@ -145,6 +148,7 @@ void MainWindow::setCurrent(BusAtWork &bus)
 void MainWindow::chooseBus(BusId bus)
 {
     BusAtWork *its = m_plant->find(bus);
+    m_editor->setBus(bus, its != nullptr ? its->kind() : QString());
     if (its == nullptr)
         return;
     m_chosenBus = bus;
@@ -153,6 +157,12 @@ void MainWindow::chooseBus(BusId bus)
             m_panels.showPage(panel, page);
     setCurrent(*its);
     showBusState();
+}
+
+void MainWindow::chooseBusOf(Place place)
+{
+    chooseBus(place.bus);
+    m_editor->choose(place);
 }
 
 EncoderBus *MainWindow::chosenBus() const

@@ -9,6 +9,7 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
+#include "widgets/master/ring_plan_fields.h"
 #include "widgets/project/device_names.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/training/training_panel.h"
@@ -28,7 +29,9 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_training(own(new TrainingPanel(ring.controls(), ring.id(), &parts.pages)))
     , m_comparison(own(new ComparisonPage(ring.project(), *ring.bus(), &parts.pages)))
     , m_leds(own(new LedRow(*ring.bus(), &parts.device)))
+    , m_planFields(own(new RingPlanFields(ring.project(), ring.id())))
 {
+    parts.editor.addFields(ring.id(), m_planFields);
     new DeviceNames(ring.project(), *ring.bus(), this);
     parts.pages.addWidget(m_comparison);
     parts.device.addRow(m_leds);
@@ -65,10 +68,8 @@ void RingViews::setChosen(std::optional<Place> place)
 {
     m_chosen = place;
     m_leds->setPlace(place);
-    if (place) {
+    if (place)
         m_training->setDevice(*place);
-        m_parts.editor.choose(*place);
-    }
 }
 
 void RingViews::open()

@@ -11,6 +11,7 @@ class LedRow;
 class MasterPanel;
 class RingAtWork;
 class RingConnection;
+class RingPlanFields;
 class TrainingPanel;
 
 // The views of a ring in the window: its master, its training panel, and the comparison with the project.
@@ -42,6 +43,7 @@ private:
     TrainingPanel *m_training;
     ComparisonPage *m_comparison;
     LedRow *m_leds;
+    RingPlanFields *m_planFields; // in the structure editor
     std::optional<Place> m_chosen;
 };
 

@@ -2,6 +2,7 @@
 #include "project/bus_kind.h"
 
 #include "project/line_kind.h"
+#include "project/plan_rules.h"
 #include "project/ring_kind.h"
 
 #include <algorithm>
@@ -27,6 +28,12 @@ Kinds &kinds()
 }
 
 } // namespace
+
+const PlanRules &BusKind::planRules() const
+{
+    static const PlanRules none;
+    return none;
+}
 
 const BusKind *busKind(QStringView key)
 {

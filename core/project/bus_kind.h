@@ -11,6 +11,7 @@ namespace codewheel {
 
 class Catalog;
 class JsonObject;
+class PlanRules;
 class ProjectWriter;
 
 // A kind of bus in a project: how its buses are looked at, checked, and kept in the file
@@ -34,6 +35,8 @@ public:
     virtual void write(ProjectWriter &writer, const KindData &settings,
                        std::span<const ProjectDevice> devices) const = 0;
     virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
+    // How its devices are planned; as it stands, they cannot be.
+    virtual const PlanRules &planRules() const;
 };
 
 // Those of the program, and what was added.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "project/bus_kind.h"
+#include "project/line_plan_rules.h"
 
 #include <QCoreApplication>
 
@@ -23,6 +24,10 @@ public:
     KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const override;
     void write(ProjectWriter &writer, const KindData &settings,
                std::span<const ProjectDevice> devices) const override;
+    const PlanRules &planRules() const override { return m_planRules; }
+
+private:
+    LinePlanRules m_planRules;
 };
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "project/bus_kind.h"
+#include "project/ring_plan_rules.h"
 
 #include <QCoreApplication>
 
@@ -24,6 +25,10 @@ public:
     void write(ProjectWriter &writer, const KindData &settings,
                std::span<const ProjectDevice> devices) const override;
     std::vector<Finding> check(const Project &project, BusId bus) const override;
+    const PlanRules &planRules() const override { return m_planRules; }
+
+private:
+    RingPlanRules m_planRules;
 };
 
 } // namespace codewheel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device the panels show, and editing the project while nothing is connected.
+#include "ring/ring_edit.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/cams/cam_editor.h"
@@ -161,7 +162,7 @@ TEST_F(OfflineEditing, APlannedDeviceThatIsNotConnectedIsEditedWhileTheRingRuns)
     const Catalog catalog = Catalog::builtIn();
     PlanEdits edits(shown->project(), catalog);
     const Participant same = shown->project().device(baumer).participant;
-    ASSERT_TRUE(edits.insert(same, {.terminal = {}, .onLocalBus = false, .row = 1000}));
+    ASSERT_TRUE(edits.insert(same, KindData(RingPlace{.terminal = {}, .onLocalBus = false, .row = 1000})));
     const Place added = shown->project().project().devices.back().place();
     QTest::keyClick(&window(), Qt::Key_F4);
     plan().setCurrentIndex(plan().model()->index(plan().model()->rowCount() - 1, 0));

@@ -16,6 +16,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -224,7 +225,8 @@ TEST_F(SeveralBuses, TheStructureEditorPlansTheChosenRing)
     const auto *rows = editor.findChild<QTreeView *>(QStringLiteral("plan"))->model();
     const std::size_t before = shown->project().project().devices.size();
     choose(secondRing);
-    EXPECT_EQ(editor.findChild<QLabel *>(QStringLiteral("ringName"))->text(), QStringLiteral("Ring 2"));
+    EXPECT_EQ(editor.findChild<QComboBox *>(QStringLiteral("plannedBus"))->currentText(),
+              QStringLiteral("Ring 2"));
     EXPECT_EQ(rows->rowCount(), 0);
     editor.openInsertPanel();
     auto &panel = *editor.findChild<InsertPanel *>();
@@ -234,11 +236,42 @@ TEST_F(SeveralBuses, TheStructureEditorPlansTheChosenRing)
     EXPECT_EQ(shown->project().project().devices.size(), before + 1);
     EXPECT_EQ(rows->rowCount(), 1);
     choose(test::baumer);
-    EXPECT_EQ(editor.findChild<QLabel *>(QStringLiteral("ringName"))->text(), QStringLiteral("Ring"));
+    EXPECT_EQ(editor.findChild<QComboBox *>(QStringLiteral("plannedBus"))->currentText(),
+              QStringLiteral("Ring"));
     EXPECT_EQ(rows->rowCount(), 6);
     choose(farFraba);
     EXPECT_EQ(rows->rowCount(), 1);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), farFraba) << "it stays chosen";
+}
+
+TEST_F(SeveralBuses, ALineIsPlannedWhileNothingIsConnected)
+{
+    actions().disconnectBus->trigger();
+    advance(50);
+    choose(test::fraba);
+    plan(secondLine, u"esc");
+    choose(secondLine);
+    window().showStructureEditor();
+    auto &editor = *window().findChild<StructureEditor *>();
+    auto &bus = *editor.findChild<QComboBox *>(QStringLiteral("plannedBus"));
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Line")) << "not that of the device that the panels show";
+    const auto insert = [&] {
+        editor.openInsertPanel();
+        QTest::keyClick(editor.findChild<QLineEdit *>(QStringLiteral("catalogSearch")), Qt::Key_Return);
+    };
+    insert();
+    insert();
+    EXPECT_EQ(devicesOn(shown->project().project(), secondLine).size(), 2U);
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Line"));
+    const auto current = [&] { return window().findChild<StructureView *>()->current(); };
+    EXPECT_EQ(current(), (Place{secondLine, NodeId("esc:02")})) << "what was inserted is shown by the panels";
+    choose(test::fraba);
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
+    bus.setCurrentIndex(1);
+    Q_EMIT bus.activated(1);
+    EXPECT_EQ(window().findChild<StructureView *>()->currentBus(), secondLine);
+    choose(test::fraba);
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Ring")) << "chosen again";
 }
 
 // A number is one bus: that of the project.

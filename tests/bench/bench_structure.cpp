@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
+#include "ring/ring_edit.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"
 #include "widgets/look/appearance.h"
@@ -98,7 +99,7 @@ int main(int argc, char **argv)
     });
     measure("move first to last and back", editor, [&](int i) {
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};
-        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, place);
+        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, KindData(place));
     });
     measure("remove a local bus and undo", editor, [&](int i) {
         if (i % 2 == 0)
@@ -110,7 +111,7 @@ int main(int argc, char **argv)
         if (i == 0)
             (void)edits.remove({document.ids(firstRing)[1], document.ids(firstRing)[2]});
         if (i % 2 == 0)
-            (void)edits.insert(deviceOf(0x0237), {.terminal = {}, .onLocalBus = false, .row = 0});
+            (void)edits.insert(deviceOf(0x0237), KindData(RingPlace{}));
         else
             document.undoStack().undo();
     });

@@ -2,8 +2,8 @@
 #include "widgets/comparison/comparison_model.h"
 
 #include "catalog/hex_code.h"
+#include "project/ring_plan_rules.h"
 #include "widgets/look/roles.h"
-#include "widgets/structure_editor/plan_row.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ QString placeText(const RingStructure &ring, std::optional<std::size_t> place, c
         return {};
     const Participant &device = ring.at(*place);
     return QStringLiteral("%1  %2  %3")
-        .arg(device.number.toString(), planName(device, catalog), hexCode(device.idCode, 2));
+        .arg(device.number.toString(), RingPlanRules().nameOf(device, catalog), hexCode(device.idCode, 2));
 }
 
 Role roleOf(ComparisonKind kind)

@@ -90,6 +90,11 @@ StructureView::StructureView(QWidget *parent)
             Q_EMIT namingRequested(*number);
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::showWhetherEmpty);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_busBefore = currentBus(); });
+    connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+        if (m_busBefore)
+            choose(*m_busBefore); // whoever asks chooses a device again
+    });
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
     connect(m_model, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) {
         if (first.column() != StructureModel::positionColumn) // it has room for any
@@ -172,6 +177,12 @@ void StructureView::removeBus(BusId bus)
     if (before && m_model->indexOf(*before).isValid())
         choose(*before);
     askForMake();
+}
+
+std::optional<BusId> StructureView::currentBus() const
+{
+    const QModelIndex index = m_tree->currentIndex();
+    return m_model->placeAt(index) ? std::nullopt : m_model->busAt(index);
 }
 
 void StructureView::choose(BusId bus)

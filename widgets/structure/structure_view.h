@@ -35,6 +35,7 @@ public:
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
     std::optional<Place> current() const;
+    std::optional<BusId> currentBus() const; // the row of the bus itself
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
 
@@ -67,8 +68,9 @@ private:
     EmptyState *m_empty;
     InlineMessage *m_question;
     QTimer m_measuring;
-    int m_widestName = 0; // px
-    int m_levels = 0;     // of the tree, the master one of them
+    std::optional<BusId> m_busBefore; // that was chosen before the rows were made anew
+    int m_widestName = 0;             // px
+    int m_levels = 0;                 // of the tree, the master one of them
 };
 
 } // namespace codewheel

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure_editor/insert_panel.h"
 
-#include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "ring/id_code.h"
-#include "ring/ring_tree.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
-#include "widgets/structure_editor/plan_row.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -21,14 +17,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
 constexpr int visibleDevices = 5;
-constexpr int codeRole = Qt::UserRole;
-constexpr int keyRole = Qt::UserRole + 1;
 
 // "37h", "37", "0x37"
 std::optional<unsigned> hexByte(QString text)
@@ -43,16 +35,11 @@ std::optional<unsigned> hexByte(QString text)
     return isNumber && value <= 0xFF ? std::optional(value) : std::nullopt;
 }
 
-QString offeredText(const Participant &device, const Catalog &catalog)
-{
-    return QStringLiteral("%1  (%2)").arg(planName(device, catalog), hexCode(device.deviceCode, 4));
-}
-
 } // namespace
 
-InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
+InsertPanel::InsertPanel(const PlanEdits &edits, QWidget *parent)
     : QWidget(parent)
-    , m_catalog(catalog)
+    , m_edits(edits)
     , m_search(describe(new QLineEdit(this), "catalogSearch", tr("Search the catalog"),
                         tr("Shows the devices of the catalog that have this text")))
     , m_devices(describe(new QListWidget(this), "catalogDevices", tr("Devices of the catalog"),
@@ -61,6 +48,8 @@ InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
                         tr("The low byte of the device code, hexadecimal: kind and direction")))
     , m_lengthCode(describe(new QLineEdit(this), "insertLengthCode", tr("Length code"),
                             tr("The high byte of the device code, hexadecimal: data width")))
+    , m_codes(new QWidget(this))
+    , m_codesLabel(new QLabel(tr("I&D code"), this))
     , m_reading(new QLabel(this))
     , m_where(describe(new QComboBox(this), "insertPlace", tr("Place"),
                        tr("Where the device is inserted, seen from the chosen one")))
@@ -71,8 +60,8 @@ InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
                            "stay")))
 {
     makeFields();
-    fillCatalog();
-    setPlace({}, {});
+    showKind();
+    setPlace({});
     connect(m_search, &QLineEdit::textChanged, this, &InsertPanel::fillCatalog);
     connect(m_search, &QLineEdit::returnPressed, m_insert, &QPushButton::click);
     connect(m_devices, &QListWidget::currentRowChanged, this, [this] {
@@ -86,7 +75,8 @@ InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
     }
     connect(m_insert, &QPushButton::clicked, this, [this] {
         if (const auto device = chosen())
-            Q_EMIT insertRequested(*device, place());
+            Q_EMIT insertRequested(*device,
+                                   m_targets.at(static_cast<std::size_t>(m_where->currentIndex())).where);
     });
     connect(m_change, &QPushButton::clicked, this, [this] {
         if (const auto device = chosen())
@@ -96,7 +86,6 @@ InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
 
 void InsertPanel::makeFields()
 {
-    m_search->setPlaceholderText(tr("Search the catalog: maker, name, profile or ID code"));
     m_search->setClearButtonEnabled(true);
     m_devices->setFixedHeight(visibleDevices * (fontMetrics().height() + grid::unit) + grid::margin);
     for (QLineEdit *field : {m_idCode, m_lengthCode}) {
@@ -115,12 +104,17 @@ void InsertPanel::makeFields()
         made->setBuddy(buddy);
         return made;
     };
-    auto *codes = new QHBoxLayout;
+    m_codesLabel->setBuddy(m_idCode);
+    auto *codes = new QHBoxLayout(m_codes);
+    codes->setContentsMargins({});
     codes->setSpacing(grid::groupGap);
     codes->addWidget(m_idCode);
     codes->addWidget(label(tr("&Length code"), m_lengthCode));
     codes->addWidget(m_lengthCode);
-    codes->addWidget(m_reading, 1);
+    auto *reading = new QHBoxLayout;
+    reading->setSpacing(grid::groupGap);
+    reading->addWidget(m_codes);
+    reading->addWidget(m_reading, 1);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(grid::groupGap);
     buttons->addWidget(m_where, 1);
@@ -132,8 +126,8 @@ void InsertPanel::makeFields()
     fields->addWidget(label(tr("C&atalog"), m_search), 0, 0);
     fields->addLayout(makeSearchRow(), 0, 1);
     fields->addWidget(m_devices, 1, 1);
-    fields->addWidget(label(tr("I&D code"), m_idCode), 2, 0);
-    fields->addLayout(codes, 2, 1);
+    fields->addWidget(m_codesLabel, 2, 0);
+    fields->addLayout(reading, 2, 1);
     fields->addWidget(label(tr("&Place"), m_where), 3, 0);
     fields->addLayout(buttons, 3, 1);
 }
@@ -161,26 +155,29 @@ void InsertPanel::focusSearch()
     m_search->selectAll();
 }
 
+void InsertPanel::showKind()
+{
+    const bool hasCodes = m_edits.rules().coded(0, 0).has_value();
+    m_codes->setVisible(hasCodes);
+    m_codesLabel->setVisible(hasCodes);
+    m_byCode = false;
+    m_search->setPlaceholderText(hasCodes ? tr("Search the catalog: maker, name, profile or ID code")
+                                          : tr("Search the catalog: maker or name"));
+    fillCatalog();
+}
+
 void InsertPanel::fillCatalog()
 {
     m_devices->clear();
-    const auto add = [this](const Participant &device) {
-        const QString text = offeredText(device, m_catalog);
+    m_offered.clear();
+    for (const Participant &device : m_edits.rules().offered(m_edits.catalog())) {
+        QString text = m_edits.nameOf(device);
+        if (device.deviceCode != 0)
+            text += QStringLiteral("  (%1)").arg(hexCode(device.deviceCode, 4));
         if (!text.contains(m_search->text().trimmed(), Qt::CaseInsensitive))
-            return;
-        auto *item = new QListWidgetItem(text, m_devices);
-        item->setData(codeRole, device.deviceCode);
-        item->setData(keyRole, device.deviceKey);
-    };
-    add(deviceOf(busTerminalIdCode));
-    for (const DeviceDescription &device : m_catalog.devices()) {
-        if (device.profile == Profile::esc)
-            continue; // no bus
-        Participant participant = deviceOf(device.deviceCode);
-        participant.inWords = device.inWords;
-        participant.outWords = device.outWords;
-        participant.deviceKey = device.isGeneric() ? QString() : device.key;
-        add(participant);
+            continue;
+        m_devices->addItem(text);
+        m_offered.push_back(device);
     }
     if (m_devices->count() > 0)
         m_devices->setCurrentRow(0);
@@ -199,92 +196,38 @@ std::optional<Participant> InsertPanel::chosen() const
         const auto id = hexByte(m_idCode->text());
         const auto length =
             hexByte(m_lengthCode->text().isEmpty() ? QStringLiteral("0") : m_lengthCode->text());
-        return id && length ? std::optional(deviceOf(*length << 8 | *id)) : std::nullopt;
+        return id && length ? m_edits.rules().coded(*id, *length) : std::nullopt;
     }
-    const QListWidgetItem *item = m_devices->currentItem();
-    if (item == nullptr)
-        return std::nullopt;
-    Participant device = deviceOf(item->data(codeRole).toUInt());
-    device.deviceKey = item->data(keyRole).toString();
-    if (const DeviceDescription *described = m_catalog.find(device.deviceKey)) {
-        device.inWords = described->inWords;
-        device.outWords = described->outWords;
-    }
-    return device;
+    const int row = m_devices->currentRow();
+    return row < 0 ? std::nullopt : std::optional(m_offered.at(static_cast<std::size_t>(row)));
 }
 
 // What will be inserted, in words.
 void InsertPanel::choose()
 {
     const auto device = chosen();
-    m_insert->setEnabled(device.has_value());
-    m_change->setEnabled(device && m_current);
+    m_insert->setEnabled(device && !m_targets.empty());
+    m_change->setEnabled(device && m_hasChosen);
     if (!device)
         m_reading->setText(m_byCode ? tr("Codes are two hexadecimal digits, such as BEh and 81h.")
                                     : QString());
+    else if (m_targets.empty())
+        m_reading->setText(tr("Every place of this bus is taken."));
     else
-        m_reading->setText(tr("%1: %2, words: IN %3, OUT %4")
-                               .arg(hexCode(device->deviceCode, 4), planName(*device, m_catalog))
-                               .arg(device->inWords)
-                               .arg(device->outWords));
-    if (device)
-        preferPlace();
+        m_reading->setText(m_edits.rules().reading(*device, m_edits.catalog()));
+    if (device && !m_targets.empty())
+        m_where->setCurrentIndex(static_cast<int>(m_edits.rules().preferred(
+            m_targets, *device, static_cast<std::size_t>(m_where->currentIndex()))));
 }
 
-void InsertPanel::setPlace(const RingStructure &structure, std::optional<std::size_t> current)
+void InsertPanel::setPlace(std::optional<std::size_t> chosen)
 {
-    m_structure = structure;
-    m_current = current;
-    fillPlaces();
-    choose();
-}
-
-void InsertPanel::fillPlaces()
-{
+    m_hasChosen = chosen.has_value();
+    m_targets = m_edits.rules().targets(m_edits.project(), m_edits.bus(), chosen);
     m_where->clear();
-    m_places.clear();
-    const auto add = [this](const QString &text, const RingPlace &place) {
-        m_where->addItem(text);
-        m_places.push_back(place);
-    };
-    if (!m_current) {
-        add(tr("At the end"), {.terminal = {}, .onLocalBus = false, .row = m_structure.size()});
-        return;
-    }
-    const QString number = m_structure[*m_current].number.toString();
-    RingPlace behind = placeOf(m_structure, *m_current);
-    const RingPlace before = behind;
-    ++behind.row;
-    add(tr("Behind %1").arg(number), behind);
-    add(tr("Before %1").arg(number), before);
-    if (m_structure[*m_current].idCode != busTerminalIdCode)
-        return;
-    const RingTree tree = ringTree(m_structure);
-    const RingTree::Node &terminal = tree.nodes[*m_current];
-    add(tr("On the local bus of %1").arg(number),
-        {.terminal = m_current, .onLocalBus = true, .row = terminal.localBus.size()});
-    add(tr("In the branch of %1").arg(number),
-        {.terminal = m_current, .onLocalBus = false, .row = terminal.branch.size()});
-}
-
-// A device of a local bus behind a bus terminal is meant for that one's.
-void InsertPanel::preferPlace()
-{
-    const auto device = chosen();
-    const auto local = std::ranges::find_if(
-        m_places, [this](const RingPlace &place) { return place.onLocalBus && place.terminal == m_current; });
-    if (!device || local == m_places.end())
-        return;
-    const int localRow = static_cast<int>(local - m_places.begin());
-    if (prefersLocalBus(*device))
-        m_where->setCurrentIndex(localRow);
-    else if (m_where->currentIndex() == localRow)
-        m_where->setCurrentIndex(0);
-}
-
-RingPlace InsertPanel::place() const
-{
-    return m_places.at(static_cast<std::size_t>(m_where->currentIndex()));
+    for (const PlanTarget &target : m_targets)
+        m_where->addItem(target.text);
+    choose();
 }
 
 } // namespace codewheel

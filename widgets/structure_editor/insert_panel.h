@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/ring_edit.h"
+#include "widgets/structure_editor/plan_edits.h"
 
 #include <QWidget>
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
+class QHBoxLayout;
 
 namespace codewheel {
 
-class Catalog;
-
-// Which device shall be inserted, and where: from the catalog, searched by name or ID code, or by ID code and
-// length code. Stands in the structure editor, which carries it out.
+// Which device shall be inserted, and where: of those in the catalog that are for this kind of bus, searched
+// by name or ID code, or by ID code and length code where the kind has them. Stands in the structure editor,
+// which carries it out.
 class InsertPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit InsertPanel(const Catalog &catalog, QWidget *parent = nullptr);
+    // The edits must outlive it.
+    explicit InsertPanel(const PlanEdits &edits, QWidget *parent = nullptr);
 
-    // Behind this device, and below it where it is a bus terminal. Null: at the end of the main line.
-    void setPlace(const RingStructure &structure, std::optional<std::size_t> current);
+    void showKind();                                  // of the bus that is edited
+    void setPlace(std::optional<std::size_t> chosen); // seen from this device, if there is one
     void focusSearch();
 
 Q_SIGNALS:
-    void insertRequested(const codewheel::Participant &device, const codewheel::RingPlace &place);
+    void insertRequested(const codewheel::Participant &device, const codewheel::KindData &where);
     void changeRequested(const codewheel::Participant &device); // the current one into this
     void closeRequested();
 
@@ -41,19 +41,18 @@ private:
     void readCodes();
     void choose();
     std::optional<Participant> chosen() const;
-    RingPlace place() const;
-    void preferPlace();
-    void fillPlaces();
 
-    const Catalog &m_catalog;
-    RingStructure m_structure;
-    std::optional<std::size_t> m_current;
-    std::vector<RingPlace> m_places; // as m_where
-    bool m_byCode = false;           // the codes were typed last
+    const PlanEdits &m_edits;
+    bool m_hasChosen = false;
+    std::vector<Participant> m_offered; // as m_devices
+    std::vector<PlanTarget> m_targets;  // as m_where
+    bool m_byCode = false;              // the codes were typed last
     QLineEdit *m_search;
     QListWidget *m_devices;
     QLineEdit *m_idCode;
     QLineEdit *m_lengthCode;
+    QWidget *m_codes; // the row they stand in
+    QLabel *m_codesLabel;
     QLabel *m_reading;
     QComboBox *m_where;
     QPushButton *m_insert;

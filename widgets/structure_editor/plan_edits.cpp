@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure_editor/plan_edits.h"
 
-#include "project/project_take_over.h"
-#include "project/ring_plan.h"
-#include "ring/comparison.h"
-#include "ring/ring_tree.h"
-#include "widgets/structure_editor/plan_row.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 
 #include <QCoreApplication>
 
@@ -22,156 +19,118 @@ struct StructureSteps
 
 } // namespace
 
-RingStructure PlanEdits::structure() const
+void PlanEdits::setBus(BusId bus, const QString &kind)
 {
-    return structureOf(m_document.project(), m_ring);
+    m_bus = bus;
+    m_kind = kind;
 }
 
-const Participant &PlanEdits::participant(Id device) const
+QString PlanEdits::kindKey() const
 {
-    return m_document.device(device)->participant;
+    const PlannedBus *planned = findBus(project(), m_bus);
+    return planned ? planned->kind : m_kind;
 }
 
-QString PlanEdits::nameOf(Id device) const
+const BusKind *PlanEdits::kind() const
 {
-    return participant(device).number.toString();
+    return busKind(kindKey());
 }
 
-std::optional<RingPlace> PlanEdits::placeOf(Id device) const
+const PlanRules &PlanEdits::rules() const
 {
-    const auto place = m_document.indexOf(device);
-    return place ? std::optional(codewheel::placeOf(structure(), *place)) : std::nullopt;
+    static const PlanRules none;
+    return kind() ? kind()->planRules() : none;
 }
 
-Result<void> PlanEdits::apply(const Result<EditedRing> &edited, const QString &what)
+std::vector<PlanRow> PlanEdits::rows() const
+{
+    std::vector<PlanRow> rows = rules().rows(project(), m_bus, m_catalog);
+    if (kind() == nullptr)
+        return rows;
+    for (Finding &finding : kind()->check(project(), m_bus)) {
+        // Where it stands is told by the row: the number goes on when a device before it is inserted.
+        auto &its = rows[std::exchange(finding.device, 0)].findings;
+        its.push_back(std::move(finding));
+    }
+    return rows;
+}
+
+std::vector<std::size_t> PlanEdits::indicesOf(const Ids &devices) const
+{
+    std::vector<std::size_t> indices;
+    for (const Id device : devices)
+        if (const auto index = m_document.indexOf(device))
+            indices.push_back(*index);
+    return indices;
+}
+
+Result<void> PlanEdits::apply(Result<EditedPlan> edited, const QString &what)
 {
     if (!edited)
         return tl::unexpected(edited.error());
-    Project after = m_document.project();
-    setRingPlan(after, m_ring, ringPlan(after, m_ring));
-    const std::span<ProjectDevice> before = devicesOn(after, m_ring);
-    std::vector<ProjectDevice> devices;
-    for (std::size_t i = 0; i < edited->structure.size(); ++i) {
-        const auto from = edited->from[i];
-        ProjectDevice device = from ? std::move(before[*from]) : ProjectDevice();
-        device.bus = m_ring;
-        device.participant = edited->structure[i];
-        devices.push_back(std::move(device));
-    }
-    setDevicesOn(after, m_ring, std::move(devices));
-    m_document.edit(std::move(after), m_ring, edited->from, what);
+    Project after = project();
+    planBus(after, m_bus, *kind());
+    setDevicesOn(after, m_bus, std::move(edited->devices));
+    m_document.edit(std::move(after), m_bus, edited->from, what);
     return {};
 }
 
-Result<PlanEdits::Id> PlanEdits::insert(const Participant &device, const RingPlace &place)
+Result<PlanEdits::Id> PlanEdits::insert(const Participant &device, const KindData &where)
 {
-    const auto edited = insertDevice(structure(), device, place);
-    const auto done = apply(edited, StructureSteps::tr("Insert %1").arg(planName(device, m_catalog)));
-    if (!done)
+    const auto edited = rules().insert(project(), m_bus, device, where);
+    if (const auto done = apply(edited, StructureSteps::tr("Insert %1").arg(nameOf(device))); !done)
         return tl::unexpected(done.error());
     const auto at =
         std::ranges::find_if(edited->from, [](const auto &from) { return !from; }) - edited->from.begin();
-    return m_document.ids(m_ring)[static_cast<std::size_t>(at)];
+    return m_document.ids(m_bus)[static_cast<std::size_t>(at)];
 }
 
 Result<void> PlanEdits::remove(const Ids &devices)
 {
     if (devices.empty())
         return {};
-    std::vector<std::size_t> places;
-    for (const Id device : devices)
-        if (const auto place = m_document.indexOf(device))
-            places.push_back(*place);
-    const QString what = places.size() == 1 ? StructureSteps::tr("Remove %1").arg(nameOf(devices.front()))
-                                            : StructureSteps::tr("Remove %n devices", nullptr,
-                                                                 static_cast<int>(places.size()));
-    return apply(removeDevices(structure(), places), what);
+    const QString what = devices.size() == 1 ? StructureSteps::tr("Remove %1").arg(placeOf(devices.front()))
+                                             : StructureSteps::tr("Remove %n devices", nullptr,
+                                                                  static_cast<int>(devices.size()));
+    return apply(rules().remove(project(), m_bus, indicesOf(devices)), what);
 }
 
-Result<void> PlanEdits::move(const Ids &devices, const RingPlace &place)
+Result<void> PlanEdits::move(const Ids &devices, const KindData &where)
 {
     if (devices.empty())
         return {};
-    std::vector<std::size_t> places;
-    for (const Id device : devices)
-        if (const auto at = m_document.indexOf(device))
-            places.push_back(*at);
-    const QString what =
-        places.size() == 1 ? StructureSteps::tr("Move %1").arg(nameOf(devices.front()))
-                           : StructureSteps::tr("Move %n devices", nullptr, static_cast<int>(places.size()));
-    return apply(moveDevices(structure(), places, place), what);
+    const QString what = devices.size() == 1 ? StructureSteps::tr("Move %1").arg(placeOf(devices.front()))
+                                             : StructureSteps::tr("Move %n devices", nullptr,
+                                                                  static_cast<int>(devices.size()));
+    return apply(rules().move(project(), m_bus, indicesOf(devices), where), what);
+}
+
+Result<void> PlanEdits::move(Id device, PlanStep step)
+{
+    const auto where = rules().stepped(project(), m_bus, *m_document.indexOf(device), step);
+    return where ? move({device}, *where) : Result<void>();
+}
+
+Result<void> PlanEdits::drop(const Ids &devices, std::optional<Id> parent, int row)
+{
+    if (devices.empty())
+        return {};
+    const auto where = rules().dropped(project(), m_bus, *m_document.indexOf(devices.front()),
+                                       parent ? m_document.indexOf(*parent) : std::nullopt, row);
+    return where ? move(devices, *where) : Result<void>();
 }
 
 Result<void> PlanEdits::change(Id device, const Participant &to)
 {
-    const std::size_t place = *m_document.indexOf(device);
-    const QString what = StructureSteps::tr("Change %1 to %2").arg(nameOf(device), planName(to, m_catalog));
-    auto edited = changeDevice(structure(), place, to);
-    if (!edited)
-        return tl::unexpected(edited.error());
-    Project after = m_document.project();
-    const std::span<ProjectDevice> devices = devicesOn(after, m_ring);
-    for (std::size_t i = 0; i < edited->structure.size(); ++i)
-        devices[i].participant = edited->structure[i];
-    ProjectDevice &changed = devices[place];
-    const bool isSame = isSameKind(participant(device), to) && participant(device).deviceKey == to.deviceKey;
-    if (!isSame) {
-        changed.label = {};
-        changed.wanted.clear();
-        changed.wantedCams.clear();
-        changed.stored.clear();
-        changed.storedCams.clear();
-        changed.lastPosition.reset();
-    }
-    m_document.edit(std::move(after), what);
-    return {};
+    return apply(rules().change(project(), m_bus, *m_document.indexOf(device), to),
+                 StructureSteps::tr("Change %1 to %2").arg(placeOf(device), nameOf(to)));
 }
 
-Result<void> PlanEdits::moveBy(Id device, int rows)
+Result<void> PlanEdits::type(Id device, const PlanColumn &column, const QString &text)
 {
-    RingPlace place = *placeOf(device);
-    if (rows < 0 && place.row == 0)
-        return {};
-    // Behind the neighbour: the row is counted with the device where it stands.
-    place.row = rows < 0 ? place.row - 1 : place.row + 2;
-    return move({device}, place);
-}
-
-Result<void> PlanEdits::moveIn(Id device)
-{
-    const RingTree tree = ringTree(structure());
-    const std::size_t at = *m_document.indexOf(device);
-    const std::size_t row = tree.rowOf(at);
-    if (row == 0 || tree.nodes[at].isLocal)
-        return {};
-    const std::size_t before = tree.busOf(at)[row - 1];
-    const bool isLocal = prefersLocalBus(participant(device));
-    const RingTree::Node &terminal = tree.nodes[before];
-    return move({device}, {.terminal = before,
-                           .onLocalBus = isLocal,
-                           .row = isLocal ? terminal.localBus.size() : terminal.branch.size()});
-}
-
-Result<void> PlanEdits::moveOut(Id device)
-{
-    const RingPlace place = *placeOf(device);
-    if (!place.terminal)
-        return {};
-    RingPlace behind = codewheel::placeOf(structure(), *place.terminal);
-    ++behind.row;
-    return move({device}, behind);
-}
-
-Result<void> PlanEdits::changeBus(Id device)
-{
-    RingPlace place = *placeOf(device);
-    if (!place.terminal)
-        return {};
-    const RingTree tree = ringTree(structure());
-    const RingTree::Node &terminal = tree.nodes[*place.terminal];
-    place.onLocalBus = !place.onLocalBus;
-    place.row = place.onLocalBus ? terminal.localBus.size() : 0;
-    return move({device}, place);
+    const Place place = m_document.device(device)->place();
+    return apply(rules().type(project(), place, column, text),
+                 StructureSteps::tr("%1 of %2", "column, device").arg(column.title, place.toString()));
 }
 
 } // namespace codewheel

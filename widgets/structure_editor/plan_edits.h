@@ -1,53 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
-#include "ring/ring_edit.h"
+#include "project/plan_rules.h"
 #include "widgets/project/project_document.h"
 
 namespace codewheel {
 
-class Catalog;
+class BusKind;
 
-// What can be done to the planned ring: each a step of undo, or refused in words. Used by the structure
-// editor, its model when something is dropped, and the comparison.
+// What can be done to the devices of a planned bus, by the rules of its kind: each a step of undo, or refused
+// in words. Used by the structure editor, and by its model for what is typed and dropped.
 class PlanEdits
 {
 public:
     using Id = ProjectDocument::DeviceId;
     using Ids = std::vector<Id>;
 
-    // Both must outlive it.
+    // Both must outlive it. The first ring at first.
     PlanEdits(ProjectDocument &document, const Catalog &catalog)
         : m_document(document)
         , m_catalog(catalog)
     {}
 
-    void setRing(BusId ring) { m_ring = ring; } // the first one at first
-    Result<Id> insert(const Participant &device, const RingPlace &place);
+    ProjectDocument &document() const { return m_document; }
+    const Project &project() const { return m_document.project(); }
+    const Catalog &catalog() const { return m_catalog; }
+    BusId bus() const { return m_bus; }
+    // `kind`: of a bus that is not planned yet, but by its first device.
+    void setBus(BusId bus, const QString &kind = {});
+    QString kindKey() const; // empty: not known
+    const PlanRules &rules() const;
+    std::vector<PlanRow> rows() const;
+    QString nameOf(const Participant &device) const { return rules().nameOf(device, m_catalog); }
+
+    Result<Id> insert(const Participant &device, const KindData &where);
     Result<void> remove(const Ids &devices); // with all that hangs below
-    Result<void> move(const Ids &devices, const RingPlace &place);
+    Result<void> move(const Ids &devices, const KindData &where);
+    Result<void> move(Id device, PlanStep step); // nothing happens where there is no such place
+    Result<void> drop(const Ids &devices, std::optional<Id> parent, int row);
     // Another kind of device in this place; station, group, note and addresses stay.
     Result<void> change(Id device, const Participant &to);
-
-    // By keys: before or behind its neighbour; below the bus terminal before it; out again, behind its
-    // terminal; from the local bus to the branch and back. Nothing happens where there is no such place.
-    Result<void> moveBy(Id device, int rows);
-    Result<void> moveIn(Id device);
-    Result<void> moveOut(Id device);
-    Result<void> changeBus(Id device);
-
-    std::optional<RingPlace> placeOf(Id device) const;
+    Result<void> type(Id device, const PlanColumn &column, const QString &text);
 
 private:
-    RingStructure structure() const;
-    const Participant &participant(Id device) const;
-    QString nameOf(Id device) const;
-    Result<void> apply(const Result<EditedRing> &edited, const QString &what);
+    const BusKind *kind() const; // null: the program does not have it
+    QString placeOf(Id device) const { return m_document.device(device)->place().toString(); }
+    std::vector<std::size_t> indicesOf(const Ids &devices) const;
+    Result<void> apply(Result<EditedPlan> edited, const QString &what);
 
     ProjectDocument &m_document;
     const Catalog &m_catalog;
-    BusId m_ring = firstRing;
+    BusId m_bus = firstRing;
+    QString m_kind;
 };
 
 } // namespace codewheel

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure_editor/plan_model.h"
 
-#include "catalog/hex_code.h"
-
 #include <algorithm>
 #include <iterator>
 
 namespace codewheel {
 
-PlanModel::PlanModel(ProjectDocument &document, const Catalog &catalog, QObject *parent)
+PlanModel::PlanModel(PlanEdits &edits, QObject *parent)
     : QAbstractItemModel(parent)
-    , m_document(document)
-    , m_catalog(catalog)
+    , m_edits(edits)
+    , m_document(edits.document())
 {
     follow();
     connect(&m_document, &ProjectDocument::changed, this, &PlanModel::follow);
 }
 
 PlanModel::~PlanModel() = default;
+
+void PlanModel::setBus(BusId bus, const QString &kind)
+{
+    m_edits.setBus(bus, kind);
+    follow();
+}
 
 PlanModel::Node *PlanModel::nodeAt(const QModelIndex &index) const
 {
@@ -40,29 +44,20 @@ QModelIndex PlanModel::indexOf(Id id, int column) const
     return node == m_nodes.end() ? QModelIndex() : indexOf(*node->second, column);
 }
 
-const PlanRow &PlanModel::rowAt(const QModelIndex &index) const
-{
-    return nodeAt(index)->shown;
-}
-
 std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
 {
     std::vector<Id> found;
     const QString wanted = text.trimmed();
     if (wanted.isEmpty())
         return found;
-    for (const Id id : m_document.ids(m_ring)) {
+    for (const Id id : m_document.ids(m_edits.bus())) {
         const PlanRow &row = m_nodes.at(id)->shown;
-        const QString number = row.participant.number.toString();
-        const QStringList places{row.station,
-                                 row.group,
-                                 row.note,
-                                 row.serialNumber,
-                                 row.name,
-                                 hexCode(row.participant.idCode, 2),
-                                 hexCode(row.participant.deviceCode, 4)};
-        const auto has = [&](const QString &place) { return place.contains(wanted, Qt::CaseInsensitive); };
-        if (number.startsWith(wanted) || std::ranges::any_of(places, has))
+        const QString place = row.place.toString();
+        const auto has = [&](const QString &its) { return its.contains(wanted, Qt::CaseInsensitive); };
+        // "2." is no part of "12.0", but "12" is one of "esc:12".
+        if (place.startsWith(wanted) || place.section(u':', 1).startsWith(wanted, Qt::CaseInsensitive) ||
+            std::ranges::any_of(
+                row.codes + QStringList{row.station, row.group, row.note, row.serialNumber, row.name}, has))
             found.push_back(id);
     }
     return found;
@@ -71,14 +66,14 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
 std::vector<PlanModel::Id> PlanModel::withFindings() const
 {
     std::vector<Id> found;
-    std::ranges::copy_if(m_document.ids(m_ring), std::back_inserter(found),
+    std::ranges::copy_if(m_document.ids(m_edits.bus()), std::back_inserter(found),
                          [this](Id id) { return !m_nodes.at(id)->shown.findings.empty(); });
     return found;
 }
 
 QModelIndex PlanModel::index(int row, int column, const QModelIndex &parent) const
 {
-    if (column < 0 || column >= columns || row < 0 || row >= rowCount(parent))
+    if (column < 0 || column >= columnCount() || row < 0 || row >= rowCount(parent))
         return {};
     return createIndex(row, column, nodeAt(parent)->children[static_cast<std::size_t>(row)].get());
 }
@@ -86,7 +81,7 @@ QModelIndex PlanModel::index(int row, int column, const QModelIndex &parent) con
 QModelIndex PlanModel::parent(const QModelIndex &index) const
 {
     const Node *above = index.isValid() ? nodeAt(index)->parent : nullptr;
-    return above == nullptr || above == &m_root ? QModelIndex() : indexOf(*above, numberColumn);
+    return above == nullptr || above == &m_root ? QModelIndex() : indexOf(*above, 0);
 }
 
 int PlanModel::rowCount(const QModelIndex &parent) const
@@ -96,7 +91,7 @@ int PlanModel::rowCount(const QModelIndex &parent) const
 
 int PlanModel::columnCount(const QModelIndex &) const
 {
-    return columns;
+    return static_cast<int>(m_columns.size());
 }
 
 } // namespace codewheel

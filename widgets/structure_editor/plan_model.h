@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
-#include "ring/ring_edit.h"
-#include "widgets/project/project_document.h"
-#include "widgets/structure_editor/plan_row.h"
+#include "widgets/structure_editor/plan_edits.h"
 
 #include <QAbstractItemModel>
 
@@ -13,45 +10,29 @@
 
 namespace codewheel {
 
-// The planned ring as a tree: below a bus terminal its local bus, then its branch. Follows the project by the
-// smallest changes of rows, so that a view keeps what is open and selected, whatever was done or undone.
-// Station, group, serial number, note and addresses are edited in place; devices are moved by dragging.
+// The planned bus as a tree, in the columns of its kind. Follows the project by the smallest changes of rows,
+// so that a view keeps what is open and selected, whatever was done or undone. Cells are edited in place;
+// devices are moved by dragging where the kind has an order.
 class PlanModel : public QAbstractItemModel
 {
     Q_OBJECT
 
 public:
     using Id = ProjectDocument::DeviceId;
-    enum Column {
-        numberColumn,
-        stationColumn,
-        groupColumn,
-        deviceColumn,
-        profileColumn,
-        idCodeColumn,
-        wordsColumn,
-        inColumn,
-        outColumn,
-        serialColumn,
-        noteColumn,
-        findingsColumn,
-        columns
-    };
 
-    // Both must outlive the model.
-    PlanModel(ProjectDocument &document, const Catalog &catalog, QObject *parent = nullptr);
+    // They must outlive the model.
+    explicit PlanModel(PlanEdits &edits, QObject *parent = nullptr);
     ~PlanModel() override;
 
-    void setRing(BusId ring); // the first one at first
+    void setBus(BusId bus, const QString &kind = {}); // as PlanEdits
     std::optional<Id> idAt(const QModelIndex &index) const;
-    QModelIndex indexOf(Id id, int column = numberColumn) const;
-    const PlanRow &rowAt(const QModelIndex &index) const;
+    QModelIndex indexOf(Id id, int column = 0) const;
+    const PlanColumn &columnAt(int column) const { return m_columns[static_cast<std::size_t>(column)]; }
     // What is wrong with a text for this cell; empty: nothing.
     QString complaint(const QModelIndex &index, const QString &text) const;
-    // Devices whose number, station, group, serial number, note, name or ID code have this text, in ring
-    // order.
+    // Devices whose place or texts have this text, in the order of the bus.
     std::vector<Id> find(const QString &text) const;
-    std::vector<Id> withFindings() const; // in ring order
+    std::vector<Id> withFindings() const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &index) const override;
@@ -79,7 +60,6 @@ private:
         Node *parent = nullptr;
         int row = 0;
         std::vector<std::unique_ptr<Node>> children;
-        std::size_t localDevices = 0; // the first of them; behind them the branch
         PlanRow shown;
     };
     struct Target; // the tree as it shall be
@@ -90,20 +70,18 @@ private:
     void insertAt(Node &parent, int row, Id id, const Target &target);
     void removeOthers(Node &parent, const Target &target);
     void showRows(Node &parent, const Target &target);
+    void showColumns();
     static void countRows(Node &parent);
 
     Node *nodeAt(const QModelIndex &index) const;
     QModelIndex indexOf(const Node &node, int column) const;
-    QVariant display(const PlanRow &row, int column) const;
-    static QVariant decoration(const PlanRow &row, int column);
-    static QString toolTip(const PlanRow &row, int column);
-    std::optional<RingPlace> dropPlace(const Participant &device, int row, const QModelIndex &parent) const;
-    void setAddress(Id id, bool isIn, const QString &text);
+    QString display(const PlanRow &row, const PlanColumn &column) const;
+    static QVariant decoration(const PlanRow &row, const PlanColumn &column);
+    static QString toolTip(const PlanRow &row, const PlanColumn &column);
 
+    PlanEdits &m_edits;
     ProjectDocument &m_document;
-    BusId m_ring = firstRing;
-    const Catalog &m_catalog;
-    AddressRules::Unit m_unit = AddressRules::Unit::byte; // in the header
+    std::vector<PlanColumn> m_columns;
     Node m_root;
     std::unordered_map<Id, Node *> m_nodes;
 };

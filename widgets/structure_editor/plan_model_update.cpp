@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the rows follow the project: what stays in order stays, what stands elsewhere is moved, the rest comes
 // or goes.
-#include "project/project_take_over.h"
-#include "project/ring_plan.h"
-#include "ring/ring_tree.h"
 #include "widgets/structure_editor/plan_model.h"
 
 #include <algorithm>
@@ -16,15 +13,14 @@ struct PlanModel::Target
 {
     struct Place
     {
-        Id parent = 0; // 0: the main line
+        Id parent = 0; // 0: the bus itself
         int row = 0;
         std::size_t device = 0;
     };
 
     std::unordered_map<Id, Place> places;
     std::unordered_map<Id, std::vector<Id>> children;
-    std::unordered_map<Id, std::size_t> localDevices;
-    std::vector<PlanRow> rows; // in ring order
+    std::vector<PlanRow> rows; // in the order of the bus
 
     bool has(Id id) const { return places.contains(id); }
     const std::vector<Id> &childrenOf(Id parent) const
@@ -59,44 +55,41 @@ std::vector<std::size_t> longestRising(const std::vector<int> &numbers)
 
 } // namespace
 
-void PlanModel::setRing(BusId ring)
-{
-    m_ring = ring;
-    follow();
-}
-
 void PlanModel::follow()
 {
-    const RingTree tree = ringTree(structureOf(m_document.project(), m_ring));
-    const std::span<const Id> ids = m_document.ids(m_ring);
+    showColumns();
+    const std::span<const Id> ids = m_document.ids(m_edits.bus());
     Target target;
-    target.rows = planRows(m_document.project(), m_ring, m_catalog);
-    const auto add = [&](Id parent, const std::vector<std::size_t> &bus) {
+    target.rows = m_edits.rows();
+    for (std::size_t device = 0; device < ids.size(); ++device) {
+        const auto above = target.rows[device].parent;
+        const Id parent = above ? ids[*above] : 0;
         std::vector<Id> &children = target.children[parent];
-        for (const std::size_t device : bus) {
-            target.places[ids[device]] = {parent, static_cast<int>(children.size()), device};
-            children.push_back(ids[device]);
-        }
-    };
-    const std::vector<std::size_t> order = tree.order();
-    add(0, tree.mainLine);
-    for (const std::size_t device : order) {
-        if (tree.nodes[device].isLeaf())
-            continue;
-        add(ids[device], tree.nodes[device].localBus);
-        add(ids[device], tree.nodes[device].branch);
-        target.localDevices[ids[device]] = tree.nodes[device].localBus.size();
+        target.places[ids[device]] = {parent, static_cast<int>(children.size()), device};
+        children.push_back(ids[device]);
     }
     // From the top: a row is where it belongs before those below it are.
     arrange(m_root, target);
-    for (const std::size_t device : order)
-        if (!tree.nodes[device].isLeaf())
-            arrange(*m_nodes.at(ids[device]), target);
+    for (const Id id : ids)
+        if (target.children.contains(id))
+            arrange(*m_nodes.at(id), target);
     removeOthers(m_root, target);
     showRows(m_root, target);
-    if (const auto unit = ringPlan(m_document.project(), m_ring).addresses.unit;
-        unit != std::exchange(m_unit, unit))
-        Q_EMIT headerDataChanged(Qt::Horizontal, inColumn, outColumn);
+}
+
+// Another kind has other ones.
+void PlanModel::showColumns()
+{
+    std::vector<PlanColumn> columns = m_edits.rules().columns(m_edits.project(), m_edits.bus());
+    if (columns.size() != m_columns.size()) {
+        beginResetModel();
+        m_root.children.clear();
+        m_nodes.clear();
+        m_columns = std::move(columns);
+        endResetModel();
+    } else if (std::exchange(m_columns, columns) != columns) {
+        Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    }
 }
 
 void PlanModel::arrange(Node &parent, const Target &target)
@@ -132,8 +125,6 @@ void PlanModel::arrange(Node &parent, const Target &target)
                 ++row;
         }
     }
-    const auto local = target.localDevices.find(parent.id);
-    parent.localDevices = local == target.localDevices.end() ? 0 : local->second;
 }
 
 // row: counted with the node where it stands.
@@ -145,7 +136,7 @@ void PlanModel::moveTo(Node &node, Node &parent, int row)
     if (isSame && (row == source || row == source + 1))
         return;
     const auto indexOfParent = [this](const Node &of) {
-        return &of == &m_root ? QModelIndex() : indexOf(of, numberColumn);
+        return &of == &m_root ? QModelIndex() : indexOf(of, 0);
     };
     if (!beginMoveRows(indexOfParent(from), source, source, indexOfParent(parent), row))
         return;
@@ -161,7 +152,7 @@ void PlanModel::moveTo(Node &node, Node &parent, int row)
 
 void PlanModel::insertAt(Node &parent, int row, Id id, const Target &target)
 {
-    beginInsertRows(&parent == &m_root ? QModelIndex() : indexOf(parent, numberColumn), row, row);
+    beginInsertRows(&parent == &m_root ? QModelIndex() : indexOf(parent, 0), row, row);
     auto node = std::make_unique<Node>();
     node->id = id;
     node->parent = &parent;
@@ -186,7 +177,7 @@ void PlanModel::removeOthers(Node &parent, const Target &target)
         int first = last;
         while (first > 0 && isGone(first - 1))
             --first;
-        beginRemoveRows(&parent == &m_root ? QModelIndex() : indexOf(parent, numberColumn), first, last);
+        beginRemoveRows(&parent == &m_root ? QModelIndex() : indexOf(parent, 0), first, last);
         parent.children.erase(parent.children.begin() + first, parent.children.begin() + last + 1);
         countRows(parent);
         endRemoveRows();
@@ -202,8 +193,9 @@ void PlanModel::showRows(Node &parent, const Target &target)
     int first = -1;
     const auto tell = [&](int end) {
         if (first >= 0)
-            Q_EMIT dataChanged(indexOf(*parent.children[static_cast<std::size_t>(first)], 0),
-                               indexOf(*parent.children[static_cast<std::size_t>(end - 1)], columns - 1));
+            Q_EMIT dataChanged(
+                indexOf(*parent.children[static_cast<std::size_t>(first)], 0),
+                indexOf(*parent.children[static_cast<std::size_t>(end - 1)], columnCount() - 1));
         first = -1;
     };
     for (int row = 0; row < std::ssize(parent.children); ++row) {

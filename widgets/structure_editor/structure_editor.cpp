@@ -2,20 +2,16 @@
 #include "widgets/structure_editor/structure_editor.h"
 
 #include "encoder/refusal_text.h"
-#include "project/project_take_over.h"
-#include "project/ring_plan.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure_editor/insert_panel.h"
 #include "widgets/structure_editor/plan_model.h"
 
 #include <QAction>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -44,23 +40,29 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
     m_tree->scrollTo(index);
 }
 
-// What is chosen in the ring before is not chosen anew while its rows go.
-void StructureEditor::setRing(BusId ring)
+// What is chosen in the bus before is not chosen anew while its rows go.
+void StructureEditor::setBus(BusId bus, const QString &kind)
 {
-    if (ring == m_ring)
+    if (bus == m_edits.bus() && (kind.isEmpty() || kind == m_edits.kindKey()))
         return;
     const QSignalBlocker silent(this);
-    m_ring = ring;
-    m_edits.setRing(ring);
-    m_model->setRing(ring);
-    m_summary->setRing(ring);
+    m_model->setBus(bus, kind);
+    showKind();
     showProject();
+    fitColumns();
+}
+
+void StructureEditor::addFields(BusId bus, QWidget *fields)
+{
+    m_below->addWidget(fields);
+    m_fields[bus] = fields;
+    fields->setVisible(bus == m_edits.bus());
 }
 
 void StructureEditor::choose(Place number)
 {
     const auto id = m_document.idAt(number);
-    if (id && number.bus == m_ring && id != current()) // else what is selected with it stays so
+    if (id && number.bus == m_edits.bus() && id != current()) // else what is selected with it stays so
         makeCurrent(*id);
 }
 
@@ -70,44 +72,21 @@ void StructureEditor::openInsertPanel()
     m_insert->focusSearch();
 }
 
+template <PlanStep step>
+void StructureEditor::move()
+{
+    if (const auto id = current())
+        say(m_edits.move(*id, step));
+}
+
 void StructureEditor::remove()
 {
     say(m_edits.remove(selected()));
 }
 
-void StructureEditor::moveUp()
+void StructureEditor::insert(const Participant &device, const KindData &where)
 {
-    if (const auto id = current())
-        say(m_edits.moveBy(*id, -1));
-}
-
-void StructureEditor::moveDown()
-{
-    if (const auto id = current())
-        say(m_edits.moveBy(*id, 1));
-}
-
-void StructureEditor::moveIn()
-{
-    if (const auto id = current())
-        say(m_edits.moveIn(*id));
-}
-
-void StructureEditor::moveOut()
-{
-    if (const auto id = current())
-        say(m_edits.moveOut(*id));
-}
-
-void StructureEditor::changeBus()
-{
-    if (const auto id = current())
-        say(m_edits.changeBus(*id));
-}
-
-void StructureEditor::insert(const Participant &device, const RingPlace &place)
-{
-    const auto inserted = m_edits.insert(device, place);
+    const auto inserted = m_edits.insert(device, where);
     if (inserted)
         makeCurrent(*inserted);
     say(inserted.map([](PlanEdits::Id) {}));
@@ -143,19 +122,6 @@ void StructureEditor::goToFound(int by)
     m_found->setText(tr("%1 of %2", "hits of a search").arg(at + 1).arg(count));
 }
 
-void StructureEditor::setAddressing()
-{
-    if (sender() != m_first)
-        m_stepping = m_document.newGesture();
-    Project after = m_document.project();
-    RingPlan plan = ringPlan(after, m_ring);
-    plan.addresses = {.unit = static_cast<AddressRules::Unit>(m_unit->currentIndex()),
-                      .first = m_first->value(),
-                      .step5 = m_step5->isChecked()};
-    setRingPlan(after, m_ring, std::move(plan));
-    m_document.edit(std::move(after), tr("Addresses"), m_stepping);
-}
-
 // From the chosen device on, round and round.
 void StructureEditor::goToFinding()
 {
@@ -186,39 +152,59 @@ void StructureEditor::showCurrent()
     for (QAction *action : m_deviceActions)
         action->setEnabled(id.has_value());
     const auto place = id ? m_document.indexOf(*id) : std::nullopt;
-    m_insert->setPlace(structureOf(m_document.project(), m_ring), place);
+    m_insert->setPlace(place);
     if (place) // while rows go, their numbers are not yet those of the plan
         Q_EMIT chosen(m_document.device(*id)->place());
 }
 
 void StructureEditor::showProject()
 {
-    const AddressRules rules = ringPlan(m_document.project(), m_ring).addresses;
-    const QSignalBlocker first(m_first);
-    m_unit->setCurrentIndex(static_cast<int>(rules.unit));
-    m_first->setValue(rules.first);
-    m_step5->setChecked(rules.step5);
-    const bool isEmpty = devicesOn(m_document.project(), m_ring).empty();
+    const bool isEmpty = devicesOn(m_document.project(), m_edits.bus()).empty();
     m_empty->setVisible(isEmpty);
     m_empty->setAction(tr("Insert a device"));
     m_tree->setVisible(!isEmpty);
     m_message->withdraw();
-    showName();
+    showBuses();
     showFindings();
     const auto id = current();
-    m_insert->setPlace(structureOf(m_document.project(), m_ring),
-                       id ? m_document.indexOf(*id) : std::nullopt);
+    m_insert->setPlace(id ? m_document.indexOf(*id) : std::nullopt);
 }
 
-void StructureEditor::showName()
+// One that is not planned yet stands behind the others.
+void StructureEditor::showBuses()
 {
-    const Project &project = m_document.project();
-    const PlannedBus *planned = findBus(project, m_ring);
-    const bool isOneOfSeveral =
-        planned != nullptr && std::ranges::count(project.buses, planned->kind, &PlannedBus::kind) > 1;
-    m_name->setVisible(isOneOfSeveral);
-    if (isOneOfSeveral)
-        m_name->setText(planned->name);
+    m_buses.clear();
+    m_bus->clear();
+    for (const PlannedBus &bus : m_document.project().buses) {
+        m_buses.push_back(bus.id);
+        m_bus->addItem(bus.name);
+    }
+    if (findBus(m_document.project(), m_edits.bus()) == nullptr) {
+        m_buses.push_back(m_edits.bus());
+        m_bus->addItem(tr("not planned yet"));
+    }
+    m_bus->setCurrentIndex(static_cast<int>(std::ranges::find(m_buses, m_edits.bus()) - m_buses.begin()));
+    m_bus->setVisible(m_buses.size() > 1);
+    m_busLabel->setVisible(m_buses.size() > 1);
+}
+
+// What is to be seen and done is the kind's.
+void StructureEditor::showKind()
+{
+    const bool isOrdered = m_edits.rules().isOrdered();
+    for (QAction *action : m_orderActions)
+        action->setVisible(isOrdered);
+    m_tree->setToolTip(
+        isOrdered ? tr("Drag devices to move them. F2 or a double click edits station, group, serial "
+                       "number, note and addresses.")
+                  : tr("F2 or a double click edits address, station, group, serial number and note."));
+    m_tree->setRootIsDecorated(isOrdered);
+    m_search->setPlaceholderText(m_edits.rules().coded(0, 0) ? tr("Number, name, ID code, station")
+                                                             : tr("Address, name, station"));
+    m_insert->showKind();
+    for (const auto &[bus, fields] : m_fields)
+        if (fields)
+            fields->setVisible(bus == m_edits.bus());
 }
 
 void StructureEditor::say(const Result<void> &done)

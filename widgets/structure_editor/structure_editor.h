@@ -5,17 +5,19 @@
 #include "widgets/look/icons.h"
 #include "widgets/structure_editor/plan_edits.h"
 
+#include <QPointer>
 #include <QWidget>
 
+#include <map>
+
 class QAction;
-class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QSpinBox;
 class QToolBar;
 class QToolButton;
 class QTreeView;
+class QVBoxLayout;
 
 namespace codewheel {
 
@@ -23,7 +25,6 @@ class EmptyState;
 class InlineMessage;
 class InsertPanel;
 class PlanModel;
-class PlanSummary;
 
 // The planned bus: insert, remove, move by drag and by keys, search, stations, groups and addresses in place;
 // what is wrong stands beside it. All of it can be undone. Nothing here is sent to the bus.
@@ -34,60 +35,59 @@ class StructureEditor : public QWidget
 public:
     // Both must outlive it.
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
-    ~StructureEditor() override;
 
-    // The ring that is planned here; the first one at first.
-    void setRing(BusId ring);
+    // The bus that is planned here; the first ring at first. `kind`: of one that is not planned yet.
+    void setBus(BusId bus, const QString &kind = {});
+    // What a bus has below the editor besides: the kind's own, and in whosever hands it is.
+    void addFields(BusId bus, QWidget *fields);
     void choose(Place number);
     void openInsertPanel();
 
 Q_SIGNALS:
     void chosen(codewheel::Place number);
+    void busChosen(codewheel::BusId bus);
 
 private:
     using Slot = void (StructureEditor::*)();
 
     void makeTools();
     void makeSearch();
-    void makeAddressing();
     void makeTree();
     void arrange();
     void connectParts();
     QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip, Slot slot);
 
+    template <PlanStep step>
+    void move();
     void remove();
-    void moveUp();
-    void moveDown();
-    void moveIn();
-    void moveOut();
-    void changeBus();
-    void insert(const Participant &device, const RingPlace &place);
+    void insert(const Participant &device, const KindData &where);
     void changeTo(const Participant &device);
     void search();
     void findNext() { goToFound(1); }
     void findPrevious() { goToFound(-1); }
     void goToFound(int by);
-    void setAddressing();
     void goToFinding();
     void showFindings();
     void fitColumns();
 
     void showCurrent();
     void showProject();
-    void showName();
+    void showBuses();
+    void showKind();
     void say(const Result<void> &done);
     std::optional<PlanEdits::Id> current() const;
     PlanEdits::Ids selected() const;
     void makeCurrent(PlanEdits::Id id);
 
     ProjectDocument &m_document;
-    BusId m_ring = firstRing;
-    const Catalog &m_catalog;
     PlanEdits m_edits;
     PlanModel *m_model;
-    QLabel *m_name; // of the ring, where the project has several
+    QLabel *m_busLabel;
+    QComboBox *m_bus; // where the project has several
+    std::vector<BusId> m_buses;
     QToolBar *m_tools;
     QList<QAction *> m_deviceActions; // need a chosen device
+    QList<QAction *> m_orderActions;  // of these, where the kind has an order
     QLineEdit *m_search;
     QLabel *m_found;
     std::vector<PlanEdits::Id> m_matches;
@@ -95,12 +95,9 @@ private:
     EmptyState *m_empty;
     InsertPanel *m_insert;
     InlineMessage *m_message;
-    PlanSummary *m_summary;
-    QComboBox *m_unit;
-    QSpinBox *m_first;
-    ProjectDocument::Gesture m_stepping; // of the first address
-    QCheckBox *m_step5;
     QToolButton *m_findings;
+    QVBoxLayout *m_below; // the tree
+    std::map<BusId, QPointer<QWidget>> m_fields;
 };
 
 } // namespace codewheel

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the structure editor is made of, and how its parts are connected.
-#include "project/process_addresses.h"
 #include "widgets/input/checked_delegate.h"
-#include "widgets/input/number_fields.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
@@ -10,17 +8,15 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/structure_editor/insert_panel.h"
 #include "widgets/structure_editor/plan_model.h"
-#include "widgets/structure_editor/plan_summary.h"
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
-#include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
-#include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeView>
@@ -41,49 +37,33 @@ constexpr int rowsInSight = 4;    // however low the window is; one is below the
 StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_catalog(catalog)
     , m_edits(document, catalog)
-    , m_model(new PlanModel(document, catalog, this))
-    , m_name(describe(new QLabel(this), tr("Name of the ring"),
-                      tr("The ring that is planned here: that of the chosen bus")))
+    , m_model(new PlanModel(m_edits, this))
+    , m_busLabel(new QLabel(tr("Planned b&us"), this))
+    , m_bus(describe(new QComboBox(this), "plannedBus", tr("Planned bus"),
+                     tr("The bus that is planned here; choosing a device elsewhere chooses its bus, too")))
     , m_tools(new QToolBar(this))
     , m_search(describe(new QLineEdit(this), "structureSearch", tr("Search the structure"),
                         tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the "
                            "one before (Ctrl+F)")))
     , m_found(new QLabel(this))
-    , m_tree(describe(new QTreeView(this), "plan", tr("Planned bus structure"),
-                      tr("Drag devices to move them. F2 or a double click edits station, group, serial "
-                         "number, note and addresses.")))
-    , m_empty(new EmptyState(Icon::ring, tr("The project has no devices."),
-                             tr("Insert the first one, or read in the ring and take it over."), this))
-    , m_insert(new InsertPanel(catalog, this))
+    , m_tree(new QTreeView(this))
+    , m_empty(new EmptyState(Icon::ring, tr("No devices are planned."),
+                             tr("Insert the first one, or connect the bus and take it over."), this))
+    , m_insert(new InsertPanel(m_edits, this))
     , m_message(new InlineMessage(this))
-    , m_summary(new PlanSummary(document, this))
-    , m_unit(describe(new QComboBox(this), "addressUnit", tr("Addresses in"),
-                      tr("How addresses in the process image are shown and typed")))
-    , m_first(describe(new IntegerField(this), "firstAddress", tr("First address"),
-                       tr("Where the automatic addresses begin, in bytes")))
-    , m_stepping(document.newGesture())
-    , m_step5(describe(new QCheckBox(tr("Step &5"), this), "step5",
-                       tr("With a Step 5 PLC encoders must stand above P127: checks that")))
     , m_findings(
           describe(new QToolButton(this), "findings", tr("Goes to the next device with a finding (F3)")))
 {
     makeTools();
     makeSearch();
-    makeAddressing();
     makeTree();
     arrange();
     connectParts();
     m_insert->hide();
+    showKind();
     showProject();
     showCurrent();
-}
-
-// Losing the focus by going is no leaving of a field.
-StructureEditor::~StructureEditor()
-{
-    m_first->disconnect(this);
 }
 
 QAction *StructureEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
@@ -107,27 +87,28 @@ void StructureEditor::makeTools()
             &StructureEditor::openInsertPanel);
     static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_deviceActions = {
-        addTool(Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
-                tr("Remove the chosen devices with all that hangs below"), &StructureEditor::remove),
+    m_deviceActions = {addTool(Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
+                               tr("Remove the chosen devices with all that hangs below"),
+                               &StructureEditor::remove)};
+    m_orderActions = {
         addTool(Icon::up, tr("Up"), Qt::ALT | Qt::Key_Up, tr("Move before its neighbour"),
-                &StructureEditor::moveUp),
+                &StructureEditor::move<PlanStep::up>),
         addTool(Icon::down, tr("Down"), Qt::ALT | Qt::Key_Down, tr("Move behind its neighbour"),
-                &StructureEditor::moveDown),
+                &StructureEditor::move<PlanStep::down>),
         addTool(Icon::next, tr("In"), Qt::ALT | Qt::Key_Right, tr("Hang it below the bus terminal before it"),
-                &StructureEditor::moveIn),
+                &StructureEditor::move<PlanStep::in>),
         addTool(Icon::back, tr("Out"), Qt::ALT | Qt::Key_Left, tr("Take it out, behind its bus terminal"),
-                &StructureEditor::moveOut),
+                &StructureEditor::move<PlanStep::out>),
         addTool(Icon::refresh, tr("Local bus or branch"), Qt::CTRL | Qt::Key_B,
                 tr("From the local bus of its bus terminal into the branch, and back"),
-                &StructureEditor::changeBus),
+                &StructureEditor::move<PlanStep::changeBus>),
     };
+    m_deviceActions << m_orderActions;
     m_tools->addSeparator();
 }
 
 void StructureEditor::makeSearch()
 {
-    m_search->setPlaceholderText(tr("Number, name, ID code, station"));
     m_search->setClearButtonEnabled(true);
     m_found->setObjectName(QStringLiteral("structureFound"));
     m_tools->addWidget(m_search);
@@ -143,14 +124,10 @@ void StructureEditor::makeSearch()
     connect(previous, &QShortcut::activated, this, &StructureEditor::findPrevious);
 }
 
-void StructureEditor::makeAddressing()
-{
-    m_unit->addItems({tr("bytes"), tr("words")});
-    m_first->setRange(0, largestAddress);
-}
-
 void StructureEditor::makeTree()
 {
+    m_tree->setObjectName(QStringLiteral("plan"));
+    m_tree->setAccessibleName(tr("Planned bus structure"));
     m_tree->setModel(m_model);
     auto *cells = new CheckedDelegate(
         [this](const QModelIndex &cell, const QString &text) { return m_model->complaint(cell, text); },
@@ -184,9 +161,9 @@ void StructureEditor::makeTree()
 void StructureEditor::fitColumns()
 {
     m_tree->expandAll();
-    for (int column = 0; column < PlanModel::findingsColumn; ++column) {
+    for (int column = 0; column < m_model->columnCount() - 1; ++column) {
         m_tree->resizeColumnToContents(column);
-        const int least = column == PlanModel::stationColumn ? narrowestStation : 0;
+        const int least = m_model->columnAt(column).field == PlanField::station ? narrowestStation : 0;
         m_tree->setColumnWidth(column,
                                std::clamp(m_tree->columnWidth(column) + grid::unit, least, widestColumn));
     }
@@ -197,27 +174,12 @@ void StructureEditor::arrange()
     m_findings->setAutoRaise(true);
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setShortcut(Qt::Key_F3);
-    const auto label = [this](const QString &text, QWidget *buddy) {
-        auto *made = new QLabel(text, this);
-        made->setBuddy(buddy);
-        return made;
-    };
-    auto *addressing = new QHBoxLayout;
-    addressing->setSpacing(grid::groupGap);
-    addressing->addWidget(label(tr("Addresses i&n"), m_unit));
-    addressing->addWidget(m_unit);
-    addressing->addWidget(label(tr("fr&om byte"), m_first));
-    addressing->addWidget(m_first);
-    addressing->addWidget(m_step5);
-    addressing->addStretch();
     auto *below = new QWidget; // the tree
-    auto *rows = new QVBoxLayout(below);
-    rows->setContentsMargins({});
-    rows->setSpacing(grid::unit);
-    rows->addWidget(m_insert);
-    rows->addWidget(m_findings, 0, Qt::AlignLeft);
-    rows->addLayout(addressing);
-    rows->addWidget(m_summary);
+    m_below = new QVBoxLayout(below);
+    m_below->setContentsMargins({});
+    m_below->setSpacing(grid::unit);
+    m_below->addWidget(m_insert);
+    m_below->addWidget(m_findings, 0, Qt::AlignLeft);
     auto *column = new QVBoxLayout;
     column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
     column->setSpacing(grid::unit);
@@ -228,11 +190,14 @@ void StructureEditor::arrange()
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->setSpacing(grid::unit);
-    m_name->setObjectName(QStringLiteral("ringName"));
-    m_name->setTextFormat(Qt::PlainText);
-    m_name->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);
-    m_name->hide();
-    layout->addWidget(m_name);
+    m_busLabel->setBuddy(m_bus);
+    auto *bus = new QHBoxLayout;
+    bus->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);
+    bus->setSpacing(grid::groupGap);
+    bus->addWidget(m_busLabel);
+    bus->addWidget(m_bus);
+    bus->addStretch();
+    layout->addLayout(bus);
     layout->addWidget(m_tools);
     layout->addLayout(column);
 }
@@ -253,10 +218,11 @@ void StructureEditor::connectParts()
     connect(m_model, &PlanModel::badInput, this,
             [this](const QString &sentence) { m_message->showMessage(Role::attention, sentence); });
     connect(m_model, &QAbstractItemModel::rowsInserted, m_tree, &QTreeView::expand);
-    connect(m_unit, &QComboBox::activated, this, &StructureEditor::setAddressing);
-    connect(m_first, &QSpinBox::valueChanged, this, &StructureEditor::setAddressing);
-    connect(m_first, &QSpinBox::editingFinished, this, [this] { m_stepping = m_document.newGesture(); });
-    connect(m_step5, &QCheckBox::clicked, this, &StructureEditor::setAddressing);
+    connect(m_bus, &QComboBox::activated, this, [this](int index) {
+        const BusId bus = m_buses.at(static_cast<std::size_t>(index));
+        setBus(bus);
+        Q_EMIT busChosen(bus);
+    });
     connect(m_empty, &EmptyState::actionTriggered, this, &StructureEditor::openInsertPanel);
     connect(&m_document, &ProjectDocument::changed, this, &StructureEditor::showProject);
     connect(m_findings, &QToolButton::clicked, this, &StructureEditor::goToFinding);

@@ -3,12 +3,29 @@
 
 #include "catalog/catalog.h"
 #include "project/project_take_over.h"
+#include "ring/ring_edit.h"
 #include "tests/ring/written_ring.h"
 #include "widgets/project/project_document.h"
 
 #include <gtest/gtest.h>
 
 namespace codewheel::test {
+
+// The columns of a ring.
+enum RingColumn {
+    numberColumn,
+    stationColumn,
+    groupColumn,
+    deviceColumn,
+    profileColumn,
+    idCodeColumn,
+    wordsColumn,
+    inColumn,
+    outColumn,
+    serialColumn,
+    noteColumn,
+    findingsColumn
+};
 
 // A project with a terminal that has a local bus and a branch:
 // 1.0 K3, 2.0 terminal, 2.1 2.2 on Loop 2, 3.0 and 4.0 in its branch, 5.0 K2, 6.0 terminal, 7.0 LA-66
@@ -31,6 +48,7 @@ protected:
     {
         return *document.idAt(*Place::parse(number));
     }
+    static KindData where(const RingPlace &place) { return KindData(place); }
     const Participant &at(const QString &number) const
     {
         return document.device(*Place::parse(number)).participant;

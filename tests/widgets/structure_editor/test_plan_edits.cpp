@@ -16,7 +16,7 @@ protected:
 
 TEST_F(PlanEditsTest, AnInsertedDeviceIsAStepThatNamesIt)
 {
-    const auto id = edits.insert(deviceOf(0x81BE), {.terminal = 1, .onLocalBus = true, .row = 0});
+    const auto id = edits.insert(deviceOf(0x81BE), where({.terminal = 1, .onLocalBus = true, .row = 0}));
     ASSERT_TRUE(id);
     EXPECT_EQ(at(QStringLiteral("2.1")).deviceCode, 0x81BEU);
     EXPECT_EQ(document.indexOf(*id), 2u);
@@ -29,7 +29,8 @@ TEST_F(PlanEditsTest, WhatBelongsToADeviceGoesWithIt)
 {
     document.editDevice("1.0"_ring, {},
                         [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
-    ASSERT_TRUE(edits.move({id(QStringLiteral("1.0"))}, {.terminal = {}, .onLocalBus = false, .row = 99}));
+    ASSERT_TRUE(
+        edits.move({id(QStringLiteral("1.0"))}, where({.terminal = {}, .onLocalBus = false, .row = 99})));
     EXPECT_EQ(document.project().devices.back().station, QStringLiteral("hoist"));
     EXPECT_EQ(document.project().devices.back().place(), ("7.0"_ring));
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Move 1.0"));
@@ -38,13 +39,13 @@ TEST_F(PlanEditsTest, WhatBelongsToADeviceGoesWithIt)
 TEST_F(PlanEditsTest, KeysMoveADeviceAmongItsNeighbours)
 {
     const QString before = order();
-    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("1.0")), -1));
+    ASSERT_TRUE(edits.move(id(QStringLiteral("1.0")), PlanStep::up));
     EXPECT_EQ(order(), before) << "it is the first";
-    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("1.0")), 1));
+    ASSERT_TRUE(edits.move(id(QStringLiteral("1.0")), PlanStep::down));
     EXPECT_EQ(order(), QStringLiteral("1.0=2 1.1=3 1.2=4 2.0=5 3.0=6 4.0=1 5.0=7 6.0=8 7.0=9"));
-    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("4.0")), -1));
+    ASSERT_TRUE(edits.move(id(QStringLiteral("4.0")), PlanStep::up));
     EXPECT_EQ(order(), before);
-    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("7.0")), 1));
+    ASSERT_TRUE(edits.move(id(QStringLiteral("7.0")), PlanStep::down));
     EXPECT_EQ(order(), before) << "it is the last";
 }
 
@@ -52,26 +53,27 @@ TEST_F(PlanEditsTest, KeysHangADeviceBelowATerminalAndTakeItOut)
 {
     const QString before = order();
     const auto k2 = id(QStringLiteral("5.0"));
-    ASSERT_TRUE(edits.moveIn(k2));
+    ASSERT_TRUE(edits.move(k2, PlanStep::in));
     EXPECT_EQ(document.project().devices.at(6).participant.level, 1);
-    ASSERT_TRUE(edits.changeBus(k2));
+    ASSERT_TRUE(edits.move(k2, PlanStep::changeBus));
     EXPECT_EQ(at(QStringLiteral("2.3")).deviceCode, 0x0236U);
-    ASSERT_TRUE(edits.changeBus(k2));
+    ASSERT_TRUE(edits.move(k2, PlanStep::changeBus));
     EXPECT_EQ(at(QStringLiteral("3.0")).deviceCode, 0x0236U) << "the first of the branch";
-    ASSERT_TRUE(edits.moveOut(k2));
+    ASSERT_TRUE(edits.move(k2, PlanStep::out));
     EXPECT_EQ(order(), before);
-    ASSERT_TRUE(edits.moveOut(k2));
+    ASSERT_TRUE(edits.move(k2, PlanStep::out));
     EXPECT_EQ(order(), before) << "it is on the main line";
 }
 
 TEST_F(PlanEditsTest, WhatCannotBeIsRefusedAndIsNoStep)
 {
-    const auto into = edits.moveIn(id(QStringLiteral("2.0"))); // behind 1.0, no terminal
+    const auto into = edits.move(id(QStringLiteral("2.0")), PlanStep::in); // behind 1.0, no terminal
     ASSERT_FALSE(into);
     EXPECT_EQ(refusalText(into.error()),
               QStringLiteral("The bus cannot be built like this: Nothing can hang below 1.0: it is no bus "
                              "terminal."));
-    EXPECT_FALSE(edits.insert(deviceOf(busTerminalIdCode), {.terminal = 1, .onLocalBus = true, .row = 0}));
+    EXPECT_FALSE(
+        edits.insert(deviceOf(busTerminalIdCode), where({.terminal = 1, .onLocalBus = true, .row = 0})));
     EXPECT_FALSE(edits.change(id(QStringLiteral("2.0")), deviceOf(0x0237)));
     EXPECT_EQ(document.undoStack().count(), 0);
 }

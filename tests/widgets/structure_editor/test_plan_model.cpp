@@ -19,7 +19,7 @@ namespace {
 class PlanModelTest : public test::PlanTest
 {
 protected:
-    QString text(const QString &number, PlanModel::Column column) const
+    QString text(const QString &number, int column) const
     {
         return model.indexOf(id(number), column).data().toString();
     }
@@ -44,22 +44,21 @@ protected:
         EXPECT_FALSE(model.dropMimeData(data.get(), Qt::MoveAction, row, 0, parent));
     }
 
-    PlanModel model{document, catalog};
-    test::ModelTester tester{model};
     PlanEdits edits{document, catalog};
+    PlanModel model{edits};
+    test::ModelTester tester{model};
 };
 
 TEST_F(PlanModelTest, ShowsLocalBusAndBranchBelowTheirTerminal)
 {
     EXPECT_EQ(tree(model), QStringLiteral("1.0 2.0(2.1 2.2 3.0 4.0) 5.0 6.0 7.0"));
-    EXPECT_EQ(text(QStringLiteral("1.0"), PlanModel::deviceColumn), QStringLiteral("K3, make not known"));
-    EXPECT_EQ(text(QStringLiteral("2.0"), PlanModel::deviceColumn), QStringLiteral("bus terminal"));
-    EXPECT_EQ(text(QStringLiteral("7.0"), PlanModel::deviceColumn),
-              QStringLiteral("analog input and output"));
-    EXPECT_EQ(text(QStringLiteral("1.0"), PlanModel::idCodeColumn), QStringLiteral("37h = 55"));
-    EXPECT_EQ(text(QStringLiteral("3.0"), PlanModel::wordsColumn), QStringLiteral("1 / 0"));
-    EXPECT_EQ(text(QStringLiteral("2.1"), PlanModel::inColumn), QStringLiteral("4"));
-    EXPECT_EQ(text(QStringLiteral("3.0"), PlanModel::outColumn), QString());
+    EXPECT_EQ(text(QStringLiteral("1.0"), test::deviceColumn), QStringLiteral("K3, make not known"));
+    EXPECT_EQ(text(QStringLiteral("2.0"), test::deviceColumn), QStringLiteral("bus terminal"));
+    EXPECT_EQ(text(QStringLiteral("7.0"), test::deviceColumn), QStringLiteral("analog input and output"));
+    EXPECT_EQ(text(QStringLiteral("1.0"), test::idCodeColumn), QStringLiteral("37h = 55"));
+    EXPECT_EQ(text(QStringLiteral("3.0"), test::wordsColumn), QStringLiteral("1 / 0"));
+    EXPECT_EQ(text(QStringLiteral("2.1"), test::inColumn), QStringLiteral("4"));
+    EXPECT_EQ(text(QStringLiteral("3.0"), test::outColumn), QString());
 }
 
 TEST_F(PlanModelTest, TellsOfOneRowWhereOneChanged)
@@ -80,13 +79,13 @@ TEST_F(PlanModelTest, AMoveIsAMoveAndNothingElse)
     QSignalSpy inserts(&model, &QAbstractItemModel::rowsInserted);
     QSignalSpy removals(&model, &QAbstractItemModel::rowsRemoved);
     const QPersistentModelIndex moved = model.indexOf(id(QStringLiteral("1.0")));
-    ASSERT_TRUE(edits.move({id(QStringLiteral("1.0"))}, {{}, false, 99}));
+    ASSERT_TRUE(edits.move({id(QStringLiteral("1.0"))}, where({{}, false, 99})));
     EXPECT_EQ(moves.count(), 1);
     EXPECT_EQ(moved.row(), 4) << "who looked at it still does";
     document.undoStack().undo();
     EXPECT_EQ(moves.count(), 2);
     EXPECT_EQ(moved.row(), 0);
-    ASSERT_TRUE(edits.move({id(QStringLiteral("5.0"))}, {1, true, 1}));
+    ASSERT_TRUE(edits.move({id(QStringLiteral("5.0"))}, where({1, true, 1})));
     EXPECT_EQ(tree(model), QStringLiteral("1.0 2.0(2.1 2.2 2.3 3.0 4.0) 5.0 6.0"));
     EXPECT_EQ(moves.count(), 3);
     EXPECT_EQ(inserts.count() + removals.count(), 0);
@@ -94,39 +93,38 @@ TEST_F(PlanModelTest, AMoveIsAMoveAndNothingElse)
 
 TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
 {
-    const auto edit = [&](const QString &number, PlanModel::Column column, const QString &text) {
+    const auto edit = [&](const QString &number, int column, const QString &text) {
         return model.setData(model.indexOf(id(number), column), text);
     };
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::stationColumn, QStringLiteral(" Crane 1 ")));
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::groupColumn, QStringLiteral("A")));
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, QStringLiteral("128")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::stationColumn, QStringLiteral(" Crane 1 ")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::groupColumn, QStringLiteral("A")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::inColumn, QStringLiteral("128")));
     const ProjectDevice &device = document.device("1.0"_ring);
     EXPECT_EQ(device.station, QStringLiteral("Crane 1"));
     EXPECT_EQ(device.group, QStringLiteral("A"));
     EXPECT_EQ(device.inAddress, 128);
     EXPECT_EQ(document.undoStack().count(), 3);
-    EXPECT_TRUE(edit(QStringLiteral("2.0"), PlanModel::noteColumn, QStringLiteral("behind the door")));
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::serialColumn, QStringLiteral("20417")));
+    EXPECT_TRUE(edit(QStringLiteral("2.0"), test::noteColumn, QStringLiteral("behind the door")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::serialColumn, QStringLiteral("20417")));
     EXPECT_EQ(document.device("1.0"_ring).label.serialNumber, QStringLiteral("20417"));
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Serial number of 1.0"));
     EXPECT_EQ(model.find(QStringLiteral("2041")), std::vector{id(QStringLiteral("1.0"))});
-    EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("2.0")), PlanModel::serialColumn)) &
+    EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("2.0")), test::serialColumn)) &
                  Qt::ItemIsEditable)
         << "a bus terminal";
     EXPECT_EQ(document.device("2.0"_ring).note, QStringLiteral("behind the door"));
     EXPECT_EQ(model.find(QStringLiteral("door")), std::vector{id(QStringLiteral("2.0"))});
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, {}));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::inColumn, {}));
     EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt) << "counted again";
-    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::outColumn, QStringLiteral("0")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), test::outColumn, QStringLiteral("0")));
     EXPECT_EQ(document.device("1.0"_ring).outAddress, std::nullopt) << "only looked at";
 
     QSignalSpy complaints(&model, &PlanModel::badInput);
-    edit(QStringLiteral("1.0"), PlanModel::inColumn, QStringLiteral("twelve"));
+    edit(QStringLiteral("1.0"), test::inColumn, QStringLiteral("twelve"));
     ASSERT_EQ(complaints.count(), 1);
     EXPECT_TRUE(complaints.first().first().toString().contains(QStringLiteral("twelve")));
     EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt);
-    EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("3.0")), PlanModel::outColumn)) &
-                 Qt::ItemIsEditable);
+    EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("3.0")), test::outColumn)) & Qt::ItemIsEditable);
 }
 
 TEST_F(PlanModelTest, AddressesAreShownInWordsIfWanted)
@@ -135,9 +133,9 @@ TEST_F(PlanModelTest, AddressesAreShownInWordsIfWanted)
     changeRing(after, [&](RingPlan &ring) { ring.addresses.unit = AddressRules::Unit::word; });
     QSignalSpy headers(&model, &QAbstractItemModel::headerDataChanged);
     document.edit(after, {});
-    EXPECT_EQ(text(QStringLiteral("2.1"), PlanModel::inColumn), QStringLiteral("2"));
+    EXPECT_EQ(text(QStringLiteral("2.1"), test::inColumn), QStringLiteral("2"));
     EXPECT_EQ(headers.count(), 1);
-    EXPECT_EQ(model.headerData(PlanModel::inColumn, Qt::Horizontal, Qt::DisplayRole).toString(),
+    EXPECT_EQ(model.headerData(test::inColumn, Qt::Horizontal, Qt::DisplayRole).toString(),
               QStringLiteral("IN word"));
 }
 
@@ -145,9 +143,9 @@ TEST_F(PlanModelTest, WhatIsWrongStandsBesideTheDevice)
 {
     document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 128; });
     document.editDevice("5.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 130; });
-    EXPECT_EQ(text(QStringLiteral("1.0"), PlanModel::findingsColumn),
+    EXPECT_EQ(text(QStringLiteral("1.0"), test::findingsColumn),
               QStringLiteral("IN at 128 overlaps that of 5.0."));
-    EXPECT_EQ(text(QStringLiteral("2.1"), PlanModel::findingsColumn), QString());
+    EXPECT_EQ(text(QStringLiteral("2.1"), test::findingsColumn), QString());
 }
 
 TEST_F(PlanModelTest, FindsByNumberNameIdCodeAndStation)
@@ -210,7 +208,7 @@ TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
             place.terminal = below(ids.size());
         switch (below(6)) {
         case 0:
-            (void)edits.insert(deviceOf(below(2) == 0 ? busTerminalIdCode : 0x0237), place);
+            (void)edits.insert(deviceOf(below(2) == 0 ? busTerminalIdCode : 0x0237), where(place));
             break;
         case 1:
             if (!ids.empty())
@@ -219,7 +217,7 @@ TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
         case 2:
         case 3:
             if (!ids.empty())
-                (void)edits.move({ids[below(ids.size())], ids[below(ids.size())]}, place);
+                (void)edits.move({ids[below(ids.size())], ids[below(ids.size())]}, where(place));
             break;
         case 4:
             document.undoStack().undo();
@@ -227,7 +225,7 @@ TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
         default:
             document.undoStack().redo();
         }
-        const PlanModel fresh(document, catalog);
+        const PlanModel fresh(edits);
         ASSERT_EQ(tree(model), tree(fresh)) << step;
     }
 }

@@ -3,6 +3,7 @@
 #include "tests/support/plans.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/master/ring_plan_fields.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
 
@@ -37,6 +38,7 @@ class StructureEditorTest : public test::PlanTest
 protected:
     StructureEditorTest()
     {
+        editor.addFields(firstRing, new RingPlanFields(document, firstRing));
         editor.resize(900, 620);
         editor.show();
         editor.activateWindow();
@@ -46,7 +48,7 @@ protected:
     }
 
     void choose(const QString &number) { editor.choose(*Place::parse(number)); }
-    QModelIndex indexOf(const QString &number, PlanModel::Column column = PlanModel::numberColumn) const
+    QModelIndex indexOf(const QString &number, int column = test::numberColumn) const
     {
         return static_cast<PlanModel *>(tree.model())->indexOf(id(number), column);
     }
@@ -55,7 +57,7 @@ protected:
     {
         QTest::keyClick(&tree, Qt::Key(key), modifiers);
     }
-    void edit(const QString &number, PlanModel::Column column, const QString &text)
+    void edit(const QString &number, int column, const QString &text)
     {
         tree.setCurrentIndex(indexOf(number, column));
         tree.scrollTo(indexOf(number, column));
@@ -144,18 +146,18 @@ TEST_F(StructureEditorTest, AKeyRemovesAndUndoBringsBack)
 
 TEST_F(StructureEditorTest, CellsAreEditedWithTheMouse)
 {
-    edit(QStringLiteral("1.0"), PlanModel::stationColumn, QStringLiteral("Crane 1, hoist"));
+    edit(QStringLiteral("1.0"), test::stationColumn, QStringLiteral("Crane 1, hoist"));
     EXPECT_EQ(document.device("1.0"_ring).station, QStringLiteral("Crane 1, hoist"));
-    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("128"));
+    edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("128"));
     EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
-    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("-3"));
+    edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("-3"));
     EXPECT_TRUE(message().contains(QStringLiteral("-3"))) << message().toStdString();
     EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
 }
 
 TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrectedOrGivenUp)
 {
-    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("12x"));
+    edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("12x"));
     auto *field = tree.viewport()->findChild<QLineEdit *>();
     ASSERT_NE(field, nullptr);
     EXPECT_EQ(field->text(), QStringLiteral("12x"));
@@ -168,7 +170,7 @@ TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrec
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
-    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("y"));
+    edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("y"));
     QTest::keyClick(tree.viewport()->findChild<QLineEdit *>(), Qt::Key_Escape);
     EXPECT_EQ(message(), QString());
     EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
@@ -280,13 +282,13 @@ TEST_F(StructureEditorTest, TheStep5RuleIsSwitchedOnAndUndone)
 {
     QTest::mouseClick(&child<QCheckBox>("step5"), Qt::LeftButton, {}, QPoint(8, 8));
     EXPECT_TRUE(ringPlan(document.project(), firstRing).addresses.step5);
-    EXPECT_TRUE(indexOf(QStringLiteral("1.0"), PlanModel::findingsColumn)
+    EXPECT_TRUE(indexOf(QStringLiteral("1.0"), test::findingsColumn)
                     .data()
                     .toString()
                     .contains(QStringLiteral("P127")));
     document.undoStack().undo();
     EXPECT_FALSE(child<QCheckBox>("step5").isChecked());
-    EXPECT_EQ(indexOf(QStringLiteral("1.0"), PlanModel::findingsColumn).data().toString(), QString());
+    EXPECT_EQ(indexOf(QStringLiteral("1.0"), test::findingsColumn).data().toString(), QString());
 }
 
 } // namespace

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "project/check_project.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+
+class Catalog;
+struct DeviceDescription;
+
+// A column of the structure editor.
+enum class PlanField : std::uint8_t { place, station, group, device, own, serialNumber, note, findings };
+struct PlanColumn
+{
+    PlanField field = PlanField::own;
+    QString title;
+    std::size_t own = 0; // which one of the kind's own
+    bool isNumber = false;
+
+    friend bool operator==(const PlanColumn &, const PlanColumn &) = default;
+};
+
+// What stands in a column of the kind's own.
+struct PlanCell
+{
+    QString text;
+    QString toolTip;              // empty: that of the device
+    std::optional<QString> typed; // what an edit begins with; nothing: it cannot be edited
+
+    friend bool operator==(const PlanCell &, const PlanCell &) = default;
+};
+
+// What the structure editor shows of a planned device. Two that are equal look the same.
+struct PlanRow
+{
+    Place place;
+    std::optional<std::size_t> parent; // among the devices of the bus; nothing: it hangs on the bus itself
+    bool isCoupler = false;            // others can hang below it
+    QString station;
+    QString group;
+    QString note;
+    QString serialNumber; // of its label
+    QString name;         // "FRABA OCD-IB K3"
+    QString toolTip;
+    std::vector<PlanCell> own;
+    QStringList codes; // by which it is found, too
+    std::vector<Finding> findings;
+
+    friend bool operator==(const PlanRow &, const PlanRow &) = default;
+};
+
+// The devices of a bus after an edit, and where each stood before; nothing: it is new.
+struct EditedPlan
+{
+    std::vector<ProjectDevice> devices;
+    std::vector<std::optional<std::size_t>> from;
+};
+
+// Where a device can be put, as the kind means it.
+struct PlanTarget
+{
+    QString text;
+    KindData where;
+};
+
+// By keys: before or behind its neighbour; below the one before it; out again; to the other bus of its
+// coupler.
+enum class PlanStep : std::uint8_t { up, down, in, out, changeBus };
+
+// How the devices of one kind of bus are planned: what is shown of them, where they can stand, and what can
+// be done to them. Devices are given by their index among those of the bus. As it stands: each device has one
+// of places(), which is typed, and nothing hangs below another.
+class PlanRules
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::PlanRules)
+
+public:
+    using Devices = std::span<const ProjectDevice>;
+
+    virtual ~PlanRules() = default;
+
+    std::vector<PlanColumn> columns(const Project &project, BusId bus) const;
+    std::vector<PlanRow> rows(const Project &project, BusId bus, const Catalog &catalog) const;
+    // "FRABA OCD-IB K3"
+    virtual QString nameOf(const Participant &device, const Catalog &catalog) const;
+    // Order follows from where a device hangs: devices are moved by keys and by dragging.
+    virtual bool isOrdered() const { return false; }
+    virtual bool isEditable(const PlanRow &row, const PlanColumn &column) const;
+
+    // What is wrong with a text for this cell; empty: nothing.
+    virtual QString complaint(const Project &project, Place device, const PlanColumn &column,
+                              const QString &text) const;
+    virtual Result<EditedPlan> type(const Project &project, Place device, const PlanColumn &column,
+                                    const QString &text) const;
+
+    virtual std::vector<Participant> offered(const Catalog &catalog) const;
+    // Of an ID code and a length code; nothing: this kind knows devices by their descriptions alone.
+    virtual std::optional<Participant> coded(unsigned, unsigned) const { return std::nullopt; }
+    virtual QString reading(const Participant &device, const Catalog &catalog) const; // in full
+    // Seen from the chosen device, the usual one first.
+    virtual std::vector<PlanTarget> targets(const Project &project, BusId bus,
+                                            std::optional<std::size_t> chosen) const;
+    // Of these targets, where `device` belongs, if it was to be put to `target`.
+    virtual std::size_t preferred(const std::vector<PlanTarget> &, const Participant &,
+                                  std::size_t target) const
+    {
+        return target;
+    }
+
+    virtual Result<EditedPlan> insert(const Project &project, BusId bus, const Participant &device,
+                                      const KindData &where) const;
+    // With all that hangs below them.
+    virtual Result<EditedPlan> remove(const Project &project, BusId bus,
+                                      std::span<const std::size_t> devices) const;
+    // Another kind of device in this place; station, group, note and addresses stay.
+    virtual Result<EditedPlan> change(const Project &project, BusId bus, std::size_t device,
+                                      const Participant &to) const;
+    virtual Result<EditedPlan> move(const Project &project, BusId bus, std::span<const std::size_t> devices,
+                                    const KindData &where) const;
+    // Nothing: there is no such place.
+    virtual std::optional<KindData> stepped(const Project &, BusId, std::size_t, PlanStep) const
+    {
+        return std::nullopt;
+    }
+    // Dropped into this row below `parent`, or on it (row < 0).
+    virtual std::optional<KindData> dropped(const Project &, BusId, std::size_t, std::optional<std::size_t>,
+                                            int) const
+    {
+        return std::nullopt;
+    }
+
+protected:
+    static EditedPlan unchanged(const Project &project, BusId bus);
+    // Why a device cannot stand there beside the others; empty: it can.
+    virtual QString whyNotAt(NodeId place, Devices others) const;
+
+private:
+    virtual QString placeTitle() const;
+    virtual std::vector<PlanColumn> ownColumns(const Project &, BusId) const { return {}; }
+    // Brings the kind's own into the rows.
+    virtual void complete(std::vector<PlanRow> &, const Project &, BusId, const Catalog &) const {}
+
+    // All there are, in their order.
+    virtual std::vector<NodeId> places() const { return {}; }
+    virtual std::optional<NodeId> typedPlace(const QString &text) const; // "5" and "can:5"
+    virtual QString noPlaceText(const QString &text) const;
+    virtual bool isOffered(const DeviceDescription &) const { return false; }
+};
+
+// What was known and wanted of it is none of the other's that stands in its place from now on.
+void becomeAnother(ProjectDevice &device);
+
+} // namespace codewheel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/project/project_document.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QHBoxLayout;
+class QLabel;
+class QSpinBox;
+
+namespace codewheel {
+
+// What a ring has below the structure editor: how addresses in the process image are counted, how much of
+// what a ring may have is used, and about how long a cycle takes, by both formulas at both speeds.
+class RingPlanFields : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // The document outlives it.
+    RingPlanFields(ProjectDocument &document, BusId ring, QWidget *parent = nullptr);
+    ~RingPlanFields() override;
+
+private:
+    QHBoxLayout *makeAddressing();
+    QHBoxLayout *makeTimes();
+    void setAddressing();
+    void show();
+    QString countsText() const;
+    QString timesText() const;
+
+    ProjectDocument &m_document;
+    const BusId m_ring;
+    QComboBox *m_unit;
+    QSpinBox *m_first;
+    QCheckBox *m_step5;
+    QLabel *m_counts;
+    QLabel *m_times;
+    QDoubleSpinBox *m_cable;
+    ProjectDocument::Gesture m_stepping; // until the field is left or Return is pressed
+};
+
+} // namespace codewheel
