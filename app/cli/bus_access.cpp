@@ -11,6 +11,7 @@
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
+#include "journal_files.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 
@@ -43,6 +44,12 @@ QString BusAccess::name() const
         return m_name;
     const BusKind *kind = busKind(m_kind);
     return kind != nullptr ? kind->usualName() : QStringLiteral("%1").arg(m_bus.id().number);
+}
+
+void BusAccess::keepLedger(const std::optional<QString> &file)
+{
+    setLedger(std::make_unique<LedgerKeeper>(
+        m_bus, file ? DatabasePlace::file(*file) : ledgerPlace(m_bus, userJournalFolder())));
 }
 
 void BusAccess::setLedger(std::unique_ptr<LedgerKeeper> ledger)

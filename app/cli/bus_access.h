@@ -43,7 +43,7 @@ public:
     void setName(const QString &name) { m_name = name; }
 
     // Counts EEPROM writes from now on: in the file, else where those of this bus are counted.
-    virtual void keepLedger(const std::optional<QString> &) {}
+    void keepLedger(const std::optional<QString> &file);
     void setLedger(std::unique_ptr<LedgerKeeper> ledger);
     LedgerKeeper *ledger() const { return m_ledger.get(); } // null: none is kept
 

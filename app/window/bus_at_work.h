@@ -43,8 +43,8 @@ public:
     bool isTraining() const;             // always there
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
-    virtual void openTraining() = 0; // connects a training bus, in Operate
-    virtual void start() {}          // by a thread of its own from now on, unless it is driven by hand
+    virtual void openTraining() {} // connects a training bus, in Operate
+    virtual void start() {}        // by a thread of its own from now on, unless it is driven by hand
     const LedgerKeeper *ledger() const { return m_ledger.get(); } // null: no bus
 
 Q_SIGNALS:

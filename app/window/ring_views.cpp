@@ -91,9 +91,7 @@ void RingViews::compare()
 
 void RingViews::showCurrent()
 {
-    if (isCurrent())
-        m_parts.editor.setRing(m_ring.id());
-    else
+    if (!isCurrent())
         leaveActions();
     showState();
 }

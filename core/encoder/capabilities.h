@@ -13,7 +13,7 @@ struct Capabilities
     bool reads = false;               // parameters can be read out
     bool writes = false;              // parameters can be written
     bool presets = false;             // the position can be set
-    std::optional<CamAbilities> cams; // nothing: none
+    std::optional<CamAbilities> cams{}; // nothing: none
     bool velocity = false;            // shows revolutions per minute on request
     bool manufacturerPreset = false;  // 60000000h: sets the position to the programmed preset again and again
     bool presetNeedsValue = false;    // the command that sets the position brings the value along

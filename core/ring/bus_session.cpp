@@ -256,8 +256,7 @@ Result<void> BusSession::canBe(Place place, const DeviceDescription &device) con
     const std::size_t i = d->indexOf(place.node);
     const unsigned there = i < d->structure.size() ? d->structure[i].deviceCode : 0;
     if (device.deviceCode == 0)
-        return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus,
-                      {place.shown(), device.fullName()});
+        return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
     if (device.deviceCode == there)
         return {};
     return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,

@@ -8,8 +8,6 @@
 #include "drivers/esc_driver.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
-#include "journal/ledger_keeper.h"
-#include "journal_files.h"
 #include "links/project_adapter.h"
 #include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
@@ -130,12 +128,6 @@ Checked<void> LineAccess::open()
     const auto opened = m_session->open(m_link.wish.line, m_link.wish.timing, LineSession::Start::watching,
                                         LineSession::Drive::byHand);
     return opened ? Checked<void>() : tl::unexpected(aboutOpening(opened.error()));
-}
-
-void LineAccess::keepLedger(const std::optional<QString> &file)
-{
-    setLedger(std::make_unique<LedgerKeeper>(
-        *m_session, file ? DatabasePlace::file(*file) : ledgerPlace(*m_session, userJournalFolder())));
 }
 
 std::optional<NodeId> LineAccess::placeTyped(const QString &text) const

@@ -27,7 +27,6 @@ public:
 
     LineSession &line() const { return *m_session; }
     Checked<void> open() override;
-    void keepLedger(const std::optional<QString> &file) override;
     const LineLink &link() const { return m_link; }
     esc::ExplainOptions explainOptions() const { return m_link.explainOptions(); }
 

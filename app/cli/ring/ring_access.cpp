@@ -12,8 +12,6 @@
 #include "cli/trace.h"
 #include "encoder/device_number.h"
 #include "encoder/sentence.h"
-#include "journal/ledger_keeper.h"
-#include "journal_files.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan.h"
 #include "transfer/project_places.h"
@@ -100,12 +98,6 @@ RingAccess::RingAccess(std::unique_ptr<BusSession> ring, std::shared_ptr<void> w
     , m_world(std::move(world))
     , m_ring(*m_owned)
 {}
-
-void RingAccess::keepLedger(const std::optional<QString> &file)
-{
-    setLedger(std::make_unique<LedgerKeeper>(m_ring, file ? DatabasePlace::file(*file)
-                                                          : ledgerPlace(m_ring, userJournalFolder())));
-}
 
 std::optional<NodeId> RingAccess::placeTyped(const QString &text) const
 {

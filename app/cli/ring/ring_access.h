@@ -17,7 +17,6 @@ public:
 
     BusSession &ring() const { return m_ring; }
 
-    void keepLedger(const std::optional<QString> &file) override;
     bool followsFaultPlan() const override { return m_world != nullptr; }
     std::optional<NodeId> placeTyped(const QString &text) const override;
     // A device may stand elsewhere where the ring differs from the project at all.
