@@ -4256,7 +4256,7 @@
     <name>codewheel::CancelQuestion</name>
     <message>
         <source>words of a cam program</source>
-        <translation>Wörter eines Nockenprogramms</translation>
+        <translation>Worte eines Nockenprogramms</translation>
     </message>
     <message>
         <source>a value it has not confirmed yet</source>

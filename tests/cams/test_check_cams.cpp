@@ -62,6 +62,8 @@ TEST(CheckCams, AnEncoderTakesWhatItsCamsHave)
     EXPECT_EQ(check(program, k3Cams, 8191).error(), badInput(RefusalId::camHasMore, {std::int64_t{3}}));
     program.cam[3].hysteresis = 0;
     EXPECT_TRUE(check(program, k3Cams, 8191));
+    program.cam[3].isInverted = true;
+    EXPECT_EQ(check(program, k3Cams, 8191).error(), badInput(RefusalId::camHasMore, {std::int64_t{3}}));
 }
 
 TEST(CheckCams, NamesWhatAnEncoderHasNot)
