@@ -3,7 +3,7 @@
 
 #include "widgets/input/input_mark.h"
 
-#include <QEvent>
+#include <QAbstractItemView>
 #include <QLineEdit>
 #include <QPersistentModelIndex>
 #include <QValidator>
@@ -64,16 +64,34 @@ void CheckedDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) c
     QStyledItemDelegate::destroyEditor(editor, index);
 }
 
-bool CheckedDelegate::eventFilter(QObject *editor, QEvent *event)
+bool CheckedDelegate::eventFilter(QObject *object, QEvent *event)
 {
-    const auto *field = qobject_cast<QLineEdit *>(editor);
+    if (qobject_cast<QAbstractItemView *>(object) || qobject_cast<QAbstractItemView *>(object->parent()))
+        return isHeldOff(event->type());
+    auto *field = qobject_cast<QLineEdit *>(object);
+    if (event->type() == QEvent::Show && field != nullptr) {
+        m_open = field;
+        field->parent()->installEventFilter(this);
+        field->parent()->parent()->installEventFilter(this);
+    }
     if (event->type() == QEvent::FocusOut && field != nullptr) {
         if (field->window()->isHidden()) // it goes with its window, and is not left
             return true;
         if (!field->hasAcceptableInput())
             return false;
     }
-    return QStyledItemDelegate::eventFilter(editor, event);
+    return QStyledItemDelegate::eventFilter(object, event);
+}
+
+// The view would close the field for another cell, and what was typed would be lost.
+bool CheckedDelegate::isHeldOff(QEvent::Type type) const
+{
+    const bool choosesAnother =
+        type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick || type == QEvent::KeyPress;
+    if (!choosesAnother || !m_open || m_open->hasAcceptableInput())
+        return false;
+    m_open->setFocus();
+    return true;
 }
 
 } // namespace codewheel

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QEvent>
+#include <QLineEdit>
+#include <QPointer>
 #include <QStyledItemDelegate>
 
 #include <functional>
@@ -8,7 +11,7 @@
 namespace codewheel {
 
 // Fields in the cells of a table. What is refused is not taken and its field stays open, with its mark, to be
-// corrected; Esc gives the value before.
+// corrected, whatever else of the table is clicked; Esc gives the value before.
 class CheckedDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -30,10 +33,13 @@ Q_SIGNALS:
     void inputChecked(const QString &wrong) const;
 
 protected:
-    bool eventFilter(QObject *editor, QEvent *event) override;
+    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
+    bool isHeldOff(QEvent::Type type) const;
+
     Complaint m_complaint;
+    QPointer<QLineEdit> m_open; // the field that was opened last
 };
 
 } // namespace codewheel

@@ -191,6 +191,28 @@ TEST_F(BusListTest, WhatIsNoNameIsRefusedAndStays)
     EXPECT_EQ(document.undoStack().count(), 1);
 }
 
+TEST_F(BusListTest, WhatIsRefusedStaysWhileAnotherRowIsClicked)
+{
+    addRing();
+    rename(1, QStringLiteral("A/B"));
+    const QPoint other = table().visualRect(table().model()->index(0, 0)).center();
+    table().setFocus(); // as a click gives it
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, other);
+    QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, other);
+    QTest::keyClick(field(), Qt::Key_Up);
+    QTest::keyClick(&table(), Qt::Key_Up);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    ASSERT_NE(field(), nullptr);
+    EXPECT_EQ(field()->text(), QStringLiteral("A/B"));
+    EXPECT_TRUE(field()->hasFocus());
+    EXPECT_TRUE(message().isVisible());
+    EXPECT_EQ(table().currentIndex().row(), 1);
+    QTest::keyClick(field(), Qt::Key_Escape);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, other);
+    EXPECT_EQ(table().currentIndex().row(), 0);
+}
+
 TEST_F(BusListTest, AnotherEditWaitsForWhatIsRefused)
 {
     addRing();
