@@ -3501,6 +3501,10 @@
         <source>%1: F2 or a double click renames it</source>
         <translation>%1: F2 oder ein Doppelklick benennt ihn um</translation>
     </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::BusOutline</name>
@@ -5211,16 +5215,6 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
         <translation>ein Projekt mit dem Bus vergleichen</translation>
     </message>
     <message>
-        <source>Lays the devices the project has configured beside those that are connected and tells line by line
-what is the same, differs, is missing, additional or moved; exit code 1 if anything differs. The
-make is not compared: the bus does not tell it.
-Sends nothing.</source>
-        <translation>Legt die im Projekt geplanten Teilnehmer neben die angeschlossenen und sagt Zeile für Zeile, was
-gleich, anders, zu wenig, zusätzlich oder versetzt ist; Exit-Code 1, wenn etwas abweicht. Der
-Hersteller wird nicht verglichen: Der Bus nennt ihn nicht.
-Sendet nichts.</translation>
-    </message>
-    <message>
         <source>of this file, in place of the user&apos;s own</source>
         <translation>aus dieser Datei statt aus der des Benutzers</translation>
     </message>
@@ -6301,6 +6295,18 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>The project has no port for &quot;%1&quot; yet. Choose one in the window, or name it, as --link esc:ttyUSB0.</source>
         <translation>Das Projekt hat für &quot;%1&quot; noch keinen Anschluss. Im Fenster einen wählen, oder ihn nennen, etwa --link esc:ttyUSB0.</translation>
     </message>
+    <message>
+        <source>Lays the devices the project has configured beside those that are connected and tells line by line
+what is the same, differs, is missing, additional or moved; exit code 1 if anything differs. The
+make is not compared: the bus does not tell it. On a serial line the encoders of the project are
+asked who they are; one that does not answer is missing.
+Sends nothing to a ring.</source>
+        <translation>Legt die im Projekt geplanten Teilnehmer neben die angeschlossenen und sagt Zeile für Zeile, was
+gleich, anders, zu wenig, zusätzlich oder versetzt ist; Exit-Code 1, wenn etwas abweicht. Der
+Hersteller wird nicht verglichen: Der Bus nennt ihn nicht. Auf einer seriellen Leitung werden die
+Geber des Projekts gefragt, wer sie sind; einer, der nicht antwortet, fehlt.
+Sendet nichts an einen Ring.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -6387,12 +6393,12 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Projektiert (Projekt)</translation>
     </message>
     <message>
-        <source>Connected (ring)</source>
-        <translation>Angeschlossen (Ring)</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Angeschlossen</translation>
     </message>
 </context>
 <context>
@@ -6400,10 +6406,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>On&amp;ly differences</source>
         <translation>Nur &amp;Unterschiede</translation>
-    </message>
-    <message>
-        <source>&amp;Read in the ring</source>
-        <translation>&amp;Ring einlesen</translation>
     </message>
     <message>
         <source>Chosen lines into the &amp;project</source>
@@ -6414,18 +6416,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Alle &amp;ins Projekt</translation>
     </message>
     <message>
-        <source>Chosen lines into the &amp;master</source>
-        <translation>Gewählte Zeilen in den &amp;Master</translation>
-    </message>
-    <message>
-        <source>Project into the mas&amp;ter</source>
-        <translation>Projekt in den Mas&amp;ter</translation>
-    </message>
-    <message>
-        <source>No ring is connected.</source>
-        <translation>Es ist kein Ring verbunden.</translation>
-    </message>
-    <message>
         <source>Connect to compare it with the project.</source>
         <translation>Verbinden, um ihn mit dem Projekt zu vergleichen.</translation>
     </message>
@@ -6434,36 +6424,12 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Blendet die gleichen Zeilen aus</translation>
     </message>
     <message>
-        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
-        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
-    </message>
-    <message>
         <source>Plans the chosen lines as they are connected; can be undone</source>
         <translation>Plant die gewählten Zeilen so, wie sie angeschlossen sind; lässt sich zurücknehmen</translation>
     </message>
     <message>
-        <source>Plans the whole ring as it is connected; can be undone</source>
-        <translation>Plant den ganzen Ring so, wie er angeschlossen ist; lässt sich zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Downloads the connected ring with the chosen lines as they are planned; the master keeps it</source>
-        <translation>Lädt den angeschlossenen Ring mit den gewählten Zeilen wie geplant in den Master, der ihn behält</translation>
-    </message>
-    <message>
-        <source>Downloads the planned ring, which the master keeps, and loads it back</source>
-        <translation>Lädt den geplanten Ring in den Master, der ihn behält, und liest ihn zurück</translation>
-    </message>
-    <message>
-        <source>Configured and connected ring</source>
-        <translation>Projektierter und angeschlossener Ring</translation>
-    </message>
-    <message>
         <source>Choose the lines that are to be taken over.</source>
         <translation>Die Zeilen wählen, die übernommen werden sollen.</translation>
-    </message>
-    <message>
-        <source>The ring is as it is configured.</source>
-        <translation>Der Ring ist so, wie er projektiert ist.</translation>
     </message>
     <message numerus="yes">
         <source>%n lines differ.</source>
@@ -6473,53 +6439,24 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         </translation>
     </message>
     <message>
-        <source>Take over from the ring</source>
-        <translation>Vom Ring übernehmen</translation>
-    </message>
-    <message numerus="yes">
-        <source>The master keeps %1 with %n devices.</source>
-        <translation>
-            <numerusform>Der Master hat %1 mit %n Teilnehmer.</numerusform>
-            <numerusform>Der Master hat %1 mit %n Teilnehmern.</numerusform>
-        </translation>
+        <source>Configured and connected bus</source>
+        <translation>Projektierter und angeschlossener Bus</translation>
     </message>
     <message>
-        <source>a configuration without a name</source>
-        <translation>eine Konfiguration ohne Namen</translation>
+        <source>Plans the whole bus as it is connected; can be undone</source>
+        <translation>Plant den ganzen Bus so, wie er angeschlossen ist; lässt sich zurücknehmen</translation>
     </message>
     <message>
-        <source>Loaded back, it is the project&apos;s.</source>
-        <translation>Zurückgelesen ist sie die des Projekts.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Loaded back, %n lines differ from the project.</source>
-        <translation>
-            <numerusform>Zurückgelesen ist %n Zeile anders als im Projekt.</numerusform>
-            <numerusform>Zurückgelesen sind %n Zeilen anders als im Projekt.</numerusform>
-        </translation>
+        <source>The bus is not connected.</source>
+        <translation>Der Bus ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <source>The bus is as it is configured.</source>
+        <translation>Der Bus ist so, wie er projektiert ist.</translation>
     </message>
     <message>
-        <source>What the master &amp;keeps into the project</source>
-        <translation>&amp;Was der Master hält, ins Projekt</translation>
-    </message>
-    <message>
-        <source>Loads the configuration that the master keeps, and plans the ring as it says; can be undone</source>
-        <translation>Lädt die Konfiguration, die der Master hält, und plant den Ring danach; lässt sich rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Load the configuration of the master</source>
-        <translation>Konfiguration des Masters laden</translation>
-    </message>
-    <message numerus="yes">
-        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
-        <translation>
-            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Gerät.</numerusform>
-            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Geräte.</numerusform>
-        </translation>
+        <source>Take over from the bus</source>
+        <translation>Vom Bus übernehmen</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8478,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>Serial line (ESC)</source>
         <translation>Serielle Leitung (ESC)</translation>
     </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineOutline</name>
@@ -10558,6 +10499,18 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <source>&quot;%2&quot; is planned at %1.</source>
         <translation>Bei %1 ist &quot;%2&quot; geplant.</translation>
     </message>
+    <message>
+        <source>%1: %2 is additional: it is not configured</source>
+        <translation>%1: %2 ist zusätzlich da: nicht projektiert</translation>
+    </message>
+    <message>
+        <source>%1: configured %2 is missing</source>
+        <translation>%1: projektiert %2, fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2, as configured</source>
+        <translation>%1: %2, wie projektiert</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::PortAccess</name>
@@ -10694,18 +10647,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Kran 1</translation>
     </message>
     <message>
-        <source>Link of the project</source>
-        <translation>Verbindung des Projekts</translation>
-    </message>
-    <message>
-        <source>The link the project is used with. Choosing one connects nothing.</source>
-        <translation>Die Verbindung, mit der das Projekt benutzt wird. Die Wahl verbindet nichts.</translation>
-    </message>
-    <message>
-        <source>Settings of the link</source>
-        <translation>Einstellungen der Verbindung</translation>
-    </message>
-    <message>
         <source>Note on the project</source>
         <translation>Notiz zum Projekt</translation>
     </message>
@@ -10722,33 +10663,12 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Lin&amp;k</source>
-        <translation>&amp;Verbindung</translation>
-    </message>
-    <message>
         <source>&amp;Note</source>
         <translation>&amp;Notiz</translation>
     </message>
     <message>
         <source>not saved yet</source>
         <translation>noch nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>Training bus</source>
-        <translation>Übungsbus</translation>
-    </message>
-    <message>
-        <source>%1 (this program has no such link)</source>
-        <translation>%1 (diese Verbindung hat dieses Programm nicht)</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>setting of a link, value</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>It has no settings.</source>
-        <translation>Sie hat keine Einstellungen.</translation>
     </message>
     <message>
         <source>B&amp;uses</source>
@@ -11481,10 +11401,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Das Projekt hat keine Geber.</translation>
     </message>
     <message>
-        <source>training bus (simulated)</source>
-        <translation>Übungsbus (simuliert)</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
@@ -11642,10 +11558,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Byte Prozessdaten: %1, Fernbusteilnehmer: %2, km Kabel: %3.</translation>
     </message>
     <message>
-        <source>%1 Bd</source>
-        <translation>%1 Bd</translation>
-    </message>
-    <message>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
@@ -11765,6 +11677,78 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingComparison</name>
+    <message>
+        <source>a configuration without a name</source>
+        <translation>eine Konfiguration ohne Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Read in the ring</source>
+        <translation>&amp;Ring einlesen</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
+    </message>
+    <message>
+        <source>Chosen lines into the &amp;master</source>
+        <translation>Gewählte Zeilen in den &amp;Master</translation>
+    </message>
+    <message>
+        <source>Downloads the connected ring with the chosen lines as they are planned; the master keeps it</source>
+        <translation>Lädt den angeschlossenen Ring mit den gewählten Zeilen wie geplant in den Master, der ihn behält</translation>
+    </message>
+    <message>
+        <source>Project into the mas&amp;ter</source>
+        <translation>Projekt in den Mas&amp;ter</translation>
+    </message>
+    <message>
+        <source>Downloads the planned ring, which the master keeps, and loads it back</source>
+        <translation>Lädt den geplanten Ring in den Master, der ihn behält, und liest ihn zurück</translation>
+    </message>
+    <message>
+        <source>What the master &amp;keeps into the project</source>
+        <translation>&amp;Was der Master hält, ins Projekt</translation>
+    </message>
+    <message>
+        <source>Loads the configuration that the master keeps, and plans the ring as it says; can be undone</source>
+        <translation>Lädt die Konfiguration, die der Master hält, und plant den Ring danach; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Load the configuration of the master</source>
+        <translation>Konfiguration des Masters laden</translation>
+    </message>
+    <message numerus="yes">
+        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
+        <translation>
+            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Gerät.</numerusform>
+            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Geräte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The master keeps %1 with %n devices.</source>
+        <translation>
+            <numerusform>Der Master hat %1 mit %n Teilnehmer.</numerusform>
+            <numerusform>Der Master hat %1 mit %n Teilnehmern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Loaded back, it is the project&apos;s.</source>
+        <translation>Zurückgelesen ist sie die des Projekts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Loaded back, %n lines differ from the project.</source>
+        <translation>
+            <numerusform>Zurückgelesen ist %n Zeile anders als im Projekt.</numerusform>
+            <numerusform>Zurückgelesen sind %n Zeilen anders als im Projekt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingConnection</name>
     <message numerus="yes">
         <source>Reading in the ring: %n devices found.</source>
@@ -11814,6 +11798,10 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>INTERBUS ring</source>
         <translation>INTERBUS-Ring</translation>
+    </message>
+    <message>
+        <source>training bus (simulated)</source>
+        <translation>Übungsbus (simuliert)</translation>
     </message>
 </context>
 <context>
@@ -14425,14 +14413,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Bearbeitet den geplanten Bus</translation>
     </message>
     <message>
-        <source>&amp;Compare with the ring</source>
-        <translation>Mit dem Ring &amp;vergleichen</translation>
-    </message>
-    <message>
-        <source>Shows the configured ring beside the connected one</source>
-        <translation>Zeigt den projektierten Ring neben dem angeschlossenen</translation>
-    </message>
-    <message>
         <source>&amp;Connect</source>
         <translation>&amp;Verbinden</translation>
     </message>
@@ -14603,6 +14583,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1</source>
         <translation>Setzt alle OUT-Worte eines Rings auf 0 und beendet, was auf einer Leitung unterwegs ist, sofort: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the bus</source>
+        <translation>Mit dem Bus &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Shows what is configured for the chosen bus beside what is connected</source>
+        <translation>Zeigt, was für den gewählten Bus projektiert ist, neben dem, was angeschlossen ist</translation>
     </message>
 </context>
 <context>

@@ -44,27 +44,6 @@
             <numerusform>%n lines differ.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>The master keeps %1 with %n devices.</source>
-        <translation>
-            <numerusform>The master keeps %1 with %n device.</numerusform>
-            <numerusform>The master keeps %1 with %n devices.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Loaded back, %n lines differ from the project.</source>
-        <translation>
-            <numerusform>Loaded back, %n line differs from the project.</numerusform>
-            <numerusform>Loaded back, %n lines differ from the project.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
-        <translation>
-            <numerusform>The ring is planned as the master keeps it: %1, %n device.</numerusform>
-            <numerusform>The ring is planned as the master keeps it: %1, %n devices.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>codewheel::FaultPlanBar</name>
@@ -161,6 +140,30 @@
         <translation>
             <numerusform>%n wanted value or cam program could not be compared: what the encoder has there is unknown.</numerusform>
             <numerusform>%n wanted values or cam programs could not be compared: what the encoders have there is unknown.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingComparison</name>
+    <message numerus="yes">
+        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
+        <translation>
+            <numerusform>The ring is planned as the master keeps it: %1, %n device.</numerusform>
+            <numerusform>The ring is planned as the master keeps it: %1, %n devices.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The master keeps %1 with %n devices.</source>
+        <translation>
+            <numerusform>The master keeps %1 with %n device.</numerusform>
+            <numerusform>The master keeps %1 with %n devices.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Loaded back, %n lines differ from the project.</source>
+        <translation>
+            <numerusform>Loaded back, %n line differs from the project.</numerusform>
+            <numerusform>Loaded back, %n lines differ from the project.</numerusform>
         </translation>
     </message>
 </context>

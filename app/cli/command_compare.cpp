@@ -1,41 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
 #include "cli/commands.h"
 #include "cli/json.h"
-#include "cli/places.h"
-#include "cli/ring/ring_access.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "cli/transfer_call.h"
 #include "encoder/sentence.h"
+#include "project/bus_kind.h"
+#include "project/plan_rules.h"
 #include "project/project_file.h"
-#include "project/project_take_over.h"
-#include "project/ring_plan.h"
-
-#include <algorithm>
 
 namespace codewheel {
 namespace {
 
 constexpr const char *compareExamples[] = {"compare docs/examples/crane.codewheel"};
 
-// The device a line has on one side, or nothing.
-const Participant *sideOf(const RingStructure &ring, std::optional<std::size_t> index)
-{
-    return index ? &ring.at(*index) : nullptr;
-}
-
-Answer answerOf(const Comparison &comparison, const RingStructure &configured, const RingStructure &connected,
-                const Catalog &catalog)
+struct Compared
 {
     TextTable table;
     QJsonArray lines;
+    int differences = 0;
+};
+
+void compareBus(const Project &project, const EncoderBus &bus, const Catalog &catalog, Compared &all)
+{
+    const PlannedBus *planned = findBus(project, bus.id());
+    const BusKind *kind = planned ? busKind(planned->kind) : nullptr;
+    if (kind == nullptr)
+        return;
+    const PlanRules &rules = kind->planRules();
+    const ConnectedBus connected = connectedBus(project, bus);
+    const Comparison comparison = rules.compare(project, bus.id(), connected);
+    all.differences += differences(comparison);
+    const auto devices = devicesOn(project, bus.id());
     for (const ComparisonLine &line : comparison) {
-        table.add({comparisonKindName(line.kind), comparisonText(line, configured, connected, catalog)});
-        lines.append(
-            QJsonObject{{QStringLiteral("comparison"), comparisonKindKey(line.kind)},
-                        {QStringLiteral("configured"), participantJson(sideOf(configured, line.configured))},
-                        {QStringLiteral("found"), participantJson(sideOf(connected, line.connected))}});
+        all.table.add({comparisonKindName(line.kind),
+                       rules.comparisonText(line, project, bus.id(), connected, catalog)});
+        const Participant *wanted = line.configured ? &devices[*line.configured].participant : nullptr;
+        const Participant *found = line.connected ? &connected.devices[*line.connected] : nullptr;
+        all.lines.append(QJsonObject{{QStringLiteral("comparison"), comparisonKindKey(line.kind)},
+                                     {QStringLiteral("configured"), participantJson(wanted)},
+                                     {QStringLiteral("found"), participantJson(found)}});
     }
-    return Answer{table.toString(), {{QStringLiteral("lines"), lines}}};
 }
 
 Checked<Answer> runCompare(const Call &call)
@@ -44,21 +50,21 @@ Checked<Answer> runCompare(const Call &call)
     const auto project = loadProject(name);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
-    const auto bus = busMeant(call, QString::fromLatin1(interbusKind));
-    if (!bus)
-        return tl::unexpected(bus.error());
-    const RingStructure configured = structureOf(*project, (*bus)->bus().id());
-    const RingStructure &connected = static_cast<RingAccess &>(**bus).ring().structure();
-    const Comparison comparison = compareRings(configured, connected);
-    Answer answer = answerOf(comparison, configured, connected, call.catalog);
-    const auto differences = std::ranges::count_if(
-        comparison, [](const ComparisonLine &line) { return line.kind != ComparisonKind::same; });
-    if (differences > 0)
+    const std::vector<ProjectDevice> planned = devicesOfLink(call, *project);
+    if (planned.empty() && call.buses.open().empty())
+        return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
+    if (const auto contacted = contactAll(call, planned); !contacted)
+        return tl::unexpected(contacted.error());
+    Compared all;
+    for (const EncoderBus *bus : call.buses.open())
+        compareBus(*project, *bus, call.catalog, all);
+    Answer answer{all.table.toString(), {{QStringLiteral("lines"), all.lines}}};
+    if (all.differences > 0)
         answer.complaint =
             Complaint{ExitCode::refused,
                       QStringLiteral("busDiffers"),
                       sentence(CommandLine::tr("The bus differs from %1. Lines that differ: %2."),
-                               {name, QString::number(differences)}),
+                               {name, QString::number(all.differences)}),
                       {name}};
     return answer;
 }
@@ -73,7 +79,8 @@ const Subcommand compareCommand{
         "codewheel::CommandLine",
         "Lays the devices the project has configured beside those that are connected and tells line by line\n"
         "what is the same, differs, is missing, additional or moved; exit code 1 if anything differs. The\n"
-        "make is not compared: the bus does not tell it.\nSends nothing."),
+        "make is not compared: the bus does not tell it. On a serial line the encoders of the project are\n"
+        "asked who they are; one that does not answer is missing.\nSends nothing to a ring."),
     .examples = compareExamples,
     .options = {},
     .minimumArguments = 1,

@@ -4,7 +4,7 @@
 #include "app/screenshots/scene.h"
 #include "ring/id_code.h"
 #include "ring/ring_edit.h"
-#include "widgets/comparison/comparison_page.h"
+#include "widgets/master/ring_comparison.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
 
@@ -84,7 +84,7 @@ QWidget *comparisonAtWork(TrainingWindow &shown)
     (void)edits.remove({project.ids(firstRing)[2]});
     shown.window().showComparison();
     shown.advance(40);
-    return shown.window().findChild<ComparisonPage *>();
+    return shown.window().findChild<RingComparison *>();
 }
 
 QWidget *offlineWindow(TrainingWindow &shown)

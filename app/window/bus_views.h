@@ -47,6 +47,8 @@ public:
     ~BusViews() override;
 
     virtual std::vector<std::pair<Panel, QWidget *>> panels() const = 0;
+    // The page that lays it beside the project.
+    virtual QWidget *comparison() const = 0;
     virtual QMenu *menu() const { return nullptr; } // of its row in the bus structure; null: none
 
     // This bus is meant by actions, docks and status line, or another one is.

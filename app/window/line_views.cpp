@@ -11,6 +11,7 @@
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "line/line_session.h"
+#include "widgets/comparison/comparison_page.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -62,6 +63,8 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
     , m_form(own(new LineSettingsForm(&parts.pages)))
     , m_search(own(new LineSearch(&parts.pages)))
     , m_training(own(new LineTrainingPanel(line.id(), &parts.pages)))
+    , m_comparison(
+          own(new ComparisonPage(line.project(), line.catalog(), line.id(), line.kind(), &parts.pages)))
 {
     m_notice->setObjectName(QStringLiteral("lineNotice"));
     parts.notices.insertWidget(0, m_notice);
@@ -70,6 +73,7 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
     m_search->setDevices(devicesOnLines(line.catalog()));
     parts.pages.addWidget(m_form);
     parts.pages.addWidget(m_search);
+    parts.pages.addWidget(m_comparison);
     m_terminal->setHistory(parts.settings.typedRequests());
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });
@@ -101,6 +105,11 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
 std::vector<std::pair<Panel, QWidget *>> LineViews::panels() const
 {
     return {{Panel::training, m_training}, {Panel::terminal, m_terminal}, {Panel::line, m_panel}};
+}
+
+QWidget *LineViews::comparison() const
+{
+    return m_comparison;
 }
 
 QMenu *LineViews::menu() const
@@ -181,6 +190,7 @@ void LineViews::setLine(LineSession *line)
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
+    m_comparison->setBus(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
     showStatus();
     showActions();

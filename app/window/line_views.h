@@ -10,6 +10,7 @@
 
 namespace codewheel {
 
+class ComparisonPage;
 class LineKeeper;
 class LinePanel;
 class LineSearch;
@@ -32,6 +33,7 @@ public:
     LineViews(SerialLine &line, const WindowParts &parts, QObject *parent);
 
     std::vector<std::pair<Panel, QWidget *>> panels() const override;
+    QWidget *comparison() const override;
     QMenu *menu() const override;
     void setChosen(std::optional<Place> place) override;
     void open() override;
@@ -82,6 +84,7 @@ private:
     LineSettingsForm *m_form;
     LineSearch *m_search;
     LineTrainingPanel *m_training;
+    ComparisonPage *m_comparison;
 };
 
 } // namespace codewheel

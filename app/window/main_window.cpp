@@ -217,7 +217,10 @@ void MainWindow::showStructureEditor()
 
 void MainWindow::showComparison()
 {
-    m_actions.compare->trigger();
+    if (BusViews *views = viewsOf(m_chosenBus)) {
+        m_pages->setCurrentWidget(views->comparison());
+        views->comparison()->setFocus();
+    }
 }
 
 void MainWindow::showProjectPage()

@@ -37,6 +37,7 @@ void MainWindow::connectActions()
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
+    connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);
     connect(m_actions.projectPage, &QAction::triggered, this, &MainWindow::showProjectPage);
     const auto open = [this](MonitorKind kind) {
         return [this, kind] {

@@ -151,10 +151,13 @@ void MainWindow::chooseBus(BusId bus)
     m_editor->setBus(bus, its != nullptr ? its->kind() : QString());
     if (its == nullptr)
         return;
-    m_chosenBus = bus;
-    if (const BusViews *views = viewsOf(bus))
+    const BusViews *before = viewsOf(std::exchange(m_chosenBus, bus));
+    if (const BusViews *views = viewsOf(bus)) {
+        if (before != nullptr && m_pages->currentWidget() == before->comparison())
+            m_pages->setCurrentWidget(views->comparison());
         for (const auto &[panel, page] : views->panels())
             m_panels.showPage(panel, page);
+    }
     setCurrent(*its);
     showBusState();
 }

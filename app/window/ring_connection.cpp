@@ -8,7 +8,6 @@
 #include "ring/bus_session.h"
 #include "ring/comparison.h"
 #include "ring/send_permission.h"
-#include "widgets/comparison/comparison_model.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 

@@ -5,10 +5,10 @@
 #include "app/window/ring_connection.h"
 #include "app/window/window_actions.h"
 #include "encoder/device_number.h"
-#include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
+#include "widgets/master/ring_comparison.h"
 #include "widgets/master/ring_plan_fields.h"
 #include "widgets/project/device_names.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -27,7 +27,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
     , m_master(own(new MasterPanel(*ring.bus(), &parts.pages)))
     , m_training(own(new TrainingPanel(ring.controls(), ring.id(), &parts.pages)))
-    , m_comparison(own(new ComparisonPage(ring.project(), *ring.bus(), &parts.pages)))
+    , m_comparison(own(new RingComparison(ring.project(), *ring.bus(), &parts.pages)))
     , m_leds(own(new LedRow(*ring.bus(), &parts.device)))
     , m_planFields(own(new RingPlanFields(ring.project(), ring.id())))
 {
@@ -42,7 +42,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     connect(m_master, &MasterPanel::stopRequested, this, &RingViews::stopRequested);
     connect(m_master, &MasterPanel::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_master, &MasterPanel::asked, this, &RingViews::open);
-    connect(m_comparison, &ComparisonPage::readInRequested, m_connection, &RingConnection::readIn);
+    connect(m_comparison, &RingComparison::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_training, &TrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
@@ -51,7 +51,6 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     onAction(parts.actions.disconnectBus, [this] { m_connection->disconnectRing(); });
     onAction(parts.actions.readIn, [this] { m_connection->readIn(); });
     onAction(parts.actions.confirmDiagnostics, [this] { m_connection->confirmDiagnostics(); });
-    onAction(parts.actions.compare, [this] { showComparison(); });
     onAction(parts.actions.switchSegment, [this] {
         if (m_chosen)
             m_master->toggleSegment(DeviceNumber::of(m_chosen->node).segment);
@@ -107,7 +106,6 @@ void RingViews::leaveActions()
 
 void RingViews::showState()
 {
-    m_comparison->setConnected(m_ring.isOpen());
     if (!isCurrent())
         return;
     const BusSession &bus = *m_ring.bus();
@@ -131,10 +129,9 @@ void RingViews::showStatus()
         m_status.clear();
 }
 
-void RingViews::showComparison()
+QWidget *RingViews::comparison() const
 {
-    m_parts.pages.setCurrentWidget(m_comparison);
-    m_comparison->setFocus();
+    return m_comparison;
 }
 
 } // namespace codewheel

@@ -6,10 +6,10 @@
 
 namespace codewheel {
 
-class ComparisonPage;
 class LedRow;
 class MasterPanel;
 class RingAtWork;
+class RingComparison;
 class RingConnection;
 class RingPlanFields;
 class TrainingPanel;
@@ -23,6 +23,7 @@ public:
     RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent);
 
     std::vector<std::pair<Panel, QWidget *>> panels() const override;
+    QWidget *comparison() const override;
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void showPicture() override;
@@ -33,7 +34,6 @@ private:
     void leaveActions();
     void showState();
     void showStatus();
-    void showComparison();
 
     RingAtWork &m_ring;
     const WindowParts m_parts;
@@ -41,7 +41,7 @@ private:
     RingConnection *m_connection;
     MasterPanel *m_master;
     TrainingPanel *m_training;
-    ComparisonPage *m_comparison;
+    RingComparison *m_comparison;
     LedRow *m_leds;
     RingPlanFields *m_planFields; // in the structure editor
     std::optional<Place> m_chosen;

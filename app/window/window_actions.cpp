@@ -97,8 +97,8 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
     menu->addSeparator();
     structureEditor = described(menu->addAction(lineIcon(Icon::ring), tr("&Bus structure")), Qt::Key_F4,
                                 tr("Edits the planned bus"));
-    compare = described(menu->addAction(lineIcon(Icon::compare), tr("&Compare with the ring")), Qt::Key_F9,
-                        tr("Shows the configured ring beside the connected one"));
+    compare = described(menu->addAction(lineIcon(Icon::compare), tr("&Compare with the bus")), Qt::Key_F9,
+                        tr("Shows what is configured for the chosen bus beside what is connected"));
 }
 
 void WindowActions::makeBusMenu()

@@ -25,7 +25,8 @@ public:
     virtual QString title() const = 0;     // in the user's language: "INTERBUS ring"
     virtual QString usualName() const = 0; // of a bus that is new in a project: "Ring"
     virtual std::optional<BusId> trainingBus() const { return {}; } // no other kind gets its number
-    virtual KindData usual() const = 0; // what is set where nobody has set anything
+    virtual KindData usual() const = 0;                           // what is set where nobody has set anything
+    virtual QString linkText(const KindData &settings) const = 0; // "/dev/ttyUSB0, 19200 Bd, 8N2"
     // As it is planned. The catalog outlives it; the project need not.
     virtual std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
                                                 const Catalog &catalog) const = 0;

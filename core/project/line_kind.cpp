@@ -5,6 +5,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "encoder/line_address.h"
+#include "encoder/sentence.h"
 #include "line/line_limits.h"
 #include "line/line_outline.h"
 #include "project/line_plan.h"
@@ -127,6 +128,18 @@ QString LineKind::usualName() const
 KindData LineKind::usual() const
 {
     return KindData(LinePlan());
+}
+
+QString LineKind::linkText(const KindData &settings) const
+{
+    const auto *plan = settings.as<LinePlan>();
+    const LineWish wish = plan != nullptr ? plan->wish : LineWish();
+    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(wish.line.parity)));
+    const QString form = QStringLiteral("%1%2%3").arg(wish.line.dataBits).arg(parity).arg(wish.line.stopBits);
+    QStringList parts{sentence(tr("%1 Bd"), {QString::number(wish.line.baudRate)}), form};
+    if (!wish.port.isEmpty())
+        parts.prepend(wish.port);
+    return parts.join(QStringLiteral(", "));
 }
 
 std::unique_ptr<BusOutline> LineKind::outline(const Project &project, BusId bus, const Catalog &catalog) const

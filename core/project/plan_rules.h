@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/comparison.h"
 #include "encoder/refusal.h"
 #include "project/check_project.h"
 
 #include <QCoreApplication>
 
+#include <map>
+
 namespace codewheel {
 
 class Catalog;
+class EncoderBus;
 struct DeviceDescription;
 
 // A column of the structure editor.
@@ -66,13 +70,24 @@ struct PlanTarget
     KindData where;
 };
 
+// What stands on a connected bus, and which planned devices are other ones there, as the bus tells
+// (EncoderBus::isOther).
+struct ConnectedBus
+{
+    std::vector<Participant> devices;
+    std::map<NodeId, Refusal> others;
+
+    friend bool operator==(const ConnectedBus &, const ConnectedBus &) = default;
+};
+ConnectedBus connectedBus(const Project &project, const EncoderBus &bus);
+
 // By keys: before or behind its neighbour; below the one before it; out again; to the other bus of its
 // coupler.
 enum class PlanStep : std::uint8_t { up, down, in, out, changeBus };
 
-// How the devices of one kind of bus are planned: what is shown of them, where they can stand, and what can
-// be done to them. Devices are given by their index among those of the bus. As it stands: each device has one
-// of places(), which is typed, and nothing hangs below another.
+// How the devices of one kind of bus are planned: what is shown of them, where they can stand, what can be
+// done to them, and how the plan stands to what is connected. Devices are given by their index among those of
+// the bus. As it stands: each device has one of places(), which is typed, and nothing hangs below another.
 class PlanRules
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::PlanRules)
@@ -131,6 +146,23 @@ public:
     {
         return std::nullopt;
     }
+
+    // The plan beside what is connected; as it stands, place by place.
+    virtual Comparison compare(const Project &project, BusId bus, const ConnectedBus &connected) const;
+    // "3.0: configured K3 37h, found K2 36h"
+    virtual QString comparisonText(const ComparisonLine &line, const Project &project, BusId bus,
+                                   const ConnectedBus &connected, const Catalog &catalog) const;
+    // Planned devices of which nobody can say whether they stand at their places, and why, although the line
+    // of the comparison is the same.
+    virtual std::map<NodeId, Refusal> uncertain(const Project &, BusId, const ConnectedBus &,
+                                                const Catalog &) const
+    {
+        return {};
+    }
+    // The plan with these lines taken over from what is connected. Where another device stands in its place,
+    // what belongs to the place stays.
+    virtual EditedPlan takenOver(const Project &project, BusId bus, const ConnectedBus &connected,
+                                 const Comparison &comparison, std::span<const std::size_t> lines) const;
 
 protected:
     static EditedPlan unchanged(const Project &project, BusId bus);

@@ -149,6 +149,17 @@ KindData RingKind::usual() const
     return KindData(RingPlan());
 }
 
+QString RingKind::linkText(const KindData &settings) const
+{
+    const auto *plan = settings.as<RingPlan>();
+    if (plan == nullptr || plan->link.kind == ProjectLink().kind)
+        return tr("training bus (simulated)");
+    QStringList parts{plan->link.kind};
+    for (const auto &[name, value] : plan->link.settings)
+        parts << QStringLiteral("%1 = %2").arg(name, value);
+    return parts.join(QStringLiteral(", "));
+}
+
 std::unique_ptr<BusOutline> RingKind::outline(const Project &project, BusId bus, const Catalog &catalog) const
 {
     return std::make_unique<PlannedRingOutline>(structureOf(project, bus), catalog);

@@ -19,6 +19,7 @@ public:
     QString usualName() const override;
     std::optional<BusId> trainingBus() const override { return firstRing; }
     KindData usual() const override;
+    QString linkText(const KindData &settings) const override;
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
                                         const Catalog &catalog) const override;
     KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const override;

@@ -7,7 +7,9 @@
 #include "ring/comparison.h"
 #include "ring/id_code.h"
 #include "ring/numbering.h"
+#include "ring/ring_strangers.h"
 #include "ring/ring_tree.h"
+#include "ring/take_over.h"
 
 #include <algorithm>
 
@@ -197,6 +199,35 @@ std::optional<KindData> RingPlanRules::dropped(const Project &project, BusId bus
         place.row = place.onLocalBus ? at : at - localDevices;
     }
     return KindData(place);
+}
+
+Comparison RingPlanRules::compare(const Project &project, BusId ring, const ConnectedBus &connected) const
+{
+    return compareRings(structureOf(project, ring), connected.devices);
+}
+
+QString RingPlanRules::comparisonText(const ComparisonLine &line, const Project &project, BusId ring,
+                                      const ConnectedBus &connected, const Catalog &catalog) const
+{
+    return codewheel::comparisonText(line, structureOf(project, ring), connected.devices, catalog);
+}
+
+std::map<NodeId, Refusal> RingPlanRules::uncertain(const Project &project, BusId ring,
+                                                   const ConnectedBus &connected,
+                                                   const Catalog &catalog) const
+{
+    return strangersInRing(structureOf(project, ring), connected.devices, catalog);
+}
+
+EditedPlan RingPlanRules::takenOver(const Project &project, BusId ring, const ConnectedBus &connected,
+                                    const Comparison &comparison, std::span<const std::size_t> lines) const
+{
+    const Project after = codewheel::takenOver(project, connected.devices, comparison, lines, ring);
+    const Devices devices = devicesOn(after, ring);
+    EditedPlan plan{{devices.begin(), devices.end()}, {}};
+    for (const TakenDevice &device : takeOver(comparison, lines))
+        plan.from.push_back(device.own);
+    return plan;
 }
 
 } // namespace codewheel

@@ -39,6 +39,13 @@ public:
     // first of a branch a device goes where it belongs as well.
     std::optional<KindData> dropped(const Project &project, BusId ring, std::size_t device,
                                     std::optional<std::size_t> parent, int row) const override;
+    Comparison compare(const Project &project, BusId ring, const ConnectedBus &connected) const override;
+    QString comparisonText(const ComparisonLine &line, const Project &project, BusId ring,
+                           const ConnectedBus &connected, const Catalog &catalog) const override;
+    std::map<NodeId, Refusal> uncertain(const Project &project, BusId ring, const ConnectedBus &connected,
+                                        const Catalog &catalog) const override;
+    EditedPlan takenOver(const Project &project, BusId ring, const ConnectedBus &connected,
+                         const Comparison &comparison, std::span<const std::size_t> lines) const override;
 
 private:
     QString placeTitle() const override;

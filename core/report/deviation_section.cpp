@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/sentence.h"
-#include "project/check_project.h"
+#include "project/bus_kind.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
@@ -95,15 +95,15 @@ void addComparison(ReportSection &section, const ReportInput &input, const Catal
     section.blocks.emplace_back(std::move(table));
 }
 
-// What breaks a rule of the ring or of its addresses.
+// What breaks a rule of its bus.
 void addFindings(ReportSection &section, const Project &project)
 {
     ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Rules of the bus")},
                       {Column::text, Column::text},
                       {}};
     for (const PlannedBus &bus : project.buses)
-        if (bus.settings.as<RingPlan>())
-            for (const Finding &finding : checkProject(project, bus.id))
+        if (const BusKind *kind = busKind(bus.kind))
+            for (const Finding &finding : kind->check(project, bus.id))
                 table.rows.push_back(
                     {{devicesOn(project, bus.id)[finding.device].place().toString(), finding.text}});
     if (!table.rows.empty())

@@ -2,8 +2,8 @@
 #include "report/deviations.h"
 
 #include "encoder/refusal_text.h"
-#include "project/project_take_over.h"
-#include "ring/ring_strangers.h"
+#include "project/bus_kind.h"
+#include "project/plan_rules.h"
 
 namespace codewheel {
 namespace {
@@ -17,24 +17,28 @@ void addDifferences(Deviations &found, const CamProgram &wanted, const StoredCam
                                   valueOf(known.program, camField(i)), known.evidence});
 }
 
-QStringList ringDifferences(const RingStructure &configured, const RingStructure &connected,
-                            const Catalog &catalog)
+QStringList differencesOf(const Project &project, const PlannedBus &bus, const ConnectedBus &connected,
+                          const Catalog &catalog)
 {
-    const Comparison comparison = compareRings(configured, connected);
+    const BusKind *kind = busKind(bus.kind);
+    if (kind == nullptr)
+        return {};
+    const PlanRules &rules = kind->planRules();
+    const Comparison comparison = rules.compare(project, bus.id, connected);
     QStringList lines;
     if (areSame(comparison))
         return lines;
-    const auto strangers = strangersInRing(configured, connected, catalog);
+    const auto uncertain = rules.uncertain(project, bus.id, connected, catalog);
     for (const ComparisonLine &line : comparison) {
         const bool isSame = line.kind == ComparisonKind::same;
-        const auto why = isSame ? strangers.find(configured[*line.configured].number) : strangers.end();
-        const bool isStranger = why != strangers.end();
-        const bool hasItsNumber =
-            isSame && configured[*line.configured].number == connected[*line.connected].number;
-        if (isStranger && hasItsNumber)
+        const NodeId node =
+            isSame ? devicesOn(project, bus.id)[*line.configured].participant.number : NodeId();
+        const auto why = uncertain.find(node);
+        const bool isUncertain = isSame && why != uncertain.end();
+        if (isUncertain && node == connected.devices[*line.connected].number)
             lines << refusalText(why->second); // nothing known of it is reported
-        else if (isStranger || !isSame)
-            lines << comparisonText(line, configured, connected, catalog);
+        else if (isUncertain || !isSame)
+            lines << rules.comparisonText(line, project, bus.id, connected, catalog);
     }
     return lines;
 }
@@ -73,13 +77,12 @@ DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices)
 
 std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog)
 {
-    if (!input.connected && !input.strangers)
+    if (input.connected.empty())
         return std::nullopt;
     QStringList lines;
-    if (input.connected)
-        lines = ringDifferences(structureOf(input.project), *input.connected, catalog);
-    for (const Refusal &why : input.strangers.value_or(std::vector<Refusal>()))
-        lines << refusalText(why);
+    for (const auto &[id, connected] : input.connected)
+        if (const PlannedBus *bus = findBus(input.project, id))
+            lines += differencesOf(input.project, *bus, connected, catalog);
     return lines;
 }
 

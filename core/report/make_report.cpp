@@ -2,6 +2,7 @@
 #include "report/make_report.h"
 
 #include "encoder/sentence.h"
+#include "project/bus_kind.h"
 #include "project/ring_plan.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
@@ -14,14 +15,16 @@
 namespace codewheel {
 namespace {
 
-QString linkText(const ProjectLink &link)
+// One for each bus, by its name where there are several.
+void addLinks(ReportFacts &facts, const Project &project)
 {
-    if (link.kind == QStringLiteral("training"))
-        return ReportTexts::tr("training bus (simulated)");
-    QStringList parts{link.kind};
-    for (const auto &[name, value] : link.settings)
-        parts << QStringLiteral("%1 = %2").arg(name, value);
-    return parts.join(QStringLiteral(", "));
+    for (const PlannedBus &bus : project.buses)
+        if (const BusKind *kind = busKind(bus.kind)) {
+            const QString link = kind->linkText(bus.settings);
+            facts.push_back({ReportTexts::tr("Link"), project.buses.size() == 1
+                                                          ? link
+                                                          : QStringLiteral("%1: %2").arg(bus.name, link)});
+        }
 }
 
 // "UTC+01:00"
@@ -63,9 +66,7 @@ ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
     add(ReportTexts::tr("Date"),
         QStringLiteral("%1 (%2)").arg(report_words::time(input.now, input.now), zoneText(input.now)));
     add(ReportTexts::tr("Program"), program);
-    for (const PlannedBus &bus : input.project.buses)
-        if (const auto *ring = bus.settings.as<RingPlan>())
-            add(ReportTexts::tr("Link"), linkText(ring->link));
+    addLinks(facts, input.project);
     add(ReportTexts::tr("Devices"),
         sentence(ReportTexts::tr("%1, encoders among them: %2"),
                  {numberText(static_cast<std::int64_t>(devices.size())), numberText(encoders)}));

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "encoder/eeprom_count.h"
-#include "encoder/refusal.h"
-#include "project/project.h"
+#include "project/plan_rules.h"
 
 #include <QDateTime>
 
@@ -28,11 +27,8 @@ struct ReportInput
     // What is known now, by place. A place that is not in it is reported as the project has it stored.
     std::map<Place, LiveEncoder> live{};
     std::map<Place, EepromCount> writes{};
-    // The connected ring, to be compared with the configured one; nothing: there is none.
-    std::optional<RingStructure> connected{};
-    // Of buses that have no structure to be compared, why devices are not the planned ones; nothing: none is
-    // connected.
-    std::optional<std::vector<Refusal>> strangers{};
+    // The connected buses, to be compared with the configured ones.
+    std::map<BusId, ConnectedBus> connected{};
 };
 
 } // namespace codewheel

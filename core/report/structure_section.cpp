@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
 #include "encoder/sentence.h"
-#include "project/line_plan.h"
 #include "project/process_addresses.h"
 #include "project/project_take_over.h"
 #include "report/report_words.h"
@@ -109,19 +108,7 @@ ReportTable ringTable(const Project &project, BusId ring, const std::vector<Repo
     return table;
 }
 
-// "Line: /dev/ttyUSB0, 19200 Bd, 8N2"
-QString lineText(const QString &name, const LinePlan &line)
-{
-    const LineSettings &settings = line.wish.line;
-    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(settings.parity)));
-    const QString form = QStringLiteral("%1%2%3").arg(settings.dataBits).arg(parity).arg(settings.stopBits);
-    QStringList parts{sentence(ReportTexts::tr("%1 Bd"), {QString::number(settings.baudRate)}), form};
-    if (!line.wish.port.isEmpty())
-        parts.prepend(line.wish.port);
-    return QStringLiteral("%1: %2").arg(name, parts.join(QStringLiteral(", ")));
-}
-
-ReportTable lineTable(const std::vector<ReportedDevice> &devices)
+ReportTable addressTable(const std::vector<ReportedDevice> &devices)
 {
     ReportTable table{{ReportTexts::tr("Address"), ReportTexts::tr("Station"), ReportTexts::tr("Group"),
                        ReportTexts::tr("Device")},
@@ -144,10 +131,10 @@ ReportSection structure(const ReportInput &input, const std::vector<ReportedDevi
         if (!isPlanned(bus))
             continue;
         const std::vector<ReportedDevice> own = reportedOn(bus.id, devices);
-        const auto *line = bus.settings.as<LinePlan>();
         if (planned > 1)
-            section.blocks.emplace_back(line ? lineText(bus.name, *line) : bus.name);
-        section.blocks.emplace_back(line ? lineTable(own) : ringTable(input.project, bus.id, own));
+            section.blocks.emplace_back(bus.name);
+        section.blocks.emplace_back(bus.settings.as<RingPlan>() ? ringTable(input.project, bus.id, own)
+                                                                : addressTable(own));
     }
     if (section.blocks.empty())
         section.blocks.emplace_back(ReportTexts::tr("The project has no devices."));

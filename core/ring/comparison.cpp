@@ -176,10 +176,4 @@ Comparison certainLines(const Comparison &comparison, const RingStructure &confi
     return certain;
 }
 
-bool areSame(const Comparison &comparison)
-{
-    return std::ranges::all_of(comparison,
-                               [](const ComparisonLine &line) { return line.kind == ComparisonKind::same; });
-}
-
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/comparison.h"
 #include "ring/participant.h"
 
 #include <optional>
@@ -14,26 +15,6 @@ class Catalog;
 // Whether the ID registers of the two tell the same: ID code, device code and words.
 bool isSameKind(const Participant &a, const Participant &b);
 
-// How one line of the configured ring stands to the connected one.
-enum class ComparisonKind : std::uint8_t {
-    same,
-    differs,    // another ID code or width stands in its place
-    missing,    // configured, not connected
-    additional, // connected, not configured
-    moved,      // connected at another place, or on another level
-};
-
-// Indices into the two structures: `configured` is there but for additional, `connected` but for missing.
-struct ComparisonLine
-{
-    ComparisonKind kind = ComparisonKind::same;
-    std::optional<std::size_t> configured;
-    std::optional<std::size_t> connected;
-
-    friend bool operator==(const ComparisonLine &, const ComparisonLine &) = default;
-};
-using Comparison = std::vector<ComparisonLine>; // in ring order
-
 // Lays the two beside each other. Device code, width and place are compared, never the make, which the bus
 // does not tell. Most devices are taken to have stayed (the longest common subsequence); of the others, those
 // found elsewhere have moved, and what stands between the same neighbours differs. A device that has only
@@ -46,11 +27,6 @@ Comparison compareRings(const RingStructure &configured, const RingStructure &co
 Comparison certainLines(const Comparison &comparison, const RingStructure &configured,
                         const RingStructure &connected);
 
-bool areSame(const Comparison &comparison);
-
-// "same", "missing", in the user's language; and for programs, the same in each.
-QString comparisonKindName(ComparisonKind kind);
-QString comparisonKindKey(ComparisonKind kind);
 // "3.0: configured K3 37h, found K2 36h"
 QString comparisonText(const ComparisonLine &line, const RingStructure &configured,
                        const RingStructure &connected, const Catalog &catalog);

@@ -66,40 +66,6 @@ QString movedText(const Participant &configured, const Participant &connected, c
 
 } // namespace
 
-QString comparisonKindName(ComparisonKind kind)
-{
-    switch (kind) {
-    case ComparisonKind::same:
-        break;
-    case ComparisonKind::differs:
-        return ComparisonTexts::tr("differs");
-    case ComparisonKind::missing:
-        return ComparisonTexts::tr("missing");
-    case ComparisonKind::additional:
-        return ComparisonTexts::tr("additional");
-    case ComparisonKind::moved:
-        return ComparisonTexts::tr("moved");
-    }
-    return ComparisonTexts::tr("same");
-}
-
-QString comparisonKindKey(ComparisonKind kind)
-{
-    switch (kind) {
-    case ComparisonKind::same:
-        break;
-    case ComparisonKind::differs:
-        return QStringLiteral("differs");
-    case ComparisonKind::missing:
-        return QStringLiteral("missing");
-    case ComparisonKind::additional:
-        return QStringLiteral("additional");
-    case ComparisonKind::moved:
-        return QStringLiteral("moved");
-    }
-    return QStringLiteral("same");
-}
-
 QString comparisonText(const ComparisonLine &line, const RingStructure &configured,
                        const RingStructure &connected, const Catalog &catalog)
 {

@@ -3,8 +3,8 @@
 #include "project/project_take_over.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
-#include "widgets/comparison/comparison_page.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/master/ring_comparison.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -29,7 +29,7 @@ protected:
         advance(40);
     }
 
-    ComparisonPage &page() { return *window().findChild<ComparisonPage *>(); }
+    RingComparison &page() { return *window().findChild<RingComparison *>(); }
     QTableView &table() { return *page().findChild<QTableView *>(); }
     void click(const char *button)
     {

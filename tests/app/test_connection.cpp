@@ -3,7 +3,7 @@
 #include "app/window/ring_connection.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
-#include "widgets/comparison/comparison_page.h"
+#include "widgets/master/ring_comparison.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -116,7 +116,7 @@ TEST_F(ConnectionTest, StationsOfTheProjectStandInTheTree)
 TEST_F(ConnectionTest, NothingDiffersAtFirst)
 {
     QTest::keyClick(&window(), Qt::Key_F9);
-    auto &page = *window().findChild<ComparisonPage *>();
+    auto &page = *window().findChild<RingComparison *>();
     EXPECT_TRUE(page.isVisible());
     EXPECT_EQ(page.differences(), 0);
     EXPECT_EQ(lines().rowCount(), 7);
@@ -126,7 +126,7 @@ TEST_F(ConnectionTest, WhatDiffersIsTakenOverIntoTheProjectAndUndone)
 {
     removeBaumer();
     QTest::keyClick(&window(), Qt::Key_F9);
-    auto &page = *window().findChild<ComparisonPage *>();
+    auto &page = *window().findChild<RingComparison *>();
     EXPECT_EQ(page.differences(), 1);
     auto *only = page.findChild<QCheckBox *>(QStringLiteral("onlyDifferences"));
     only->click();

@@ -312,5 +312,20 @@ TEST_F(CliLineTransfer, WritesAreCountedBeforeTheyAreSentAndBySerialNumber)
     EXPECT_EQ(accounts[0][u"writes"].toInt() + accounts[0][u"perhaps"].toInt(), 1);
 }
 
+TEST_F(CliLineTransfer, CompareTellsWhatIsMissingAndWhatIsAnother)
+{
+    at(0x12).label.serialNumber = QStringLiteral("99");
+    ProjectDevice silent = at(0x05);
+    silent.standAt(placeOnLine({0x1F}));
+    project.devices.push_back(silent);
+    save();
+    const CliRun compared = line.runLine(QStringLiteral("compare ") + file);
+    EXPECT_EQ(compared.exit, 1) << compared.err;
+    EXPECT_THAT(compared.out, HasSubstr("same     esc:05: Kübler"));
+    EXPECT_THAT(compared.out, HasSubstr("differs  esc:12: "));
+    EXPECT_THAT(compared.out, HasSubstr("missing  esc:1F: configured Kübler"));
+    EXPECT_THAT(compared.err, HasSubstr("Lines that differ: 2."));
+}
+
 } // namespace
 } // namespace codewheel

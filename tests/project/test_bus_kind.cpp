@@ -46,6 +46,7 @@ public:
     QString title() const override { return QStringLiteral("Lamps in a row"); }
     QString usualName() const override { return QStringLiteral("Lamps"); }
     KindData usual() const override { return KindData(LampPlan()); }
+    QString linkText(const KindData &) const override { return QStringLiteral("mains"); }
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus, const Catalog &) const override
     {
         std::vector<BusNode> nodes;

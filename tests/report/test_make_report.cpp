@@ -124,11 +124,11 @@ TEST(CommissioningReport, DeviationsAndWhatCouldNotBeComparedAreTold)
 TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
 {
     ReportInput input = exampleInput();
-    input.connected = structureOf(input.project);
+    input.connected[firstRing].devices = structureOf(input.project);
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("The connected bus is as configured."));
     EXPECT_THAT(factsOf({reportOf(input).facts}), Contains("Bus: connected as configured"));
-    input.connected->front() = {NodeId("1.0"), 0x36, 0x0236, 2, 2, {}, 0};
+    input.connected[firstRing].devices.front() = {NodeId("1.0"), 0x36, 0x0236, 2, 2, {}, 0};
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),

@@ -2,21 +2,18 @@
 #include "widgets/comparison/comparison_model.h"
 
 #include "catalog/hex_code.h"
-#include "project/ring_plan_rules.h"
 #include "widgets/look/roles.h"
-
-#include <algorithm>
+#include "widgets/structure_editor/plan_edits.h"
 
 namespace codewheel {
 namespace {
 
-QString placeText(const RingStructure &ring, std::optional<std::size_t> place, const Catalog &catalog)
+QString placeText(const Participant &device, const PlanEdits &plan)
 {
-    if (!place)
-        return {};
-    const Participant &device = ring.at(*place);
-    return QStringLiteral("%1  %2  %3")
-        .arg(device.number.toString(), RingPlanRules().nameOf(device, catalog), hexCode(device.idCode, 2));
+    QStringList parts{device.number.toString(), plan.nameOf(device)};
+    if (device.idCode != 0)
+        parts << hexCode(device.idCode, 2);
+    return parts.join(QStringLiteral("  "));
 }
 
 Role roleOf(ComparisonKind kind)
@@ -36,32 +33,24 @@ Role roleOf(ComparisonKind kind)
 
 } // namespace
 
-int differences(const Comparison &comparison)
+void ComparisonModel::compare(const PlanEdits &plan, const ConnectedBus &connected, bool onlyDifferences)
 {
-    return static_cast<int>(std::ranges::count_if(
-        comparison, [](const ComparisonLine &line) { return line.kind != ComparisonKind::same; }));
-}
-
-int ComparisonModel::differences() const
-{
-    return codewheel::differences(m_comparison);
-}
-
-void ComparisonModel::compare(const RingStructure &configured, const RingStructure &connected,
-                              const Catalog &catalog, bool onlyDifferences)
-{
-    m_comparison = compareRings(configured, connected);
+    const PlanRules &rules = plan.rules();
+    m_comparison = rules.compare(plan.project(), plan.bus(), connected);
     std::vector<ComparisonRow> rows;
     for (std::size_t i = 0; i < m_comparison.size(); ++i) {
         const ComparisonLine &line = m_comparison[i];
         const bool isSame = line.kind == ComparisonKind::same;
-        if (!isSame || !onlyDifferences)
-            rows.push_back(
-                {.line = i,
-                 .kind = line.kind,
-                 .configured = placeText(configured, line.configured, catalog),
-                 .connected = placeText(connected, line.connected, catalog),
-                 .text = isSame ? QString() : comparisonText(line, configured, connected, catalog)});
+        if (isSame && onlyDifferences)
+            continue;
+        ComparisonRow &row = rows.emplace_back(ComparisonRow{i, line.kind, {}, {}, {}});
+        if (line.configured)
+            row.configured =
+                placeText(devicesOn(plan.project(), plan.bus())[*line.configured].participant, plan);
+        if (line.connected)
+            row.connected = placeText(connected.devices[*line.connected], plan);
+        if (!isSame)
+            row.text = rules.comparisonText(line, plan.project(), plan.bus(), connected, plan.catalog());
     }
     setRows(std::move(rows));
 }
@@ -74,7 +63,7 @@ QVariant ComparisonModel::headerCell(int column, int role) const
     case configuredColumn:
         return tr("Configured (project)");
     case connectedColumn:
-        return tr("Connected (ring)");
+        return tr("Connected");
     default:
         return tr("Difference");
     }

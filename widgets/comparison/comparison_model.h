@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/comparison.h"
+#include "bus/comparison.h"
 #include "widgets/models/table_model_base.h"
 
 namespace codewheel {
+
+class PlanEdits;
+struct ConnectedBus;
 
 struct ComparisonRow
 {
@@ -15,7 +18,7 @@ struct ComparisonRow
     QString text; // in words; empty: the same
 };
 
-// The configured ring beside the connected one, line by line.
+// The configured bus beside the connected one, line by line.
 class ComparisonModel : public TableModelBase<ComparisonRow>
 {
     Q_OBJECT
@@ -25,10 +28,8 @@ public:
 
     using TableModelBase::TableModelBase;
 
-    void compare(const RingStructure &configured, const RingStructure &connected, const Catalog &catalog,
-                 bool onlyDifferences);
+    void compare(const PlanEdits &plan, const ConnectedBus &connected, bool onlyDifferences);
     const Comparison &comparison() const { return m_comparison; }
-    int differences() const;
 
 protected:
     int columns() const override { return differenceColumn + 1; }
@@ -38,8 +39,5 @@ protected:
 private:
     Comparison m_comparison;
 };
-
-// How many lines of it are not the same.
-int differences(const Comparison &comparison);
 
 } // namespace codewheel

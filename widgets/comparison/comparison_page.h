@@ -1,73 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/comparison.h"
-#include "ring/master_link.h"
-#include "widgets/project/project_document.h"
+#include "widgets/structure_editor/plan_edits.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QCheckBox;
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTableView;
 
 namespace codewheel {
 
-class BusSession;
 class ComparisonModel;
 class EmptyState;
+class EncoderBus;
 class InlineMessage;
 
-// The configured ring beside the connected one. Lines are taken over into the project, or into the
-// configuration that the master keeps, and that one is loaded back; all can be taken back.
+// What is configured for a bus beside what is connected, by the rules of its kind. Lines are taken over into
+// the project. A kind with more to compare derives from it.
 class ComparisonPage : public QWidget
 {
     Q_OBJECT
 
 public:
-    // Both must outlive it.
-    ComparisonPage(ProjectDocument &document, BusSession &bus, QWidget *parent = nullptr);
+    // Document and catalog must outlive it.
+    ComparisonPage(ProjectDocument &document, const Catalog &catalog, BusId bus, const QString &kind,
+                   QWidget *parent = nullptr);
 
-    void setConnected(bool isConnected);
+    void setBus(EncoderBus *bus); // null: there is none
     int differences() const;
 
-Q_SIGNALS:
-    void readInRequested();
+protected:
+    void compare();
+    void takeIntoProject(const std::vector<std::size_t> &lines);
+    std::vector<std::size_t> selectedLines() const;
+    bool isConnected() const;
+    const Comparison &comparison() const;
+    const ConnectedBus &connectedNow() const { return m_connected; }
+    PlanEdits &edits() { return m_edits; }
+    InlineMessage &message() { return *m_message; }
+    QHBoxLayout &top() { return *m_top; }
+    QGridLayout &buttons() { return *m_buttons; }
+    virtual void showState(); // connected or not, running or stopped
+    virtual void showWhatIsPossible();
 
 private:
     void arrange();
-    void compare();
-    void takeIntoProject(const std::vector<std::size_t> &lines);
-    void plan(RingStructure ring, Comparison comparison, const std::vector<std::size_t> &lines,
-              const QString &what);
-    void loadBack();
-    void takeIntoMaster(const std::vector<std::size_t> &lines);
-    void keep(KeptConfiguration configuration);
-    bool mayChangeRing(); // else it says why not
-    void showKept(const std::optional<KeptConfiguration> &configuration);
-    std::vector<std::size_t> selectedLines() const;
-    void showWhatIsPossible();
+    void followAnswers();
 
-    ProjectDocument &m_document;
-    BusSession &m_bus;
-    bool m_isConnected = false;
+    PlanEdits m_edits;
+    QPointer<EncoderBus> m_bus;
+    ConnectedBus m_connected;
+    Instant m_comparedAt{};
     ComparisonModel *m_model;
     QTableView *m_table;
     QLabel *m_summary;
     QCheckBox *m_onlyDifferences;
-    QPushButton *m_readIn;
     QPushButton *m_lineIntoProject;
     QPushButton *m_allIntoProject;
-    QPushButton *m_lineIntoMaster;
-    QPushButton *m_allIntoMaster;
-    QPushButton *m_keptIntoProject;
     InlineMessage *m_message;
     EmptyState *m_empty;
-    std::optional<KeptConfiguration> m_kept;   // by the master, as it told
-    std::optional<KeptConfiguration> m_before; // what a download replaced
-    bool m_isDownloading = false;
-    bool m_isRefused = false; // as the message says
+    QHBoxLayout *m_top;
+    QGridLayout *m_buttons;
 };
+
+std::vector<std::size_t> allLines(const Comparison &comparison);
 
 } // namespace codewheel

@@ -37,6 +37,7 @@ std::vector<BusRow> BusModel::planned() const
         rows.push_back({.bus = bus.id,
                         .name = bus.name,
                         .kind = its != nullptr ? its->title() : bus.kind,
+                        .link = its != nullptr ? its->linkText(bus.settings) : QString(),
                         .devices = static_cast<int>(devicesOn(project, bus.id).size())});
     }
     return rows;
@@ -63,7 +64,7 @@ std::optional<int> BusModel::rowOf(BusId bus) const
     return found == rows().end() ? std::nullopt : std::optional(static_cast<int>(found - rows().begin()));
 }
 
-// BUS/PLACE names a device. A name that came with a file may stay.
+// BUS/PLACE names a device.
 QString BusModel::complaint(const QModelIndex &index, const QString &text) const
 {
     const QString wanted = text.trimmed();
@@ -107,6 +108,8 @@ QVariant BusModel::headerCell(int column, int role) const
         return tr("Name");
     case kind:
         return tr("Kind");
+    case link:
+        return tr("Link");
     default:
         return tr("Devices");
     }
@@ -125,6 +128,8 @@ QVariant BusModel::cell(const BusRow &row, int column, int role) const
         return row.name;
     case kind:
         return row.kind;
+    case link:
+        return row.link;
     default:
         return QLocale().toString(row.devices);
     }

@@ -17,6 +17,7 @@ struct BusRow
     BusId bus;
     QString name;
     QString kind; // in the user's language
+    QString link;
     int devices = 0;
 
     friend bool operator==(const BusRow &, const BusRow &) = default;
@@ -29,7 +30,7 @@ class BusModel : public TableModelBase<BusRow>
     Q_OBJECT
 
 public:
-    enum Column { name, kind, devices, columnCount_ };
+    enum Column { name, kind, link, devices, columnCount_ };
 
     // The document outlives the model.
     explicit BusModel(ProjectDocument &document, QObject *parent = nullptr);

@@ -5,7 +5,6 @@
 
 #include <QWidget>
 
-class QComboBox;
 class QLabel;
 
 namespace codewheel {
@@ -14,7 +13,7 @@ class BusList;
 class NoteField;
 class TextField;
 
-// What the project says of itself: title, link, buses and note. A field that was left is one step of undo.
+// What the project says of itself: title, buses and note. A field that was left is one step of undo.
 class ProjectPage : public QWidget
 {
     Q_OBJECT
@@ -31,15 +30,11 @@ private:
     void arrange();
     void setTitle(const QString &title);
     void setNote(const QString &note);
-    void setLink();
     void edit(const QString &what, const std::function<void(Project &)> &change);
     void showProject();
-    void showLink();
 
     ProjectDocument &m_document;
     TextField *m_title;
-    QComboBox *m_link;
-    QLabel *m_settings;
     BusList *m_buses;
     NoteField *m_note;
     QLabel *m_file;

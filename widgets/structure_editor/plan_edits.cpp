@@ -126,6 +126,12 @@ Result<void> PlanEdits::change(Id device, const Participant &to)
                  StructureSteps::tr("Change %1 to %2").arg(placeOf(device), nameOf(to)));
 }
 
+void PlanEdits::takeOver(const ConnectedBus &connected, const Comparison &comparison,
+                         std::span<const std::size_t> lines, const QString &what)
+{
+    (void)apply(rules().takenOver(project(), m_bus, connected, comparison, lines), what);
+}
+
 Result<void> PlanEdits::type(Id device, const PlanColumn &column, const QString &text)
 {
     const Place place = m_document.device(device)->place();

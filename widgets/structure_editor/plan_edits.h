@@ -9,7 +9,7 @@ namespace codewheel {
 class BusKind;
 
 // What can be done to the devices of a planned bus, by the rules of its kind: each a step of undo, or refused
-// in words. Used by the structure editor, and by its model for what is typed and dropped.
+// in words. Used by the structure editor, by its model for what is typed and dropped, and by the comparison.
 class PlanEdits
 {
 public:
@@ -40,6 +40,9 @@ public:
     Result<void> drop(const Ids &devices, std::optional<Id> parent, int row);
     // Another kind of device in this place; station, group, note and addresses stay.
     Result<void> change(Id device, const Participant &to);
+    // These lines of a comparison with what is connected.
+    void takeOver(const ConnectedBus &connected, const Comparison &comparison,
+                  std::span<const std::size_t> lines, const QString &what);
     Result<void> type(Id device, const PlanColumn &column, const QString &text);
 
 private:

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/line_plan.h"
 #include "tests/support/plans.h"
+#include "widgets/project/bus_model.h"
 #include "widgets/project/project_page.h"
 
 #include <QAccessible>
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QTableView>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -40,7 +42,6 @@ protected:
     }
     QLineEdit &title() const { return child<QLineEdit>("projectTitle"); }
     QPlainTextEdit &note() const { return child<QPlainTextEdit>("projectNote"); }
-    QComboBox &link() const { return child<QComboBox>("projectLink"); }
 
     ProjectDocument document;
     ProjectPage page{document};
@@ -110,28 +111,25 @@ TEST_F(ProjectPageTest, AnotherProjectShowsItsOwn)
     EXPECT_EQ(document.undoStack().count(), 0) << "showing is no edit";
 }
 
-TEST_F(ProjectPageTest, ALinkThisProgramDoesNotHaveIsKeptUntilAnotherIsChosen)
+TEST_F(ProjectPageTest, TheLinkOfEachBusIsSeen)
 {
-    Project project;
+    Project project = document.project();
     changeRing(project, [](RingPlan &ring) {
         ring.link = {.kind = QStringLiteral("modbus"),
                      .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
     });
+    LinePlan line;
+    line.wish.port = QStringLiteral("/dev/ttyUSB1");
+    setLinePlan(project, firstLine, line);
     document.setProject(project, {});
-    EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
-    EXPECT_EQ(child<QLabel>("linkSettings").text(), QStringLiteral("port: /dev/ttyUSB0"));
-    link().setFocus();
-    QTest::keyClick(&link(), Qt::Key_Up);
-    EXPECT_EQ(ringPlan(document.project(), firstRing).link, ProjectLink());
-    document.undoStack().undo();
-    EXPECT_EQ(ringPlan(document.project(), firstRing).link.settings.size(), 1U);
-    EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
+    const QAbstractItemModel &buses = *child<QTableView>("projectBuses").model();
+    EXPECT_EQ(buses.index(0, BusModel::link).data(), QStringLiteral("modbus, port = /dev/ttyUSB0"));
+    EXPECT_EQ(buses.index(1, BusModel::link).data(), QStringLiteral("/dev/ttyUSB1, 19200 Bd, 8N2"));
 }
 
 TEST_F(ProjectPageTest, EveryFieldHasANameAndATip)
 {
-    for (QWidget *field : {static_cast<QWidget *>(&title()), static_cast<QWidget *>(&note()),
-                           static_cast<QWidget *>(&link())}) {
+    for (QWidget *field : {static_cast<QWidget *>(&title()), static_cast<QWidget *>(&note())}) {
         EXPECT_FALSE(field->toolTip().isEmpty());
         EXPECT_FALSE(QAccessible::queryAccessibleInterface(field)->text(QAccessible::Name).isEmpty());
     }

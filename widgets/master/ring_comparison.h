@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/master_link.h"
+#include "widgets/comparison/comparison_page.h"
+
+namespace codewheel {
+
+class BusSession;
+
+// The comparison of a ring: lines are also taken over into the configuration that the master keeps, and that
+// one is loaded back; all can be taken back.
+class RingComparison final : public ComparisonPage
+{
+    Q_OBJECT
+
+public:
+    // Both must outlive it.
+    RingComparison(ProjectDocument &document, BusSession &bus, QWidget *parent = nullptr);
+
+Q_SIGNALS:
+    void readInRequested();
+
+private:
+    void showState() override;
+    void showWhatIsPossible() override;
+    RingStructure configured() const;
+    int differencesOf(const KeptConfiguration &kept);
+    void loadBack();
+    void takeIntoMaster();
+    void keep(KeptConfiguration configuration);
+    bool mayChangeRing(); // else it says why not
+    void showKept(const std::optional<KeptConfiguration> &configuration);
+
+    ProjectDocument &m_document;
+    BusSession &m_ring;
+    QPushButton *m_readIn;
+    QPushButton *m_lineIntoMaster;
+    QPushButton *m_allIntoMaster;
+    QPushButton *m_keptIntoProject;
+    std::optional<KeptConfiguration> m_kept;   // by the master, as it told
+    std::optional<KeptConfiguration> m_before; // what a download replaced
+    bool m_isDownloading = false;
+};
+
+} // namespace codewheel
