@@ -202,6 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"version\": 2,", "\"version\": 0,", 3, "version", "whole number from 1"},
         Breakage{"\"version\": 2,", "\"version\": 2.0,", 3, "version", "whole number from 1"},
         Breakage{"\"version\": 2,", "\"version\": \"1\",", 3, "version", "whole number from 1"},
+        Breakage{"\"name\": \"Ring\"", "\"name\": \"Ring/1\"", 9, "buses[0].name", "has no \"/\""},
         Breakage{"\"title\": \"Crane 1\"", "\"title\": 1", 4, "title", "text in quotation marks"},
         Breakage{"\"title\"", "\"titel\"", 4, "titel", "not known"},
         Breakage{"\"title\"", "\"buses\"", 5, "buses", "stands here twice"},
