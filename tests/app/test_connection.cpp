@@ -38,7 +38,10 @@ protected:
     }
     QAbstractItemModel &lines()
     {
-        return *window().findChild<QTableView *>(QStringLiteral("comparison"))->model();
+        return *window()
+                    .findChild<RingComparison *>()
+                    ->findChild<QTableView *>(QStringLiteral("comparison"))
+                    ->model();
     }
     QStringList messages()
     {
