@@ -10,11 +10,11 @@ namespace codewheel {
 // What a kind of encoder can do, as its description says. Views ask this, never the make.
 struct Capabilities
 {
-    bool reads = false;               // parameters can be read out
-    bool writes = false;              // parameters can be written
-    bool presets = false;             // the position can be set
+    bool reads = false;                 // parameters can be read out
+    bool writes = false;                // parameters can be written
+    bool presets = false;               // the position can be set
     std::optional<CamAbilities> cams{}; // nothing: none
-    bool velocity = false;            // shows revolutions per minute on request
+    bool velocity = false;              // shows revolutions per minute on request
     bool manufacturerPreset = false;  // 60000000h: sets the position to the programmed preset again and again
     bool presetNeedsValue = false;    // the command that sets the position brings the value along
     bool resets = false;              // to factory settings

@@ -182,6 +182,7 @@ public:
     QString title() const override { return QStringLiteral("Plain bus"); }
     QString usualName() const override { return QStringLiteral("Plain"); }
     KindData usual() const override { return KindData(24); }
+    QString linkText(const KindData &) const override { return QStringLiteral("by hand"); }
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus, const Catalog &) const override
     {
         std::vector<BusNode> nodes;
