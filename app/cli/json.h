@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/participant.h"
 #include "catalog/device_description.h"
 #include "cli/complaint.h"
 #include "encoder/known.h"
 #include "encoder/reading.h"
 #include "encoder/rod_scale.h"
-#include "ring/participant.h"
 #include "words/meaning.h"
 
 #include <QJsonArray>

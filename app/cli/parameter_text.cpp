@@ -7,7 +7,7 @@
 namespace codewheel {
 
 QString typedValue(const ParameterDescription &parameter, std::int64_t value,
-                   const std::optional<esc::ExplainOptions> &options)
+                   const std::optional<ValueOptions> &options)
 {
     const Choice *choice = parameter.findChoice(value);
     return choice && choice->key != QString::number(value)

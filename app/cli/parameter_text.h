@@ -2,14 +2,14 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
 #include "encoder/known.h"
-#include "esc/esc_explain.h"
 
 namespace codewheel {
 
 // A value with its name as it is typed, and the number behind it: "cw (3)"; else as valueText().
 QString typedValue(const ParameterDescription &parameter, std::int64_t value,
-                   const std::optional<esc::ExplainOptions> &options = {});
+                   const std::optional<ValueOptions> &options = {});
 // "1..33554431", "cw (3), ccw (4)"; the same in every language
 QString rangeText(const ParameterDescription &parameter);
 // "read from the encoder"

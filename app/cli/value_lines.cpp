@@ -6,12 +6,11 @@
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "esc/esc_bits.h"
-#include "line/line_encoder_session.h"
 
 namespace codewheel {
 
 QString valueCell(const ParameterDescription &parameter, std::int64_t value,
-                  const std::optional<esc::ExplainOptions> &options)
+                  const std::optional<ValueOptions> &options)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
     const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
@@ -24,7 +23,7 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values,
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *encoder.device().find(value.parameter);
         table.add(
-            {parameterKey(value.parameter), valueCell(parameter, value.value, explainOptionsOf(&encoder))});
+            {parameterKey(value.parameter), valueCell(parameter, value.value, valueOptionsOf(&encoder))});
     }
     if (!version.isEmpty())
         table.add({QStringLiteral("version"), QStringLiteral("= %1").arg(version)});
@@ -33,11 +32,11 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values,
 
 QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &values)
 {
-    const auto options = explainOptionsOf(&encoder);
+    const auto options = valueOptionsOf(&encoder);
     QJsonArray json;
     for (const ParameterValue &value : values) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        if (options && options->swapWarningBytes && value.parameter == Parameter::warnings)
+        if (options && options->swapsWarningBytes && value.parameter == Parameter::warnings)
             object.insert(QStringLiteral("asSent"),
                           esc::swappedBytes(static_cast<std::uint16_t>(value.value)));
         json.append(object);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "esc/esc_explain.h"
+#include "encoder/encoder_session.h"
 
 #include <QJsonArray>
 
@@ -12,7 +12,7 @@ class EncoderSession;
 
 // "= 8192", "= 21.5 °C". Steps and revolutions are their own units. options: valueText().
 QString valueCell(const ParameterDescription &parameter, std::int64_t value,
-                  const std::optional<esc::ExplainOptions> &options = {});
+                  const std::optional<ValueOptions> &options = {});
 // What an encoder has, a line for each value; the version of a serial encoder last, if there is one.
 QString valueLines(const EncoderSession &encoder, const ParameterValues &values, const QString &version = {});
 // Warnings whose bytes were swapped also as they were sent.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bus/encoder_bus.h"
-#include "simulator/training_bus.h"
 
 #include <functional>
 #include <memory>
@@ -12,6 +11,7 @@ namespace codewheel {
 class Catalog;
 class LedgerKeeper;
 class ProjectDocument;
+struct TrainingBus;
 
 // One bus of the program, connected or not, with the account of the EEPROM writes of its encoders. Outlives
 // the window, which is made anew in another language.
@@ -30,7 +30,7 @@ public:
         QString dataFolder;   // of the ledger
         bool byThread = true; // else by hand: simulated buses keep virtual time
         Clock clock;
-        TrainingBus (*trainingRing)(const Catalog &) = makeTrainingBus;
+        TrainingBus (*trainingRing)(const Catalog &) = nullptr; // in place of the usual one
     };
 
     BusAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);

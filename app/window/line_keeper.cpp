@@ -20,8 +20,8 @@ ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const Encode
     ProjectDevice encoder;
     encoder.standAt(number);
     encoder.participant.deviceKey = connected.device().key;
-    const auto explained = explainOptionsOf(&connected);
-    encoder.swapsWarningBytes = explained && explained->swapWarningBytes;
+    const auto explained = valueOptionsOf(&connected);
+    encoder.swapsWarningBytes = explained && explained->swapsWarningBytes;
     return *encoders.insert(place, std::move(encoder));
 }
 

@@ -12,12 +12,16 @@ namespace {
 
 constexpr std::chrono::milliseconds busPeriod{1}; // of a training ring
 
+TrainingBus trainingRing(const BusAtWork::Surroundings &its)
+{
+    return its.trainingRing != nullptr ? its.trainingRing(its.catalog) : makeTrainingBus(its.catalog);
+}
+
 } // namespace
 
 RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
     : BusAtWork(id, std::move(its), parent)
-    , m_training(
-          makeTrainingSession(catalog(), surroundings().clock(), surroundings().trainingRing(catalog()), id))
+    , m_training(makeTrainingSession(catalog(), surroundings().clock(), trainingRing(surroundings()), id))
 {
     tellMessagesOf(*bus());
     connect(bus(), &BusSession::nodesChanged, this, &RingAtWork::tellPlan);

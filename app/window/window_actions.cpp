@@ -3,7 +3,6 @@
 
 #include "app/window/alarm_stop.h"
 #include "encoder/refusal_text.h"
-#include "line/line_encoder_session.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/shown_encoder.h"
@@ -239,12 +238,12 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
                               : tr("Sends 00000000 to the chosen device: normal running"));
     zeroOut->setEnabled(hasOut && !isOnlyPlanned);
     const bool isOnLine = isThere && encoder.place().isOnLine();
-    const auto explained = explainOptionsOf(encoder.session());
+    const auto explained = valueOptionsOf(encoder.session());
     described(swapWarningBytes, Qt::CTRL | Qt::SHIFT | Qt::Key_F8,
               isOnLine ? tr("For an encoder that sends the low byte of its warnings first; nothing is sent")
                        : tr("For encoders on the serial line"));
     swapWarningBytes->setEnabled(isOnLine);
-    swapWarningBytes->setChecked(explained && explained->swapWarningBytes);
+    swapWarningBytes->setChecked(explained && explained->swapsWarningBytes);
     described(removeFromLine, Qt::CTRL | Qt::SHIFT | Qt::Key_F7,
               isOnLine ? tr("The encoder is not asked any more; what it has stays as it is")
                        : tr("For encoders on the serial line"));

@@ -7,6 +7,10 @@
 
 namespace codewheel {
 
+struct DeviceDescription;
+
+inline constexpr unsigned busTerminalIdCode = 0x0C;
+
 // One device of a bus, as it is found there and as the plan names it. On INTERBUS the master finds it (ID
 // register); the vendor is not in the ID code: without a plan, deviceKey is empty and the make is not known.
 // Of a serial line there are its place and its key.
@@ -24,5 +28,8 @@ struct Participant
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };
+
+// What to call it: the name of its description, or without one (null) "bus terminal" or "device not known".
+QString participantName(const Participant &participant, const DeviceDescription *description);
 
 } // namespace codewheel

@@ -6,6 +6,7 @@
 #include "encoder/line_address.h"
 #include "encoder/sentence.h"
 #include "esc/esc_bits.h"
+#include "esc/esc_explain.h"
 #include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
@@ -83,7 +84,7 @@ QString bitsText(esc::Command command, std::uint16_t value, bool isSwapped)
     return QStringLiteral("%1 (%2)").arg(esc::bitDigits(asSent, isSwapped), said);
 }
 
-QString factorText(Word raw, const std::optional<esc::ExplainOptions> &options)
+QString factorText(Word raw, const std::optional<ValueOptions> &options)
 {
     const QString digits = hexWord(raw) + u'h';
     return options ? QStringLiteral("%1 (%2)").arg(
@@ -94,7 +95,7 @@ QString factorText(Word raw, const std::optional<esc::ExplainOptions> &options)
 
 // Empty for what is a number.
 QString escText(const ParameterDescription &parameter, std::int64_t value,
-                const std::optional<esc::ExplainOptions> &options)
+                const std::optional<ValueOptions> &options)
 {
     using enum esc::Command;
     const auto raw = static_cast<Word>(value);
@@ -113,7 +114,7 @@ QString escText(const ParameterDescription &parameter, std::int64_t value,
     case alarms:
         return bitsText(*parameter.readCommand, static_cast<std::uint16_t>(raw), false);
     case warnings:
-        return bitsText(warnings, static_cast<std::uint16_t>(raw), options && options->swapWarningBytes);
+        return bitsText(warnings, static_cast<std::uint16_t>(raw), options && options->swapsWarningBytes);
     default:
         return {};
     }
@@ -143,7 +144,7 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
 }
 
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
-                  const std::optional<esc::ExplainOptions> &options)
+                  const std::optional<ValueOptions> &options)
 {
     if (isOpcRegister(parameter.parameter))
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "esc/esc_explain.h"
+#include "encoder/encoder_session.h"
 
 namespace codewheel {
 
@@ -18,7 +18,7 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 // bit, "0012D503" of a serial number, "05h (5)" of its address, and, where its options are given, the scaling
 // factor as a fraction too: "1F400000h (0.9765625)", and warnings also as they were sent.
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
-                  const std::optional<esc::ExplainOptions> &options = {});
+                  const std::optional<ValueOptions> &options = {});
 
 // The unit that goes with valueText(): "steps", "°C"; empty for none.
 QString unitText(Unit unit);

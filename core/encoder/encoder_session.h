@@ -15,6 +15,13 @@
 
 namespace codewheel {
 
+// What the values of an encoder leave open, and a setting tells.
+struct ValueOptions
+{
+    bool swapsWarningBytes = false;
+    int fractionBits = 0; // of the scaling factor
+};
+
 struct DeviceDescription;
 
 // The meaning of one encoder, whatever bus it is on: what it can do, what is known of it, what it shows, and
@@ -41,6 +48,8 @@ public:
     // Whether the outcomes of its jobs tell the positions before and after, which several reads agreed on: a
     // single one may be damaged.
     virtual bool agreesOnPositions() const { return false; }
+    // By which valueText() tells its values; nothing: they follow from its description alone.
+    virtual std::optional<ValueOptions> valueOptions() const { return {}; }
     // Whether that is how the encoder stands now.
     const Freshness &freshness() const { return m_freshness; }
     virtual std::optional<Known> known(Parameter parameter) const = 0;
@@ -106,5 +115,10 @@ private:
     Freshness m_freshness;
     std::optional<EepromCount> m_count;
 };
+
+inline std::optional<ValueOptions> valueOptionsOf(const EncoderSession *encoder)
+{
+    return encoder != nullptr ? encoder->valueOptions() : std::nullopt;
+}
 
 } // namespace codewheel

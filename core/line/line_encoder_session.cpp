@@ -53,13 +53,4 @@ Instant LineEncoderSession::now() const
     return m_line.latest().at;
 }
 
-std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encoder)
-{
-    const auto *onLine = qobject_cast<const LineEncoderSession *>(encoder);
-    if (onLine == nullptr)
-        return {};
-    return esc::ExplainOptions{.swapWarningBytes = onLine->swapsWarningBytes(),
-                               .fractionBits = onLine->fractionBits()};
-}
-
 } // namespace codewheel

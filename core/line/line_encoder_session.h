@@ -21,6 +21,10 @@ public:
                        const DeviceDescription &description);
 
     bool agreesOnPositions() const override { return true; }
+    std::optional<ValueOptions> valueOptions() const override
+    {
+        return ValueOptions{.swapsWarningBytes = m_swapsWarningBytes, .fractionBits = fractionBits()};
+    }
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     int fractionBits() const; // of its scaling factor, as its line is set
@@ -36,8 +40,5 @@ private:
     LineSession &m_line;
     bool m_swapsWarningBytes = false;
 };
-
-// By which valueText() tells the values of an encoder of a line; nothing for one of the ring, and for none.
-std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encoder);
 
 } // namespace codewheel

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "bus/bus_outline.h"
-#include "project/check_project.h"
+#include "project/finding.h"
+#include "project/project.h"
 
 #include <memory>
 #include <span>

@@ -19,6 +19,12 @@
 namespace codewheel {
 namespace {
 
+constexpr NamedValue<LineSettings::Parity> parities[] = {
+    {"none", LineSettings::Parity::none},
+    {"even", LineSettings::Parity::even},
+    {"odd", LineSettings::Parity::odd},
+};
+
 using namespace project_keys;
 using std::chrono::milliseconds;
 

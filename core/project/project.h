@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/participant.h"
 #include "encoder/cam_program.h"
 #include "encoder/known.h"
 #include "project/kind_data.h"
 #include "project/word_list.h"
-#include "ring/participant.h"
 
 #include <QDateTime>
 #include <QString>

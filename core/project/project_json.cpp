@@ -49,7 +49,7 @@ void move(Json::Value &from, const char *key, Json::Value &to, const char *name)
 void ringAndLineBecomeBuses(Json::Value &root)
 {
     Json::Value ring(Json::objectValue);
-    ring["kind"] = interbusKind;
+    ring["kind"] = "interbus";
     ring["number"] = firstRing.number;
     ring["name"] = "Ring";
     for (const char *key : {"link", "addresses", "cableKilometres", "devices"})
@@ -59,7 +59,7 @@ void ringAndLineBecomeBuses(Json::Value &root)
     Json::Value line;
     if (root.removeMember("serialLine", &line)) {
         if (line.isObject()) {
-            line["kind"] = escKind;
+            line["kind"] = "esc";
             line["number"] = firstLine.number;
             line["name"] = "Line";
             if (!line.isMember("encoders"))

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
+#include "encoder/known.h"
 
 namespace codewheel::project_keys {
 
@@ -14,16 +13,6 @@ inline constexpr NamedValue<Evidence> evidences[] = {
     {"read", Evidence::read},
     {"echoed", Evidence::echoed},
     {"told", Evidence::told},
-};
-inline constexpr NamedValue<AddressRules::Unit> units[] = {
-    {"byte", AddressRules::Unit::byte},
-    {"word", AddressRules::Unit::word},
-};
-
-inline constexpr NamedValue<LineSettings::Parity> parities[] = {
-    {"none", LineSettings::Parity::none},
-    {"even", LineSettings::Parity::even},
-    {"odd", LineSettings::Parity::odd},
 };
 
 template <typename Enum, std::size_t size>

@@ -3,6 +3,8 @@
 #include "project/ring_kind.h"
 
 #include "catalog/hex_code.h"
+#include "project/check_project.h"
+#include "project/process_addresses.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
 #include "project/project_take_over.h"
@@ -15,6 +17,11 @@
 
 namespace codewheel {
 namespace {
+
+constexpr NamedValue<AddressRules::Unit> units[] = {
+    {"byte", AddressRules::Unit::byte},
+    {"word", AddressRules::Unit::word},
+};
 
 using namespace project_keys;
 

@@ -2,6 +2,7 @@
 #include "transfer/transfer_plan.h"
 
 #include "bus/buses.h"
+#include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "drivers/parameter_check.h"
@@ -9,7 +10,6 @@
 #include "drivers/values_to_write.h"
 #include "esc/esc_request.h"
 #include "journal/eeprom_cost.h"
-#include "ring/participant.h"
 
 #include <algorithm>
 #include <numeric>

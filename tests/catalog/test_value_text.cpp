@@ -63,9 +63,9 @@ TEST(ValueText, AScalingFactorIsAFractionWhereItsFormatIsKnown)
     const Catalog catalog = Catalog::builtIn();
     const ParameterDescription &factor = *catalog.find(u"kuebler-esc-rs485")->find(Parameter::scalingFactor);
     EXPECT_EQ(valueText(factor, 0x1F40'0000), QStringLiteral("1F400000h"));
-    EXPECT_EQ(valueText(factor, 0x1F40'0000, esc::ExplainOptions{.fractionBits = 29}),
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, ValueOptions{.fractionBits = 29}),
               QStringLiteral("1F400000h (0.9765625)"));
-    EXPECT_EQ(valueText(factor, 0x1F40'0000, esc::ExplainOptions{.fractionBits = 30}),
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, ValueOptions{.fractionBits = 30}),
               QStringLiteral("1F400000h (0.48828125)"));
 }
 
@@ -73,7 +73,7 @@ TEST(ValueText, SwappedWarningsAreToldAsTheyWereSentToo)
 {
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &device = *catalog.find(u"kuebler-esc-rs485");
-    const esc::ExplainOptions swapped{.swapWarningBytes = true};
+    const ValueOptions swapped{.swapsWarningBytes = true};
     EXPECT_EQ(valueText(*device.find(Parameter::warnings), 0x9800, swapped),
               QStringLiteral("0098h, bytes swapped 9800h (standstill, lower limit switch on, turning CCW)"));
     EXPECT_EQ(valueText(*device.find(Parameter::alarms), 0x4000, swapped),

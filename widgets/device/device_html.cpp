@@ -4,6 +4,7 @@
 #include "catalog/hex_code.h"
 #include "catalog/value_text.h"
 #include "encoder/device_error_name.h"
+#include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
 #include <QLocale>

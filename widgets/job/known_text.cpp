@@ -47,7 +47,7 @@ QString evidenceExplanation(const std::optional<Known> &known)
 }
 
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      const std::optional<esc::ExplainOptions> &options)
+                      const std::optional<ValueOptions> &options)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)

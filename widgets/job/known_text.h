@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
 #include "encoder/event.h"
-#include "esc/esc_explain.h"
 
 namespace codewheel {
 
@@ -13,7 +13,7 @@ QString evidenceExplanation(const std::optional<Known> &known);
 
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      const std::optional<esc::ExplainOptions> &options = {});
+                      const std::optional<ValueOptions> &options = {});
 // "Steps = 255, Direction = 3 (CW)"
 QString valueList(const DeviceDescription &device, const ParameterValues &values);
 // "8 192 steps (read)"; "unknown".

@@ -3,7 +3,6 @@
 
 #include "catalog/value_text.h"
 #include "drivers/esc_values.h"
-#include "line/line_encoder_session.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
@@ -123,7 +122,7 @@ ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 // What a scaling factor may be follows from its format.
 ParameterDescription ParameterModel::withRange(const ParameterDescription &parameter) const
 {
-    const auto options = explainOptionsOf(m_encoder.session());
+    const auto options = valueOptionsOf(m_encoder.session());
     return options ? atFractionBits(parameter, options->fractionBits) : parameter;
 }
 
@@ -261,7 +260,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
-    const auto options = explainOptionsOf(m_encoder.session());
+    const auto options = valueOptionsOf(m_encoder.session());
     if (column == nameColumn)
         return parameterName(parameter);
     if (column == knownColumn) {
@@ -314,7 +313,7 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
         how += u'\n' + ageSentence(*m_encoder.session());
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),
                                                                   {row.parameter.parameter, row.known->value},
-                                                                  explainOptionsOf(m_encoder.session())),
+                                                                  valueOptionsOf(m_encoder.session())),
                                                     how)
                      : how;
 }

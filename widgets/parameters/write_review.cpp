@@ -3,7 +3,6 @@
 
 #include "catalog/value_text.h"
 #include "drivers/write_plan.h"
-#include "line/line_encoder_session.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/parameters/parameter_words.h"
 
@@ -28,7 +27,7 @@ ReviewRow rowOf(const EncoderSession &encoder, const WritePlan::Row &row)
 {
     const ParameterDescription &parameter = *encoder.device().find(row.value.parameter);
     const auto text = [&](std::int64_t value) {
-        return valueText(parameter, value, explainOptionsOf(&encoder));
+        return valueText(parameter, value, encoder.valueOptions());
     };
     return {.cells = {parameterName(row.value.parameter),
                       row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.value.value),

@@ -2,9 +2,9 @@
 #include "widgets/transfer/replace_device_step.h"
 
 #include "bus/buses.h"
+#include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
-#include "ring/participant.h"
 #include "transfer/transfer_words.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"

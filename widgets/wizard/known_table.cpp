@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
-#include "line/line_encoder_session.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 
@@ -18,7 +17,7 @@ void KnownTable::show(const EncoderSession &encoder)
         const auto known = encoder.known(parameter.parameter);
         now.push_back({parameter.parameter,
                        known ? valueWithUnit(encoder.device(), {parameter.parameter, known->value},
-                                             explainOptionsOf(&encoder))
+                                             valueOptionsOf(&encoder))
                              : QString(QChar(0x2013)),
                        known});
     }

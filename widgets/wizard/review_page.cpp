@@ -5,7 +5,6 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/job_review.h"

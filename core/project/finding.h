@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+
+#include <cstddef>
+
+namespace codewheel {
+
+// Something that is wrong with a planned bus, as it is shown while it is edited.
+struct Finding
+{
+    Severity severity = Severity::fault;
+    std::size_t device = 0; // its place on the bus
+    QString text;           // a sentence in the user's language
+
+    friend bool operator==(const Finding &, const Finding &) = default;
+};
+
+} // namespace codewheel
