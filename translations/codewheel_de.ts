@@ -5707,10 +5707,6 @@ es verlassen wird.</translation>
         <translation>Geber an einer seriellen Leitung haben keine Nocken.</translation>
     </message>
     <message>
-        <source>A serial line has no structure to compare with. See codewheel-cli scan.</source>
-        <translation>Eine serielle Leitung hat keinen Aufbau, der sich vergleichen ließe. Siehe codewheel-cli scan.</translation>
-    </message>
-    <message>
         <source>written by</source>
         <translation>geschrieben mit</translation>
     </message>
@@ -6306,6 +6302,10 @@ gleich, anders, zu wenig, zusätzlich oder versetzt ist; Exit-Code 1, wenn etwas
 Hersteller wird nicht verglichen: Der Bus nennt ihn nicht. Auf einer seriellen Leitung werden die
 Geber des Projekts gefragt, wer sie sind; einer, der nicht antwortet, fehlt.
 Sendet nichts an einen Ring.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; of the project is not compared: the link does not lead there.</source>
+        <translation>&quot;%1&quot; des Projekts wird nicht verglichen: Die Verbindung führt nicht dorthin.</translation>
     </message>
 </context>
 <context>
@@ -10728,6 +10728,10 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>Another bus above is called &quot;%1&quot;.</source>
         <translation>Ein anderer Bus weiter oben heißt „%1“.</translation>
+    </message>
+    <message>
+        <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
+        <translation>Der Name eines Busses enthält kein &quot;/&quot;: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
     </message>
 </context>
 <context>

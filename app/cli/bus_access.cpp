@@ -48,8 +48,8 @@ QString BusAccess::name() const
 
 void BusAccess::keepLedger(const std::optional<QString> &file)
 {
-    setLedger(std::make_unique<LedgerKeeper>(
-        m_bus, file ? DatabasePlace::file(*file) : ledgerPlace(m_bus, userJournalFolder())));
+    setLedger(std::make_unique<LedgerKeeper>(m_bus, file ? DatabasePlace::file(*file)
+                                                         : ledgerPlace(m_bus, userJournalFolder())));
 }
 
 void BusAccess::setLedger(std::unique_ptr<LedgerKeeper> ledger)

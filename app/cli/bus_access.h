@@ -66,6 +66,8 @@ public:
     virtual Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt);
     // So that the encoder of the project shows where it stands. That one is silent is no error.
     virtual Checked<void> contact(const Call &call, const ProjectDevice &planned);
+    // So that it is known whether it stands there: where the bus does not tell that by itself, it is asked.
+    virtual Checked<void> lookFor(const Call &, const ProjectDevice &) { return {}; }
     // Its encoders are called as the project has them.
     virtual void useProject(const Call &, const Project &) {}
 

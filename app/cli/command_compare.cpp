@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/buses.h"
+#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "cli/text_table.h"
@@ -38,10 +39,21 @@ void compareBus(const Project &project, const EncoderBus &bus, const Catalog &ca
                        rules.comparisonText(line, project, bus.id(), connected, catalog)});
         const Participant *wanted = line.configured ? &devices[*line.configured].participant : nullptr;
         const Participant *found = line.connected ? &connected.devices[*line.connected] : nullptr;
-        all.lines.append(QJsonObject{{QStringLiteral("comparison"), comparisonKindKey(line.kind)},
+        all.lines.append(QJsonObject{{QStringLiteral("bus"), bus.id().number},
+                                     {QStringLiteral("comparison"), comparisonKindKey(line.kind)},
                                      {QStringLiteral("configured"), participantJson(wanted)},
                                      {QStringLiteral("found"), participantJson(found)}});
     }
+}
+
+// What nobody looked at is not the same.
+void tellOthers(const Call &call, const Project &project)
+{
+    for (const PlannedBus &bus : project.buses)
+        if (call.findBus(bus.id) == nullptr && !devicesOn(project, bus.id).empty())
+            call.terminal.complain(sentence(
+                CommandLine::tr("\"%1\" of the project is not compared: the link does not lead there."),
+                {bus.name}));
 }
 
 Checked<Answer> runCompare(const Call &call)
@@ -53,8 +65,10 @@ Checked<Answer> runCompare(const Call &call)
     const std::vector<ProjectDevice> planned = devicesOfLink(call, *project);
     if (planned.empty() && call.buses.open().empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
-    if (const auto contacted = contactAll(call, planned); !contacted)
-        return tl::unexpected(contacted.error());
+    for (const ProjectDevice &device : planned)
+        if (const auto looked = call.busOf(device.place()).lookFor(call, device); !looked)
+            return tl::unexpected(looked.error());
+    tellOthers(call, *project);
     Compared all;
     for (const EncoderBus *bus : call.buses.open())
         compareBus(*project, *bus, call.catalog, all);

@@ -126,8 +126,10 @@ public:
     {
         Participant participant;
         participant.number = place.node;
-        if (m_encoders.contains(place.node))
-            participant.deviceKey = QStringLiteral("fraba-ocd-ib-k1");
+        if (const auto encoder = m_encoders.find(place.node); encoder != m_encoders.end()) {
+            participant.deviceKey = encoder->second->device().key;
+            participant.deviceCode = encoder->second->device().deviceCode;
+        }
         return std::ranges::count(places(), place) > 0 ? std::optional(participant) : std::nullopt;
     }
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &) const override { return {}; }

@@ -42,6 +42,10 @@ public:
     Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt) override;
     Checked<EncoderSession *> encoder(LineAddress address, const QString &deviceKey);
     Checked<void> contact(const Call &call, const ProjectDevice &planned) override;
+    Checked<void> lookFor(const Call &call, const ProjectDevice &planned) override
+    {
+        return contact(call, planned);
+    }
     void useProject(const Call &call, const Project &project) override;
 
     bool advance(Instant duration) override;

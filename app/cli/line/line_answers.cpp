@@ -41,9 +41,6 @@ constexpr std::array missing{
                               "Encoders on a serial line have no command that resets them to factory "
                               "settings. Write the values with codewheel-cli write.")},
     Missing{"master", QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master.")},
-    Missing{"compare",
-            QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no structure to compare with. See "
-                                                        "codewheel-cli scan.")},
 };
 
 // What went over the line; of several encoders each has the requests to its address.

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A kind of bus that the report does not know.
+#include "bus/buses.h"
+#include "project/bus_plans.h"
+#include "report/html_report.h"
+#include "report/live_encoders.h"
+#include "report/make_report.h"
+#include "report/transfer_report.h"
+#include "tests/support/plain_bus.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
+{
+    addBusKind(std::make_unique<test::PlainKind>());
+    const Catalog catalog = Catalog::builtIn();
+    test::PlainBus bus(catalog);
+    Buses buses;
+    buses.add(bus);
+    ReportInput input;
+    planBus(input.project, test::plainId, *busKind(u"plain")).name = QStringLiteral("Yard");
+    std::vector<ProjectDevice> devices;
+    for (const Place place : bus.places()) {
+        ProjectDevice &device = devices.emplace_back();
+        device.participant = *bus.found(place);
+        device.standAt(place);
+        device.station = place == test::plainHoist ? QStringLiteral("Hoist") : QString();
+    }
+    setDevicesOn(input.project, test::plainId, std::move(devices));
+    addConnected(input, buses);
+
+    const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
+    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "FRABA OCD-IB K1"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+} // namespace
+} // namespace codewheel
