@@ -26,9 +26,7 @@ QString howItIsSent(const DeviceDescription &device)
 ReviewRow rowOf(const EncoderSession &encoder, const WritePlan::Row &row)
 {
     const ParameterDescription &parameter = *encoder.device().find(row.value.parameter);
-    const auto text = [&](std::int64_t value) {
-        return valueText(parameter, value, encoder.valueOptions());
-    };
+    const auto text = [&](std::int64_t value) { return valueText(parameter, value, encoder.valueOptions()); };
     return {.cells = {parameterName(row.value.parameter),
                       row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.value.value),
                       sentText(row.step)},
