@@ -49,7 +49,8 @@ public:
     virtual std::vector<std::pair<Panel, QWidget *>> panels() const = 0;
     // The page that lays it beside the project.
     virtual QWidget *comparison() const = 0;
-    virtual QMenu *menu() const { return nullptr; } // of its row in the bus structure; null: none
+    virtual bool tellsState() const { return false; } // at the head of the status line
+    virtual QMenu *menu() const { return nullptr; }   // of its row in the bus structure; null: none
 
     // This bus is meant by actions, docks and status line, or another one is.
     void setCurrent(bool isCurrent);

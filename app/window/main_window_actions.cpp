@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the window do, and when they can be had.
+#include "app/window/bus_views.h"
 #include "app/window/help.h"
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
@@ -119,7 +120,9 @@ void MainWindow::showBusState()
     m_actions.operate->setChecked(isOperating);
     m_actions.start->setEnabled(isOpen && !chosen->isRunning());
     m_actions.stop->setEnabled(isOpen && chosen->isRunning());
-    m_status->setMode(isOperating);
+    const BusViews *views = viewsOf(m_chosenBus);
+    const bool tellsState = views == nullptr || views->tellsState();
+    m_status->setMode(isOperating, tellsState ? QString() : m_plant->nameOf(m_chosenBus));
     const auto open = isAttached ? m_buses->open() : std::vector<EncoderBus *>();
     QStringList names;
     for (const EncoderBus *bus : open)

@@ -24,6 +24,7 @@ public:
 
     std::vector<std::pair<Panel, QWidget *>> panels() const override;
     QWidget *comparison() const override;
+    bool tellsState() const override { return true; }
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void showPicture() override;

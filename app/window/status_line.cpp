@@ -101,9 +101,11 @@ void StatusLine::setState(Role role, const QString &text)
     m_state->setState(role, text);
 }
 
-void StatusLine::setMode(bool isOperating)
+void StatusLine::setMode(bool isOperating, const QString &bus)
 {
-    m_mode->setState(isOperating ? Role::running : Role::inactive, isOperating ? tr("Operate") : tr("Watch"));
+    const QString mode = isOperating ? tr("Operate") : tr("Watch");
+    m_mode->setState(isOperating ? Role::running : Role::inactive,
+                     bus.isEmpty() ? mode : QStringLiteral("%1: %2").arg(bus, mode));
 }
 
 void StatusLine::setEncoder(EncoderSession *encoder)

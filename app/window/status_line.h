@@ -33,7 +33,8 @@ public:
     void fit();                                     // after something of it changed
 
     void setState(Role role, const QString &text); // of the bus that has a master
-    void setMode(bool isOperating);                // of the chosen bus
+    // Of the chosen bus; with its name, where the state beside it is that of another one.
+    void setMode(bool isOperating, const QString &bus = {});
     void setEncoder(EncoderSession *encoder);
     void showPicture();
 

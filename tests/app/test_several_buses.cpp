@@ -9,6 +9,7 @@
 #include "tests/support/pty_pair.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/role_label.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/insert_panel.h"
@@ -20,6 +21,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTreeView>
 
@@ -62,6 +64,21 @@ protected:
         advance(50);
     }
 };
+
+TEST_F(SeveralBuses, TheStatusLineSaysWhoseModeStandsBesideTheStateOfTheRing)
+{
+    const auto mode = [this] {
+        return window().statusBar()->findChildren<RoleLabel *>().at(1)->word().toStdString();
+    };
+    EXPECT_EQ(mode(), "Operate");
+    choose(firstLine);
+    EXPECT_EQ(mode(), "Line: Operate");
+    actions().watch->trigger();
+    advance(50);
+    EXPECT_EQ(mode(), "Line: Watch");
+    choose(firstRing);
+    EXPECT_EQ(mode(), "Operate");
+}
 
 TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
 {
