@@ -6,6 +6,8 @@
 #include "project/project.h"
 #include "transfer/transfer_account.h"
 
+#include <QJsonArray>
+
 #include <algorithm>
 #include <functional>
 #include <vector>

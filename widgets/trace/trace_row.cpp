@@ -69,9 +69,9 @@ QString sinceLastText(const TraceRow &row)
     return row.sinceLast ? QLocale().toString(inMilliseconds(*row.sinceLast), 'f', 1) : QString();
 }
 
-QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow> &rows)
+QByteArray traceCsv(Place place, const DeviceDescription &device, const std::vector<TraceRow> &rows)
 {
-    QString csv = QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark\r\n");
+    QString csv = QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark,bus,place\r\n");
     for (const TraceRow &row : rows)
         csv +=
             QStringList{row.at.toString(Qt::ISODateWithMs),
@@ -80,7 +80,9 @@ QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow>
                         hexWord(row.exchange.out),
                         hexWord(row.exchange.in),
                         csvText(exchangeText(device, row)),
-                        csvText(row.remark)}
+                        csvText(row.remark),
+                        QString::number(place.bus.number),
+                        place.toString()}
                 .join(QLatin1Char(',')) +
             QLatin1String("\r\n");
     return csv.toUtf8();

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/exchange.h"
+#include "encoder/place.h"
 
 #include <QDateTime>
 
@@ -27,7 +28,7 @@ QString traceTimeText(const TraceRow &row);
 QString sinceLastText(const TraceRow &row);
 
 // A table for other programs, with a header: comma separated, UTF-8, time as ISO 8601, whatever the locale.
-QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow> &rows);
+QByteArray traceCsv(Place place, const DeviceDescription &device, const std::vector<TraceRow> &rows);
 // Tab separated as on the screen, without a header.
 QString traceText(const DeviceDescription &device, const std::vector<TraceRow> &rows);
 

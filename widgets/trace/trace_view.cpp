@@ -277,7 +277,9 @@ bool TraceView::exportTo(const QString &path)
 {
     if (!m_shown)
         return false;
-    const auto saved = replaceFile(path, traceCsv(m_shown->device(), m_shown->rows()), OldFile::goes);
+    const auto shown = std::ranges::find(m_models, m_shown, [](const auto &one) { return one.second.get(); });
+    const auto saved =
+        replaceFile(path, traceCsv(shown->first, m_shown->device(), m_shown->rows()), OldFile::goes);
     if (!saved) {
         m_message->showMessage(
             Role::attention,

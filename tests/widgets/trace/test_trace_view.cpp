@@ -212,10 +212,10 @@ TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).split(QStringLiteral("\r\n"));
-    EXPECT_EQ(lines.at(0), QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark"));
+    EXPECT_EQ(lines.at(0), QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark,bus,place"));
     EXPECT_TRUE(lines.at(1).startsWith(QLatin1String("2026-03-01T14:02:00."))) << lines.at(1).toStdString();
     EXPECT_TRUE(lines.at(1).contains(QLatin1String(",020000FF,")));
-    EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\""))) << lines.at(1).toStdString();
+    EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\",1,1.0"))) << lines.at(1).toStdString();
     EXPECT_FALSE(view.exportTo(folder.filePath(QStringLiteral("no/such/trace.csv"))));
     EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().contains(QLatin1String("was not written")));
 }
@@ -230,7 +230,7 @@ TEST_F(TraceViewTest, ARemarkIsNoFormulaInATable)
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const QString row = QString::fromUtf8(file.readAll()).split(QStringLiteral("\r\n")).at(1);
-    EXPECT_TRUE(row.endsWith(QLatin1String(",\"'=HYPERLINK(1)\""))) << row.toStdString();
+    EXPECT_TRUE(row.endsWith(QLatin1String(",\"'=HYPERLINK(1)\",1,1.0"))) << row.toStdString();
 }
 
 TEST_F(TraceViewTest, AnExportWithoutRoomLeavesTheOldOne)
