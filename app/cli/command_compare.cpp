@@ -100,6 +100,7 @@ const Subcommand compareCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
+    .namesProject = true,
     .run = runCompare,
 };
 

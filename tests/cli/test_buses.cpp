@@ -203,6 +203,8 @@ TEST_F(CliBuses, TheLinkProjectLeadsToAllBusesOfTheProject)
     EXPECT_EQ(buses[1][u"busName"], QStringLiteral("Crane 2"));
     EXPECT_EQ(errorKey(runLine(QStringLiteral("monitor 1.0") + call)), "placeNotUnique");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --link project --json"))), "noProject");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --link project --json").arg(file))), "busDiffers")
+        << "the project is its first argument";
 
     project.buses.push_back(planned(secondLine, "esc", "Gate"));
     ASSERT_TRUE(saveProject(project, file));
