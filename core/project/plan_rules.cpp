@@ -158,8 +158,9 @@ std::vector<PlanTarget> PlanRules::targets(const Project &project, BusId bus,
         if (whyNotAt(place, devices).isEmpty())
             free.push_back(place);
     if (chosen)
-        std::ranges::rotate(free, std::ranges::upper_bound(free, devices[*chosen].place().node));
+        std::rotate(free.begin(), std::ranges::upper_bound(free, devices[*chosen].place().node), free.end());
     std::vector<PlanTarget> targets;
+    targets.reserve(free.size());
     for (const NodeId place : free)
         targets.push_back({place.toString(), KindData(place)});
     return targets;

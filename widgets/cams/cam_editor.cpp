@@ -161,9 +161,9 @@ QString CamEditor::note(const Reading &reading) const
         return tr("Not up to date: %1", "a sentence").arg(ageSentence(*session()));
     if (reading.cams && live.isTold)
         return tr("Program %1 runs in the encoder. \"Now\" is what it shows.").arg(m_sheet->number());
-    const QString would = live.knowsAny()
-                              ? tr("\"Now\" is what the cams of program %1 would be.").arg(m_sheet->number())
-                              : tr("What its cams would be is not known.");
+    QString would = live.knowsAny()
+                        ? tr("\"Now\" is what the cams of program %1 would be.").arg(m_sheet->number())
+                        : tr("What its cams would be is not known.");
     if (!m_sheet->abilities().hasMode)
         return would;
     if (reading.cams && reading.camProgram)
