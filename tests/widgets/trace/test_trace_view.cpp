@@ -215,7 +215,8 @@ TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
     EXPECT_EQ(lines.at(0), QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark,bus,place"));
     EXPECT_TRUE(lines.at(1).startsWith(QLatin1String("2026-03-01T14:02:00."))) << lines.at(1).toStdString();
     EXPECT_TRUE(lines.at(1).contains(QLatin1String(",020000FF,")));
-    EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\",1,1.0"))) << lines.at(1).toStdString();
+    EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\",1,1.0")))
+        << lines.at(1).toStdString();
     EXPECT_FALSE(view.exportTo(folder.filePath(QStringLiteral("no/such/trace.csv"))));
     EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().contains(QLatin1String("was not written")));
 }
