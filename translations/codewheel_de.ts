@@ -5413,10 +5413,6 @@ Angaben passen. Braucht keinen Bus.</translation>
         <translation>&quot;%1&quot; ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
     </message>
     <message>
-        <source>The project has several devices at the station &quot;%1&quot;: %2. Give the device number.</source>
-        <translation>Das Projekt hat mehrere Teilnehmer an der Station &quot;%1&quot;: %2. Die Teilnehmernummer angeben.</translation>
-    </message>
-    <message>
         <source>The bus differs from the project, so &quot;%1&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
         <translation>Der Bus weicht vom Projekt ab, also kann &quot;%1&quot; woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
     </message>
@@ -6304,8 +6300,32 @@ Geber des Projekts gefragt, wer sie sind; einer, der nicht antwortet, fehlt.
 Sendet nichts an einen Ring.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; of the project is not compared: the link does not lead there.</source>
-        <translation>&quot;%1&quot; des Projekts wird nicht verglichen: Die Verbindung führt nicht dorthin.</translation>
+        <source>Not compared, since the link does not lead there, or it cannot be reached: %1.</source>
+        <translation>Nicht verglichen, weil die Verbindung nicht dorthin führt oder er nicht erreichbar ist: %1.</translation>
+    </message>
+    <message>
+        <source>The call names two projects: %1 and %2. Leave --project out.</source>
+        <translation>Der Aufruf nennt zwei Projekte: %1 und %2. --project weglassen.</translation>
+    </message>
+    <message>
+        <source>The project has no buses.</source>
+        <translation>Das Projekt hat keine Busse.</translation>
+    </message>
+    <message>
+        <source>The project has several devices at the station &quot;%1&quot;. Give one of these: %2.</source>
+        <translation>Das Projekt hat mehrere Teilnehmer an der Station &quot;%1&quot;. Einen davon angeben: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the name of one bus and the number of another. Rename it.</source>
+        <translation>&quot;%1&quot; ist der Name eines Busses und die Nummer eines anderen. Ihn umbenennen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a station of the project, and a place on a bus. Give the number of the bus and the place: %2.</source>
+        <translation>&quot;%1&quot; ist eine Station des Projekts und ein Platz an einem Bus. Nummer des Busses und Platz angeben: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no bus of this kind: %2. There is: %3.</source>
+        <translation>&quot;%1&quot; ist kein Bus dieser Art: %2. Es gibt: %3.</translation>
     </message>
 </context>
 <context>

@@ -18,13 +18,15 @@ constexpr const char *compareExamples[] = {"compare docs/examples/crane.codewhee
 
 struct Compared
 {
-    TextTable table;
+    QString text;
     QJsonArray lines;
     int differences = 0;
 };
 
-void compareBus(const Project &project, const EncoderBus &bus, const Catalog &catalog, Compared &all)
+// Of several buses each has its heading.
+void compareBus(const Call &call, const Project &project, const BusAccess &access, Compared &all)
 {
+    const EncoderBus &bus = access.bus();
     const PlannedBus *planned = findBus(project, bus.id());
     const BusKind *kind = planned ? busKind(planned->kind) : nullptr;
     if (kind == nullptr)
@@ -34,26 +36,32 @@ void compareBus(const Project &project, const EncoderBus &bus, const Catalog &ca
     const Comparison comparison = rules.compare(project, bus.id(), connected);
     all.differences += differences(comparison);
     const auto devices = devicesOn(project, bus.id());
+    TextTable table;
     for (const ComparisonLine &line : comparison) {
-        all.table.add({comparisonKindName(line.kind),
-                       rules.comparisonText(line, project, bus.id(), connected, catalog)});
+        table.add({comparisonKindName(line.kind),
+                   rules.comparisonText(line, project, bus.id(), connected, call.catalog)});
         const Participant *wanted = line.configured ? &devices[*line.configured].participant : nullptr;
         const Participant *found = line.connected ? &connected.devices[*line.connected] : nullptr;
         all.lines.append(QJsonObject{{QStringLiteral("bus"), bus.id().number},
+                                     {QStringLiteral("busName"), planned->name},
                                      {QStringLiteral("comparison"), comparisonKindKey(line.kind)},
                                      {QStringLiteral("configured"), participantJson(wanted)},
                                      {QStringLiteral("found"), participantJson(found)}});
     }
+    if (project.buses.size() > 1)
+        all.text +=
+            (all.text.isEmpty() ? QString() : QStringLiteral("\n")) + planned->name + QStringLiteral(":\n");
+    all.text += table.toString();
 }
 
 // What nobody looked at is not the same.
-void tellOthers(const Call &call, const Project &project)
+QString notCompared(const Call &call, const Project &project)
 {
+    QStringList names;
     for (const PlannedBus &bus : project.buses)
-        if (call.findBus(bus.id) == nullptr && !devicesOn(project, bus.id).empty())
-            call.terminal.complain(sentence(
-                CommandLine::tr("\"%1\" of the project is not compared: the link does not lead there."),
-                {bus.name}));
+        if (call.buses.open(bus.id) == nullptr && !devicesOn(project, bus.id).empty())
+            names << bus.name;
+    return names.join(QStringLiteral(", "));
 }
 
 Checked<Answer> runCompare(const Call &call)
@@ -65,14 +73,21 @@ Checked<Answer> runCompare(const Call &call)
     const std::vector<ProjectDevice> planned = devicesOfLink(call, *project);
     if (planned.empty() && call.buses.open().empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
-    for (const ProjectDevice &device : planned)
-        if (const auto looked = call.busOf(device.place()).lookFor(call, device); !looked)
-            return tl::unexpected(looked.error());
-    tellOthers(call, *project);
+    if (const auto looked = contactAll(call, planned, &BusAccess::lookFor); !looked)
+        return tl::unexpected(looked.error());
     Compared all;
-    for (const EncoderBus *bus : call.buses.open())
-        compareBus(*project, *bus, call.catalog, all);
-    Answer answer{all.table.toString(), {{QStringLiteral("lines"), all.lines}}};
+    for (const BusAccess *bus : call.links)
+        if (bus->bus().isOpen())
+            compareBus(call, *project, *bus, all);
+    Answer answer{all.text, {{QStringLiteral("lines"), all.lines}}};
+    if (const QString others = notCompared(call, *project); all.differences == 0 && !others.isEmpty())
+        answer.complaint =
+            Complaint{ExitCode::refused,
+                      QStringLiteral("notAllCompared"),
+                      sentence(CommandLine::tr("Not compared, since the link does not lead there, or it "
+                                               "cannot be reached: %1."),
+                               {others}),
+                      {others}};
     if (all.differences > 0)
         answer.complaint =
             Complaint{ExitCode::refused,

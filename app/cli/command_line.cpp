@@ -17,6 +17,7 @@
 #include "project/project_file.h"
 #include "user_devices.h"
 
+#include <QFileInfo>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -125,12 +126,18 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
     return command.needsBus || (command.busOption != nullptr && arguments.has(command.busOption));
 }
 
-// Of --project, else that of its first argument.
+// Of --project, else that of its first argument. One call has one project.
 Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments)
 {
-    if (!command.namesProject || arguments.has("--project") || arguments.rest.isEmpty())
+    if (!command.namesProject || arguments.rest.isEmpty())
         return projectNamed(arguments);
-    auto project = loadProject(arguments.rest.front());
+    const QString &file = arguments.rest.front();
+    if (const auto other = arguments.value("--project");
+        other && QFileInfo(*other).canonicalFilePath() != QFileInfo(file).canonicalFilePath())
+        return badInput(QStringLiteral("twoProjects"),
+                        CommandLine::tr("The call names two projects: %1 and %2. Leave --project out."),
+                        {file, *other});
+    auto project = loadProject(file);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
     return *std::move(project);
@@ -140,8 +147,9 @@ Checked<std::optional<Project>> projectOf(const Subcommand &command, const Argum
 Checked<std::vector<MakeLink>> checkLink(const Subcommand &command, const Arguments &arguments)
 {
     const QString typed = arguments.value("--link").value_or(QStringLiteral("training"));
-    const auto project =
-        needsProject(typed) ? projectOf(command, arguments) : Checked<std::optional<Project>>(std::nullopt);
+    const auto project = needsBus(command, arguments) || needsProject(typed)
+                             ? projectOf(command, arguments)
+                             : Checked<std::optional<Project>>(std::nullopt);
     if (!project)
         return tl::unexpected(project.error());
     return linksMeant(typed, *project ? &**project : nullptr);

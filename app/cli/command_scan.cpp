@@ -2,6 +2,7 @@
 #include "bus/encoder_bus.h"
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/json.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
@@ -82,6 +83,8 @@ void addBus(const Call &call, const BusAccess &bus, const Answer &found, QJsonAr
     json.insert(QStringLiteral("bus"), bus.bus().id().number);
     json.insert(QStringLiteral("busName"), bus.name());
     json.insert(QStringLiteral("kind"), bus.kind());
+    if (found.complaint)
+        json.insert(QStringLiteral("error"), errorJson(*found.complaint));
     buses.append(json);
     for (auto one = found.json.begin(); one != found.json.end(); ++one)
         if (!answer.json.contains(one.key()))
@@ -95,6 +98,11 @@ void addBus(const Call &call, const BusAccess &bus, const Answer &found, QJsonAr
         answer.complaint = found.complaint;
 }
 
+bool wasCancelled(const Answer &answer)
+{
+    return answer.complaint && answer.complaint->key == QStringLiteral("scanCancelled");
+}
+
 // What one bus refuses does not keep the others from being looked at.
 Checked<Answer> runScan(const Call &call)
 {
@@ -104,6 +112,8 @@ Checked<Answer> runScan(const Call &call)
     QJsonArray buses;
     std::vector<BusAccess *> found;
     for (BusAccess *bus : call.links) {
+        if (wasCancelled(answer))
+            break;
         const auto its = bus->scan(call);
         if (!its && call.links.size() == 1)
             return tl::unexpected(its.error());
@@ -113,7 +123,8 @@ Checked<Answer> runScan(const Call &call)
                buses, answer);
     }
     answer.json.insert(QStringLiteral("buses"), buses);
-    saveFound(call, found, answer);
+    if (!wasCancelled(answer)) // what was not looked for any more is not gone
+        saveFound(call, found, answer);
     return answer;
 }
 

@@ -31,11 +31,12 @@ Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
 {
     const QString place = encoder.place().shown();
     const auto isMeant = [&](const QString &typed) {
-        const auto meant = placeMeant(call, nullptr, typed);
+        const auto meant = placeMeant(call, call.project, typed);
         return meant && *meant == encoder.place();
     };
     const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
-    if (std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
+    if (isMeant(named) ||
+        std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
         return {};
     if (canAsk(call) &&
         isMeant(call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place}))))

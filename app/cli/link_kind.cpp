@@ -5,7 +5,8 @@
 #include "cli/line/line_link_kind.h"
 #include "cli/ring/ring_link_kind.h"
 #include "cli/texts.h"
-#include "project/project.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 
 #include <algorithm>
 
@@ -74,11 +75,11 @@ Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
                     {text.scheme + u':' + text.where, keysOf(those)});
 }
 
-std::vector<MakeLink> trainingLinks()
+std::vector<MakeLink> trainingLinks(const Project *project)
 {
     std::vector<MakeLink> links;
     for (const LinkKind *kind : linkKinds())
-        if (MakeLink training = kind->training())
+        if (MakeLink training = kind->training(project))
             links.push_back(std::move(training));
     return links;
 }
@@ -89,6 +90,8 @@ Checked<std::vector<MakeLink>> linksOf(const Project *project)
         return badInput(
             QStringLiteral("noProject"),
             CommandLine::tr("The link \"project\" needs a project. Name it with --project FILE."));
+    if (project->buses.empty())
+        return badInput(QStringLiteral("noBuses"), CommandLine::tr("The project has no buses."));
     std::vector<MakeLink> links;
     for (const PlannedBus &bus : project->buses)
         for (const LinkKind *kind : linkKinds())
@@ -142,6 +145,21 @@ std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind
             }};
 }
 
+BusId numberOf(const LinkKind &kind, const Project *project, std::optional<BusId> meant)
+{
+    const BusKind &its = *busKind(kind.bus());
+    const BusId training = its.trainingBus().value_or(BusId{});
+    if (project == nullptr || meant)
+        return meant.value_or(training);
+    std::vector<BusId> planned;
+    for (const PlannedBus &bus : project->buses)
+        if (bus.kind == kind.bus())
+            planned.push_back(bus.id);
+    if (planned.size() == 1)
+        return planned.front();
+    return std::ranges::count(planned, training) > 0 ? training : freeNumber(*project, its);
+}
+
 bool needsProject(const QString &link)
 {
     const auto text = LinkText::parse(link);
@@ -151,7 +169,7 @@ bool needsProject(const QString &link)
 Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *project)
 {
     if (typed == trainingLink)
-        return trainingLinks();
+        return trainingLinks(project);
     if (typed == projectLink)
         return linksOf(project);
     auto text = LinkText::parse(typed);

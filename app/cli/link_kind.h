@@ -37,7 +37,9 @@ public:
     virtual Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const = 0;
     // Of a bus of this kind that the project plans.
     virtual MakeLink planned(const Project &project, BusId bus) const = 0;
-    virtual MakeLink training() const = 0; // the simulated bus; none: there is none
+    // The simulated bus, which stands for the one of the project, null where there is none; none: it has
+    // none.
+    virtual MakeLink training(const Project *project) const = 0;
     virtual std::span<const Subcommand *const> commands() const { return {}; }
     virtual std::span<const Option> scanOptions() const { return {}; } // of the search for encoders
     // Of a device on this kind of bus, whose words are none; nothing: it is explained as all others.
@@ -53,6 +55,10 @@ public:
 std::vector<const LinkKind *> linkKinds();
 // Until what is given back ends.
 std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind);
+
+// The number of a bus of this kind that the call reaches: that of the bus of the project that is meant; else
+// that of its training bus, or of its only one of this kind; else one that the project gives to no bus.
+BusId numberOf(const LinkKind &kind, const Project *project, std::optional<BusId> meant = {});
 
 // What --link names: "training", the simulated bus of each kind; "project", all that the project plans;
 // SCHEME:WHERE of the kind that has this scheme, or, where several have it, of the one that protocol= names.

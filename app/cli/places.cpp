@@ -2,6 +2,7 @@
 #include "cli/places.h"
 
 #include "bus/encoder_bus.h"
+#include "catalog/device_description.h"
 #include "catalog/label_key.h"
 #include "cli/bus_access.h"
 #include "cli/device_text.h"
@@ -31,7 +32,7 @@ std::vector<Place> placesOn(const std::vector<BusAccess *> &buses, const QString
 std::vector<Place> placesAt(const Project *project, const QString &station, std::optional<BusId> bus)
 {
     std::vector<Place> places;
-    if (project != nullptr)
+    if (project != nullptr && !station.isEmpty())
         for (const ProjectDevice &device : project->devices)
             if (device.station == station && (!bus || device.bus == *bus))
                 places.push_back(device.place());
@@ -44,6 +45,15 @@ QString named(const Call &call, Place place)
     return bus != nullptr && call.links.size() > 1
                ? QStringLiteral("%1/%2").arg(bus->name(), place.toString())
                : place.toString();
+}
+
+// With the numbers of their buses.
+QString numbers(const std::vector<Place> &places)
+{
+    QStringList texts;
+    for (const Place place : places)
+        texts << QStringLiteral("%1/%2").arg(place.bus.number).arg(place.toString());
+    return texts.join(QStringLiteral(", "));
 }
 
 QString list(const Call &call, const std::vector<Place> &places)
@@ -73,8 +83,8 @@ Checked<Place> atStation(const Call &call, const Project &project, const std::ve
 {
     if (places.size() > 1)
         return badInput(QStringLiteral("stationNotUnique"),
-                        CommandLine::tr("The project has several devices at the station \"%1\": %2. Give the "
-                                        "device number."),
+                        CommandLine::tr("The project has several devices at the station \"%1\". Give one of "
+                                        "these: %2."),
                         {station, list(call, places)});
     const Place place = places.front();
     const BusAccess *bus = call.findBus(place.bus);
@@ -94,15 +104,19 @@ const LinkKind *kindOfPlace(const QString &typed)
     return nullptr;
 }
 
-tl::unexpected<Complaint> notThere(const std::vector<BusAccess *> &buses, bool hasProject,
+tl::unexpected<Complaint> notThere(const Call &call, const std::vector<BusAccess *> &buses, bool hasProject,
                                    const QString &typed)
 {
-    if (const LinkKind *kind = kindOfPlace(typed))
+    const LinkKind *kind = kindOfPlace(typed);
+    const auto isOfKind = [kind](const BusAccess *bus) { return bus->kind() == kind->bus(); };
+    if (kind != nullptr && std::ranges::none_of(call.links, isOfKind))
         return badInput(
             QStringLiteral("placeOnBus"),
             CommandLine::tr("%1 is a place on a bus that the link does not lead to (%2). Places there "
                             "are: %3."),
             {typed, busKind(kind->bus())->title(), buses.front()->somePlaces()});
+    if (kind != nullptr && buses.size() < call.links.size()) // of the bus that was named
+        return tl::unexpected(buses.front()->notAPlace(typed));
     if (hasProject)
         return badInput(QStringLiteral("unknownStation"),
                         CommandLine::tr("\"%1\" is neither a device number nor a station of the project."),
@@ -111,10 +125,10 @@ tl::unexpected<Complaint> notThere(const std::vector<BusAccess *> &buses, bool h
     return tl::unexpected((meant == buses.end() ? buses.front() : *meant)->notAPlace(typed));
 }
 
-QString busNames(const Call &call)
+QString busNames(const std::vector<BusAccess *> &buses)
 {
     QStringList names;
-    for (const BusAccess *bus : call.links)
+    for (const BusAccess *bus : buses)
         names << bus->name();
     return names.join(QStringLiteral(", "));
 }
@@ -130,21 +144,42 @@ Checked<Place> placeOn(const Call &call, const std::vector<BusAccess *> &buses, 
         return atStation(call, *project, places, typed);
     if (const auto places = placesOn(buses, typed, Form::any); !places.empty())
         return onlyOne(call, places, typed);
-    return notThere(buses, project != nullptr, typed);
-}
-
-// By its name, else by its number.
-BusAccess *findBus(const Call &call, const QString &name)
-{
-    const auto found = std::ranges::find(call.links, name, &BusAccess::name);
-    return found == call.links.end() ? call.findBus({name.toInt()}) : *found;
+    return notThere(call, buses, project != nullptr, typed);
 }
 
 tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
 {
     return badInput(QStringLiteral("unknownBus"),
                     CommandLine::tr("The link leads to no bus \"%1\". The buses are: %2."),
-                    {name, busNames(call)});
+                    {name, busNames(call.links)});
+}
+
+// By its name, else by its number.
+Checked<BusAccess *> findBus(const Call &call, const QString &name)
+{
+    const auto found = std::ranges::find(call.links, name, &BusAccess::name);
+    const int number = name.toInt();
+    BusAccess *numbered = QString::number(number) == name ? call.findBus({number}) : nullptr;
+    BusAccess *named = found == call.links.end() ? numbered : *found;
+    if (named == nullptr)
+        return noSuchBus(call, name);
+    if (numbered == nullptr || numbered == named)
+        return named;
+    return badInput(QStringLiteral("busNotUnique"),
+                    CommandLine::tr("\"%1\" is the name of one bus and the number of another. Rename it."),
+                    {name});
+}
+
+// Why it is not the encoder that the project has there; --device says what to take it for.
+std::optional<Refusal> whyOther(const Call &call, Place place)
+{
+    const ProjectDevice *planned = call.project != nullptr ? findDevice(*call.project, place) : nullptr;
+    if (planned == nullptr)
+        return std::nullopt;
+    const EncoderBus &bus = call.busOf(place).bus();
+    const EncoderSession *encoder = bus.encoder(place);
+    return bus.isOther(place, encoder != nullptr ? encoder->device().key : QString(),
+                       planned->label.serialNumber);
 }
 
 Checked<EncoderSession *> encoderMeant(const Call &call, const QString &typed, bool namesIt)
@@ -155,20 +190,34 @@ Checked<EncoderSession *> encoderMeant(const Call &call, const QString &typed, b
     BusAccess &bus = call.busOf(*place);
     if (const auto why = bus.whyNot(call.command))
         return tl::unexpected(*why);
-    return bus.encoder(call, place->node, namesIt);
+    auto encoder = bus.encoder(call, place->node, namesIt);
+    if (const auto other = encoder && namesIt ? whyOther(call, *place) : std::nullopt)
+        return tl::unexpected(complaintAbout(*other));
+    return encoder;
 }
 
 } // namespace
 
+// A text that is a station as it stands, and a place behind the name of a bus too, is neither.
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed)
 {
-    const qsizetype slash = typed.lastIndexOf(u'/');
-    if (slash < 0 || !placesAt(project, typed, {}).empty())
+    const qsizetype slash = typed.indexOf(u'/');
+    if (slash < 0)
         return placeOn(call, call.links, project, typed);
-    BusAccess *bus = findBus(call, typed.first(slash));
-    if (bus == nullptr)
-        return noSuchBus(call, typed.first(slash));
-    return placeOn(call, {bus}, project, typed.sliced(slash + 1));
+    const auto onBus = findBus(call, typed.first(slash)).and_then([&](BusAccess *bus) {
+        return placeOn(call, {bus}, project, typed.sliced(slash + 1));
+    });
+    std::vector<Place> stations = placesAt(project, typed, {});
+    if (stations.empty())
+        return onBus;
+    if (!onBus)
+        return atStation(call, *project, stations, typed);
+    stations.push_back(*onBus);
+    return badInput(
+        QStringLiteral("placeNotUnique"),
+        CommandLine::tr("\"%1\" is a station of the project, and a place on a bus. Give the number "
+                        "of the bus and the place: %2."),
+        {typed, numbers(stations)});
 }
 
 Checked<EncoderSession *> encoderAt(const Call &call)
@@ -211,22 +260,26 @@ Checked<void> nameDevice(const Call &call, Place place)
 
 Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
 {
-    if (const auto name = call.arguments.value("--bus")) {
-        BusAccess *bus = findBus(call, *name);
-        return bus != nullptr && bus->kind() == kind ? Checked<BusAccess *>(bus) : noSuchBus(call, *name);
-    }
     std::vector<BusAccess *> buses;
     std::ranges::copy_if(call.links, std::back_inserter(buses),
                          [&](const BusAccess *bus) { return bus->kind() == kind; });
-    if (buses.size() == 1)
-        return buses.front();
     if (buses.empty())
         return badInput(QStringLiteral("noSuchBus"),
                         CommandLine::tr("The link leads to no bus of this kind: %1."),
                         {busKind(kind)->title()});
+    if (const auto name = call.arguments.value("--bus")) {
+        const auto bus = findBus(call, *name);
+        if (!bus || (*bus)->kind() == kind)
+            return bus;
+        return badInput(QStringLiteral("noSuchBus"),
+                        CommandLine::tr("\"%1\" is no bus of this kind: %2. There is: %3."),
+                        {*name, busKind(kind)->title(), busNames(buses)});
+    }
+    if (buses.size() == 1)
+        return buses.front();
     return badInput(QStringLiteral("busNotUnique"),
                     CommandLine::tr("The link leads to several buses. Name one with --bus: %1."),
-                    {busNames(call)});
+                    {busNames(buses)});
 }
 
 QJsonObject placeJson(const Call &call, Place place, QJsonObject more)

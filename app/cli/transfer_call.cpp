@@ -21,6 +21,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace codewheel {
 namespace {
@@ -119,11 +121,23 @@ std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &projec
     return devices;
 }
 
-Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices)
+Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
+                         Checked<void> (BusAccess::*how)(const Call &, const ProjectDevice &))
 {
-    for (const ProjectDevice &device : devices)
-        if (auto there = call.busOf(device.place()).contact(call, device); !there)
-            return there;
+    std::set<BusId> reached;
+    std::map<BusId, Complaint> failed;
+    for (const ProjectDevice &device : devices) {
+        if (failed.contains(device.bus))
+            continue;
+        if (const auto there = (call.busOf(device.place()).*how)(call, device); there)
+            reached.insert(device.bus);
+        else
+            failed[device.bus] = there.error();
+    }
+    if (reached.empty() && !failed.empty())
+        return tl::unexpected(failed.begin()->second);
+    for (const auto &[bus, why] : failed)
+        call.terminal.complain(QStringLiteral("%1: %2").arg(call.findBus(bus)->name(), why.text));
     return {};
 }
 

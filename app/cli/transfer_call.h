@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/allowed_jobs.h"
+#include "cli/bus_access.h"
 #include "cli/subcommand.h"
 #include "project/project.h"
 #include "transfer/transfer_account.h"
@@ -26,8 +27,11 @@ void addOnce(std::vector<T> &all, const T &one)
 
 // The devices of the project on the buses that the link leads to.
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project);
-// So that each encoder shows where it stands.
-Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices);
+// So that each encoder shows where it stands, or it is known whether it is there (BusAccess::lookFor). A bus
+// that cannot be reached is told; it is refused where none can.
+Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
+                         Checked<void> (BusAccess::*how)(const Call &,
+                                                         const ProjectDevice &) = &BusAccess::contact);
 
 // The devices of the project named in the call by place or station, from its second argument on; without any,
 // all that the link leads to; each once, and so that it shows where it stands. Refuses a place that the

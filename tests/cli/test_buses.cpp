@@ -131,8 +131,47 @@ TEST_F(CliBuses, WhatIsNoBusOrNotOnItIsRefused)
     EXPECT_EQ(told("monitor", "Crane 3/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
     EXPECT_EQ(told("monitor", "Crane 2/9.0")[u"error"][u"key"], QStringLiteral("unknownDevice"));
     EXPECT_EQ(told("monitor", "Gate 1/Right")[u"error"][u"key"], QStringLiteral("unknownStation"));
-    EXPECT_EQ(told("monitor", "Crane 2/05")[u"error"][u"key"], QStringLiteral("placeOnBus"));
+    EXPECT_EQ(told("monitor", "Crane 2/05")[u"error"][u"key"], QStringLiteral("unknownDevice"));
     EXPECT_EQ(told("monitor", "/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
+}
+
+// Nobody can tell which one a script means.
+TEST_F(CliBuses, AStationThatReadsLikeAPlaceOnABusIsRefused)
+{
+    findDevice(project, {secondLine, LineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/2.0");
+    const QJsonObject json = told("monitor", "Crane 1/2.0");
+    EXPECT_EQ(json[u"error"][u"key"], QStringLiteral("placeNotUnique"));
+    EXPECT_EQ(told("monitor", "1/2.0")[u"busName"], QStringLiteral("Crane 1"));
+    EXPECT_EQ(told("monitor", "4/esc:12")[u"busName"], QStringLiteral("Gate 2"));
+    findDevice(project, {secondLine, LineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/top");
+    EXPECT_EQ(told("monitor", "Crane 1/top")[u"busName"], QStringLiteral("Gate 2")) << "there is no other";
+}
+
+TEST_F(CliBuses, NoPlaceIsNoDeviceWithoutAStation)
+{
+    for (ProjectDevice &device : project.devices)
+        device.station.clear();
+    for (const char *nothing : {"", "Gate 1/"}) {
+        const CliRun run =
+            this->run({QStringLiteral("preset"), QString::fromLatin1(nothing), QStringLiteral("5")});
+        EXPECT_EQ(run.exit, 2) << nothing;
+    }
+}
+
+TEST_F(CliBuses, ANameThatIsTheNumberOfAnotherBusIsRefused)
+{
+    project.buses[0].name = QStringLiteral("3");
+    EXPECT_EQ(told("monitor", "3/2.0")[u"error"][u"key"], QStringLiteral("busNotUnique"));
+    EXPECT_EQ(told("monitor", "1/2.0")[u"bus"], 1);
+    EXPECT_EQ(told("monitor", "01/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
+}
+
+TEST_F(CliBuses, AnEncoderThatTellsAnotherSerialNumberIsNotTheProjectsOne)
+{
+    findDevice(project, {firstLine, LineAddress{5}.node()})->label.serialNumber = QStringLiteral("DEADBEEF");
+    EXPECT_EQ(told("monitor", "Left")[u"error"][u"key"], QStringLiteral("serialDiffers"));
+    EXPECT_EQ(told("monitor", "Gate 1/05")[u"error"][u"key"], QStringLiteral("serialDiffers"));
+    EXPECT_EQ(told("monitor", "Right")[u"exit"], 0);
 }
 
 // In sentences and as one types it.
@@ -215,6 +254,51 @@ TEST_F(CliBuses, TheLinkProjectLeadsToAllBusesOfTheProject)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("monitor 05") + call)), "noPortInProject");
 }
 
+TEST_F(CliBuses, OneCallHasOneProjectWithBuses)
+{
+    const QString other = folder.filePath(QStringLiteral("other.codewheel"));
+    ASSERT_TRUE(saveProject(project, file) && saveProject(project, other));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --project %2 --json").arg(file, other))),
+              "twoProjects");
+    project.buses.clear();
+    project.devices.clear();
+    ASSERT_TRUE(saveProject(project, file));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --link project --json --project ") + file)), "noBuses");
+}
+
+// What was not looked at is not the same.
+TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
+{
+    project.buses = {planned(secondLine, "esc", "Gate 2")};
+    project.devices.erase(project.devices.begin());
+    ASSERT_TRUE(saveProject(project, file));
+    LinePlan plan;
+    plan.wish.port = QStringLiteral("/dev/none");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --link interbus:training --json").arg(file))),
+              "notAllCompared");
+}
+
+// A bus of the call is a bus of the project of its kind, and by its port.
+TEST_F(CliBuses, ALinkHasTheNumberOfTheBusThatIsMeant)
+{
+    const auto numberAt = [this](const char *link) {
+        const auto links = linksMeant(QString::fromLatin1(link), &project);
+        return (*links->front()(catalog, {}))->bus().id().number;
+    };
+    LinePlan right;
+    right.wish.port = QStringLiteral("/dev/ttyRight");
+    setLinePlan(project, secondLine, right);
+    EXPECT_EQ(numberAt("esc:/dev/ttyRight"), 4);
+    EXPECT_GT(numberAt("esc:/dev/ttyOther"), 4) << "none of the lines is there";
+    EXPECT_EQ(numberAt("esc:training"), 2);
+    EXPECT_EQ(numberAt("interbus:training"), 1);
+    project.buses = {planned(firstLine, "interbus", "Crane"), planned(secondRing, "interbus", "Crane 2")};
+    EXPECT_GT(numberAt("esc:/dev/ttyOther"), 3) << "number 2 is a ring";
+    EXPECT_EQ(numberAt("interbus:training"), 1) << "it is none of the two";
+    project.buses.pop_back();
+    EXPECT_EQ(numberAt("training"), 2) << "the only ring";
+}
+
 // A kind of bus that is reached by a scheme of another one too.
 class OtherKind final : public LinkKind
 {
@@ -228,7 +312,7 @@ public:
         return badInput(QStringLiteral("reached"), text.where + text.settings.join(u','));
     }
     MakeLink planned(const Project &, BusId) const override { return {}; }
-    MakeLink training() const override { return {}; }
+    MakeLink training(const Project *) const override { return {}; }
 };
 
 TEST(CliLinks, OfSeveralKindsWithASchemeTheProtocolChooses)

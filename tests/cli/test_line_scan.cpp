@@ -3,6 +3,7 @@
 #include "project/project_file.h"
 #include "tests/cli/shared_line.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 
@@ -114,6 +115,17 @@ TEST(CliLineScan, CtrlCEndsItWithWhatWasFound)
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(errorKey(run), "scanCancelled");
     EXPECT_THAT(addressesIn(run), ElementsAre("03", "05"));
+}
+
+// What was not asked any more would be gone from the project.
+TEST(CliLineScan, WhatWasCancelledIsNotSaved)
+{
+    SharedLine line;
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("line.codewheel"));
+    line.interruptAfter("0AN");
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("scan --json --save ") + file)), "scanCancelled");
+    EXPECT_FALSE(QFile::exists(file));
 }
 
 TEST(CliLineScan, SavesWhatAnswersAsAProject)

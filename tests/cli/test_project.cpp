@@ -114,7 +114,8 @@ TEST_F(CliProject, AStationThatIsNotThereOrTwiceIsBadInput)
     m_project.devices[1].station = QStringLiteral("hoist");
     const CliRun twice = run(wordsCommand, {QStringLiteral("hoist"), QStringLiteral("0")});
     EXPECT_EQ(twice.exit, 2);
-    EXPECT_THAT(twice.err, HasSubstr("several devices at the station \"hoist\": 1.0, 2.0."));
+    EXPECT_THAT(twice.err,
+                HasSubstr("several devices at the station \"hoist\". Give one of these: 1.0, 2.0."));
 }
 
 TEST_F(CliProject, NothingIsSentToAStationWhereTheBusDiffers)

@@ -163,11 +163,13 @@ Checked<LineLink> lineOf(const Project *project, BusId line)
             CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
                             "with --project FILE, or the port, as --link esc:ttyUSB0."));
     if (planned->wish.port.isEmpty())
-        return badInput(
+        return tl::unexpected(Complaint{
+            ExitCode::refused,
             QStringLiteral("noPortInProject"),
-            CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
-                            "name it, as --link esc:ttyUSB0."),
-            {findBus(*project, line)->name});
+            sentence(CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
+                                     "name it, as --link esc:ttyUSB0."),
+                     {findBus(*project, line)->name}),
+            {findBus(*project, line)->name}});
     LineLink link;
     link.wish = planned->wish;
     link.adapter = planned->adapter;

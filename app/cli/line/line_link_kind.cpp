@@ -7,6 +7,9 @@
 #include "cli/line/line_access.h"
 #include "cli/line/scan_line.h"
 #include "cli/texts.h"
+#include "links/port_access.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 
 #include <array>
 
@@ -14,6 +17,28 @@ namespace codewheel {
 namespace {
 
 constexpr std::array lineCommands{&terminalCommand, &serveCommand};
+
+std::vector<BusId> linesOf(const Project &project)
+{
+    std::vector<BusId> lines;
+    for (const PlannedBus &bus : project.buses)
+        if (bus.kind == QLatin1String(escKind))
+            lines.push_back(bus.id);
+    return lines;
+}
+
+// Whose port it is in the project. Nothing: it may be that of its only line; of several it is none.
+std::optional<BusId> lineAtPort(const Project *project, const QString &port)
+{
+    const std::vector<BusId> lines = project != nullptr ? linesOf(*project) : std::vector<BusId>();
+    for (const BusId line : lines)
+        if (portPath(linePlan(*project, line)->wish.port) == portPath(port))
+            return line;
+    const bool isPort = port != QStringLiteral("training");
+    return lines.size() > 1 && isPort
+               ? std::optional(freeNumber(*project, *busKind(QString::fromLatin1(escKind))))
+               : std::nullopt;
+}
 
 MakeLink lineTo(const LineLink &link, BusId id)
 {
@@ -48,11 +73,9 @@ Checked<std::vector<MakeLink>> LineLinkKind::links(const LinkText &text, const P
 {
     std::vector<BusId> lines;
     if (text.where == QStringLiteral("project") && project != nullptr)
-        for (const PlannedBus &bus : project->buses)
-            if (bus.kind == LineLinkKind::bus())
-                lines.push_back(bus.id);
+        lines = linesOf(*project);
     if (lines.empty())
-        lines.push_back(firstLine);
+        lines.push_back(numberOf(*this, project, lineAtPort(project, text.where)));
     std::vector<MakeLink> links;
     for (const BusId id : lines) {
         const auto link = lineMeant(text, project, id);
@@ -69,9 +92,9 @@ MakeLink LineLinkKind::planned(const Project &project, BusId bus) const
     return lineTo(link ? *link : LineLink{.whyNot = link.error()}, bus); // the other buses can be used
 }
 
-MakeLink LineLinkKind::training() const
+MakeLink LineLinkKind::training(const Project *project) const
 {
-    return lineTo({}, firstLine);
+    return lineTo({}, numberOf(*this, project));
 }
 
 std::span<const Subcommand *const> LineLinkKind::commands() const

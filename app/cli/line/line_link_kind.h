@@ -18,7 +18,7 @@ public:
     bool isPlace(const QString &typed) const override;
     Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
     MakeLink planned(const Project &project, BusId bus) const override;
-    MakeLink training() const override;
+    MakeLink training(const Project *project) const override;
     std::span<const Subcommand *const> commands() const override;
     std::span<const Option> scanOptions() const override;
     std::optional<Checked<Answer>> explain(const Call &call, const DeviceDescription &device) const override;

@@ -56,10 +56,10 @@ bool RingLinkKind::isPlace(const QString &typed) const
     return DeviceNumber::parse(typed).has_value();
 }
 
-Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *) const
+Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *project) const
 {
     if (text.where == QStringLiteral("training") && text.settings.isEmpty())
-        return std::vector{training()};
+        return std::vector{training(project)};
     return badInput(QStringLiteral("unknownLink"),
                     CommandLine::tr("There is no link \"%1\". The links are: %2."),
                     {(QStringList{text.scheme + u':' + text.where} + text.settings).join(u','), help()});
@@ -78,9 +78,9 @@ MakeLink RingLinkKind::planned(const Project &project, BusId bus) const
     };
 }
 
-MakeLink RingLinkKind::training() const
+MakeLink RingLinkKind::training(const Project *project) const
 {
-    return trainingRing(firstRing);
+    return trainingRing(numberOf(*this, project));
 }
 
 std::span<const Subcommand *const> RingLinkKind::commands() const
