@@ -87,8 +87,6 @@ EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encod
 Checked<AllowedRound> roundToRead(const Call &call, const Project &project)
 {
     std::vector<EncoderJobs> jobs;
-    if (const auto there = contactAll(call, devicesOfLink(call, project)); !there)
-        return tl::unexpected(there.error());
     for (const auto &[planned, encoder] : connectedEncoders(project, call.buses))
         jobs.push_back(jobsToRead(*planned, *encoder));
     return eepromConsent(call, std::move(jobs), AsksAnyway::no);
@@ -172,10 +170,11 @@ Checked<Answer> runReport(const Call &call)
     std::optional<Complaint> notRead;
     if (call.arguments.has("--read")) {
         useProject(call, input.project, name);
+        const auto there = contactAll(call, devicesOfLink(call, input.project));
         const auto round = roundToRead(call, input.project);
         if (!round)
             return tl::unexpected(round.error());
-        notRead = readEncoders(call, *round);
+        notRead = there ? readEncoders(call, *round) : std::optional(there.error());
         addConnected(input, call.buses);
     }
     if (const auto added = addLedger(call, name, input); !added)

@@ -12,6 +12,7 @@
 #include "simulator/simulated_line_link.h"
 #include "tests/cli/cli_run.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 
@@ -276,6 +277,22 @@ TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
     plan.wish.port = QStringLiteral("/dev/none");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --link interbus:training --json").arg(file))),
               "notAllCompared");
+}
+
+TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
+{
+    project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondLine, "esc", "Gate")};
+    project.devices.erase(project.devices.begin());
+    LinePlan plan;
+    plan.wish.port = QStringLiteral("/dev/none");
+    setLinePlan(project, secondLine, plan);
+    ASSERT_TRUE(saveProject(project, file));
+    const QString report = folder.filePath(QStringLiteral("report.html"));
+    const CliRun run =
+        runLine(QStringLiteral("report %1 --read --link project --json -o %2").arg(file, report));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "portNotFound");
+    EXPECT_TRUE(QFile::exists(report));
 }
 
 // A bus of the call is a bus of the project of its kind, and by its port.
