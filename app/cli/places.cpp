@@ -204,7 +204,7 @@ Checked<Place> placeMeant(const Call &call, const Project *project, const QStrin
     const qsizetype slash = typed.indexOf(u'/');
     if (slash < 0)
         return placeOn(call, call.links, project, typed);
-    const auto onBus = findBus(call, typed.first(slash)).and_then([&](BusAccess *bus) {
+    auto onBus = findBus(call, typed.first(slash)).and_then([&](BusAccess *bus) {
         return placeOn(call, {bus}, project, typed.sliced(slash + 1));
     });
     std::vector<Place> stations = placesAt(project, typed, {});
@@ -268,7 +268,7 @@ Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
                         CommandLine::tr("The link leads to no bus of this kind: %1."),
                         {busKind(kind)->title()});
     if (const auto name = call.arguments.value("--bus")) {
-        const auto bus = findBus(call, *name);
+        auto bus = findBus(call, *name);
         if (!bus || (*bus)->kind() == kind)
             return bus;
         return badInput(QStringLiteral("noSuchBus"),

@@ -22,7 +22,6 @@
 namespace codewheel {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr BusId secondRing{3};
