@@ -43,7 +43,7 @@ QString BusAccess::name() const
     if (!m_name.isEmpty())
         return m_name;
     const BusKind *kind = busKind(m_kind);
-    return kind != nullptr ? kind->usualName() : QStringLiteral("%1").arg(m_bus.id().number);
+    return kind != nullptr ? kind->usualName() : QString::number(m_bus.id().number);
 }
 
 void BusAccess::keepLedger(const std::optional<QString> &file)

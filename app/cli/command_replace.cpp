@@ -50,12 +50,7 @@ Checked<ProjectDevice> plannedAt(const Call &call, Place place)
 {
     if (const ProjectDevice *planned = findDevice(*call.project, place))
         return *planned;
-    QStringList places;
-    for (const ProjectDevice &device : devicesOfLink(call, *call.project))
-        places << device.place().shown();
-    return tl::unexpected(complaintAbout({RefusalKind::badInput,
-                                          RefusalId::noSuchProjectDevice,
-                                          {place.shown(), places.join(QStringLiteral(", "))}}));
+    return tl::unexpected(noSuchDevice(place.shown(), devicesOfLink(call, *call.project)));
 }
 
 Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)

@@ -125,9 +125,7 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before, after);
-    const QJsonObject more = account->toJson();
-    for (auto one = more.begin(); one != more.end(); ++one)
-        answer.json.insert(one.key(), one.value());
+    merge(answer.json, account->toJson());
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
         answer.complaint->text += u' ' + account->whereItWasLeft();

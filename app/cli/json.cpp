@@ -89,6 +89,12 @@ QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value)
     return json;
 }
 
+void merge(QJsonObject &into, const QJsonObject &more)
+{
+    for (auto one = more.begin(); one != more.end(); ++one)
+        into.insert(one.key(), one.value());
+}
+
 QString unitKey(Unit unit)
 {
     switch (unit) {

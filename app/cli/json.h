@@ -30,6 +30,9 @@ QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only where the value has a name.
 QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value);
 
+// What `more` has stands in `into` from now on.
+void merge(QJsonObject &into, const QJsonObject &more);
+
 QString unitKey(Unit unit);
 QString evidenceKey(Evidence evidence);
 QString stateKey(EncoderState state);

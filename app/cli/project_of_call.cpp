@@ -46,13 +46,14 @@ Checked<void> saveUnlessChanged(const Project &project, const QString &file, con
 void useProject(const Call &call, const Project &project, const QString &file)
 {
     nameBuses(call, project);
-    for (BusAccess *bus : call.links) {
+    for (BusAccess *bus : call.links)
         bus->useProject(call, project);
+    const ProjectPlaces places(project, call.buses);
+    for (const BusAccess *bus : call.links) {
         LedgerKeeper *ledger = bus->ledger();
         if (ledger == nullptr)
             continue;
         ledger->setProject(QFileInfo(file).absoluteFilePath());
-        const ProjectPlaces places(project, call.buses);
         for (const ProjectDevice &device : devicesOn(project, bus->bus().id()))
             if (!bus->bus().isOpen() || places.isAtItsPlace(device.place()))
                 ledger->setLabel(device.place(), device.label.serialNumber);

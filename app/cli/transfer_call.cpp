@@ -33,14 +33,6 @@ void passTime(const Call &call, Place place)
         bus->advance(bus->lookInterval());
 }
 
-QString placesOf(const std::vector<ProjectDevice> &devices)
-{
-    QStringList places;
-    for (const ProjectDevice &device : devices)
-        places << device.place().shown();
-    return places.join(QStringLiteral(", "));
-}
-
 // Before anything is written to an encoder.
 Checked<void> checkReport(const Arguments &arguments)
 {
@@ -106,12 +98,20 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
         return tl::unexpected(place.error());
     const auto found = isUnknown ? devices.end() : std::ranges::find(devices, *place, &ProjectDevice::place);
     if (found == devices.end())
-        return tl::unexpected(complaintAbout(
-            {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(devices)}}));
+        return tl::unexpected(noSuchDevice(typed, devices));
     return *found;
 }
 
 } // namespace
+
+Complaint noSuchDevice(const QString &typed, const std::vector<ProjectDevice> &devices)
+{
+    QStringList places;
+    for (const ProjectDevice &device : devices)
+        places << device.place().shown();
+    return complaintAbout(
+        {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, places.join(QStringLiteral(", "))}});
+}
 
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project)
 {

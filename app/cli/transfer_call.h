@@ -27,6 +27,8 @@ void addOnce(std::vector<T> &all, const T &one)
 
 // The devices of the project on the buses that the link leads to.
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project);
+// That none of these, which the project has, is what was typed.
+Complaint noSuchDevice(const QString &typed, const std::vector<ProjectDevice> &devices);
 // So that each encoder shows where it stands, or it is known whether it is there (BusAccess::lookFor). A bus
 // that cannot be reached is told; it is refused where none can.
 Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line/line_trace.h"
 
+#include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "esc/esc_bits.h"
@@ -45,12 +46,6 @@ QString answerKey(esc::Answer::Kind kind)
         break;
     }
     return QStringLiteral("outOfRange");
-}
-
-void merge(QJsonObject &into, const QJsonObject &more)
-{
-    for (auto one = more.begin(); one != more.end(); ++one)
-        into.insert(one.key(), one.value());
 }
 
 } // namespace
