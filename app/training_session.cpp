@@ -5,12 +5,12 @@ namespace codewheel {
 
 TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, TrainingBus training, BusId ring)
 {
-    auto bus = std::make_unique<BusSession>(std::move(training.link), catalog, std::move(begin), nullptr,
-                                            BusSession::DriverFactory(), ring);
+    auto bus = std::make_unique<RingSession>(std::move(training.link), catalog, std::move(begin), nullptr,
+                                             RingSession::DriverFactory(), ring);
     return {std::move(training.controls), std::move(bus)};
 }
 
-void tellTrainingPlan(BusSession &bus)
+void tellTrainingPlan(RingSession &bus)
 {
     for (const TrainingParticipant &planned : trainingPlan(bus.catalog()))
         for (const ParameterValue &value : planned.known)
@@ -21,7 +21,7 @@ void tellTrainingPlan(BusSession &bus)
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, BusId ring)
 {
     TrainingSession training = makeTrainingSession(catalog, std::move(begin), makeTrainingBus(catalog), ring);
-    if (!training.bus->open(BusSession::Start::operating)) // a simulated link always opens
+    if (!training.bus->open(RingSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();
     tellTrainingPlan(*training.bus);
     return training;

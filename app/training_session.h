@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace codewheel {
 struct TrainingSession
 {
     std::shared_ptr<TrainingControls> controls;
-    std::unique_ptr<BusSession> bus;
+    std::unique_ptr<RingSession> bus;
 };
 
 // Not connected yet. The catalog must outlive the session; `begin` is the date and time that Instant 0 stands
@@ -21,7 +21,7 @@ TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, Tra
                                     BusId ring = firstRing);
 // What the plan of the training ring knows of its encoders is told to them: the FRABA K3 start up in position
 // mode.
-void tellTrainingPlan(BusSession &bus);
+void tellTrainingPlan(RingSession &bus);
 // Connected, in RUN and in Operate. Cycles come with bus->advance() or bus->startThread().
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, BusId ring = firstRing);
 

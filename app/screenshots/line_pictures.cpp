@@ -78,7 +78,7 @@ QWidget *settingsAtWork(TrainingWindow &shown)
     auto *form = shown.window().findChild<LineSettingsForm *>();
     form->setPorts(
         {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R USB UART"), QStringLiteral("A50285BI")}});
-    LineWish wish;
+    LineSettings wish;
     wish.port = QStringLiteral("/dev/ttyUSB0"); // whatever ports this computer has
     form->setWish(wish);
     shown.advance(whileMilliseconds);

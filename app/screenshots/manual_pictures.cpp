@@ -7,7 +7,7 @@
 #include "app/screenshots/scene.h"
 #include "app/screenshots/wizard_pictures.h"
 #include "bus/word_channel.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/appearance.h"

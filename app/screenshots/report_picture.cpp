@@ -6,7 +6,7 @@
 #include "app/window/training_window.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/bus_views.h"
 
+#include "app/window/line_at_work.h"
 #include "app/window/line_views.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_views.h"
-#include "app/window/serial_line.h"
 
 #include <QWidget>
 
@@ -36,7 +36,7 @@ BusViews *makeBusViews(BusAtWork &bus, const WindowParts &parts, QObject *parent
 {
     if (auto *ring = qobject_cast<RingAtWork *>(&bus))
         return new RingViews(*ring, parts, parent);
-    if (auto *line = qobject_cast<SerialLine *>(&bus))
+    if (auto *line = qobject_cast<LineAtWork *>(&bus))
         return new LineViews(*line, parts, parent);
     return nullptr;
 }

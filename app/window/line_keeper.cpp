@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/line_keeper.h"
 
-#include "app/window/serial_line.h"
-#include "line/line_encoder_session.h"
+#include "app/window/line_at_work.h"
+#include "esc_line/line_encoder_session.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const Encode
 
 } // namespace
 
-LineKeeper::LineKeeper(const SerialLine &line, ProjectDocument &project, QObject *parent)
+LineKeeper::LineKeeper(const LineAtWork &line, ProjectDocument &project, QObject *parent)
     : QObject(parent)
     , m_line(line)
     , m_project(project)

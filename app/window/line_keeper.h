@@ -10,7 +10,7 @@ namespace codewheel {
 
 class EncoderSession;
 class ProjectDocument;
-class SerialLine;
+class LineAtWork;
 
 // Keeps in the project what becomes of its serial line, each change a step of undo. The training line is not
 // the project's: of its encoders, which do not exist, nothing is kept. Used by LineViews.
@@ -20,7 +20,7 @@ class LineKeeper : public QObject
 
 public:
     // Both must outlive it.
-    LineKeeper(const SerialLine &line, ProjectDocument &project, QObject *parent = nullptr);
+    LineKeeper(const LineAtWork &line, ProjectDocument &project, QObject *parent = nullptr);
 
     // Of the project; where that has none, the one that is open, as the factory has it where none is.
     LinePlan line() const;
@@ -43,7 +43,7 @@ private:
     void edit(std::vector<ProjectDevice> after, const QString &what);
     std::vector<ProjectDevice> encoders() const; // of the project
 
-    const SerialLine &m_line;
+    const LineAtWork &m_line;
     ProjectDocument &m_project;
 };
 

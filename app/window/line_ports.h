@@ -2,7 +2,7 @@
 #pragma once
 
 #include "links/serial_ports.h"
-#include "widgets/line/line_wish.h"
+#include "widgets/line/port_row.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include "app/window/line_rate.h"
 
 #include "encoder/sentence.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 
 #include <QCoreApplication>
 #include <QStringList>

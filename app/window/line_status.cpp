@@ -2,7 +2,7 @@
 #include "app/window/line_status.h"
 
 #include "app/window/status_line.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "widgets/look/role_label.h"
 
 #include <algorithm>

@@ -2,15 +2,15 @@
 #include "app/window/line_views.h"
 
 #include "app/window/leaving.h"
+#include "app/window/line_at_work.h"
 #include "app/window/line_keeper.h"
 #include "app/window/line_ports.h"
 #include "app/window/line_rate.h"
-#include "app/window/serial_line.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
@@ -51,7 +51,7 @@ Place firstThatAnswers(const LineSession &line)
 
 } // namespace
 
-LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent)
+LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent)
     : BusViews(parent)
     , m_line(line)
     , m_parts(parts)
@@ -87,8 +87,8 @@ LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent
     connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showWish);
     connect(m_training, &LineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
-    connect(&line, &SerialLine::aboutToChange, this, [this] { setLine(nullptr); });
-    connect(&line, &SerialLine::changed, this, [this] { setLine(m_line.session()); });
+    connect(&line, &LineAtWork::aboutToChange, this, [this] { setLine(nullptr); });
+    connect(&line, &LineAtWork::changed, this, [this] { setLine(m_line.session()); });
     const WindowActions &actions = parts.actions;
     onAction(actions.lineSettings, [this] { showSettings(); });
     onAction(actions.lineSearch, [this] { showSearch(); });
@@ -228,7 +228,7 @@ void LineViews::listPorts()
     m_form->setPorts(ports.rows, ports.trouble);
 }
 
-void LineViews::connectPort(const LineWish &wish, bool isPicked)
+void LineViews::connectPort(const LineSettings &wish, bool isPicked)
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
         LinePlan wanted = m_keeper->line();
@@ -239,7 +239,7 @@ void LineViews::connectPort(const LineWish &wish, bool isPicked)
     });
 }
 
-void LineViews::connectOtherAdapter(const LineWish &wish)
+void LineViews::connectOtherAdapter(const LineSettings &wish)
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
         LinePlan wanted = m_keeper->line();

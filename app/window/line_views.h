@@ -4,7 +4,7 @@
 #include "app/window/bus_views.h"
 #include "app/window/line_status.h"
 #include "encoder/refusal.h"
-#include "line/line_scan.h"
+#include "esc_line/line_scan.h"
 
 #include <QPointer>
 
@@ -18,8 +18,8 @@ class LineSession;
 class LineSettingsForm;
 class LineTerminal;
 class LineTrainingPanel;
-class SerialLine;
-struct LineWish;
+class LineAtWork;
+struct LineSettings;
 struct Message;
 struct LinePlan;
 
@@ -30,7 +30,7 @@ class LineViews final : public BusViews
     Q_OBJECT
 
 public:
-    LineViews(SerialLine &line, const WindowParts &parts, QObject *parent);
+    LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent);
 
     std::vector<std::pair<Panel, QWidget *>> panels() const override;
     QWidget *comparison() const override;
@@ -54,8 +54,8 @@ private:
     void swapWarningBytes(bool on);
     void setLine(LineSession *line); // null: it is about to go
     void listPorts();
-    void connectPort(const LineWish &wish, bool isPicked);
-    void connectOtherAdapter(const LineWish &wish);
+    void connectPort(const LineSettings &wish, bool isPicked);
+    void connectOtherAdapter(const LineSettings &wish);
     void showConnected(const Result<void> &opened, const LinePlan &wanted);
     void keepPort(const LinePlan &line);
     void showState();
@@ -71,7 +71,7 @@ private:
     void showActions();
     void showWish();
 
-    SerialLine &m_line;
+    LineAtWork &m_line;
     const WindowParts m_parts;
     LineStatus m_status;
     InlineMessage *m_notice; // what is asked of an adapter

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/plant.h"
 
+#include "app/window/line_at_work.h"
 #include "app/window/ring_at_work.h"
-#include "app/window/serial_line.h"
 #include "project/bus_kind.h"
 #include "project/line_plan.h"
 #include "project/ring_plan.h"
@@ -19,7 +19,7 @@ std::unique_ptr<BusAtWork> makeBus(const QString &kind, BusId id, const BusAtWor
     if (kind == QLatin1String(interbusKind))
         return std::make_unique<RingAtWork>(id, surroundings);
     if (kind == QLatin1String(escKind))
-        return std::make_unique<SerialLine>(id, surroundings);
+        return std::make_unique<LineAtWork>(id, surroundings);
     return nullptr;
 }
 

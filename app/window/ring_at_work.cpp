@@ -24,7 +24,7 @@ RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
     , m_training(makeTrainingSession(catalog(), surroundings().clock(), trainingRing(surroundings()), id))
 {
     tellMessagesOf(*bus());
-    connect(bus(), &BusSession::nodesChanged, this, &RingAtWork::tellPlan);
+    connect(bus(), &RingSession::nodesChanged, this, &RingAtWork::tellPlan);
     keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
 }
 
@@ -45,7 +45,7 @@ std::optional<Pacing> RingAtWork::pacing() const
 
 Result<void> RingAtWork::open(std::optional<Pacing> pacing)
 {
-    return bus()->open(BusSession::Start::operating, std::move(pacing));
+    return bus()->open(RingSession::Start::operating, std::move(pacing));
 }
 
 void RingAtWork::openTraining()

@@ -16,12 +16,12 @@ public:
     ~RingAtWork() override;
 
     QString kind() const override;
-    BusSession *bus() const override { return m_training.bus.get(); }
+    RingSession *bus() const override { return m_training.bus.get(); }
     TrainingControls &controls() const { return *m_training.controls; }
 
     // How its thread goes about it; nothing: it is driven by hand.
     std::optional<Pacing> pacing() const;
-    // Connects it, in Operate, as BusSession::open().
+    // Connects it, in Operate, as RingSession::open().
     Result<void> open(std::optional<Pacing> pacing);
     void openTraining() override; // and plans it as it is: nothing differs at first
     void start() override;

@@ -5,8 +5,8 @@
 #include "app/window/ring_at_work.h"
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
-#include "ring/bus_session.h"
 #include "ring/comparison.h"
+#include "ring/ring_session.h"
 #include "ring/send_permission.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
@@ -24,26 +24,26 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     , m_leaving(leaving)
     , m_notice(notice)
 {
-    connect(&m_bus, &BusSession::openRefused, this,
+    connect(&m_bus, &RingSession::openRefused, this,
             [this](const Refusal &why) { m_notice.showMessage(Role::fault, refusalText(why)); });
-    connect(&m_bus, &BusSession::stateChanged, this, [this] {
+    connect(&m_bus, &RingSession::stateChanged, this, [this] {
         Q_EMIT changed();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
             m_notice.withdraw();
     });
-    connect(&m_bus, &BusSession::readInProgressed, this, [this](int devices) {
+    connect(&m_bus, &RingSession::readInProgressed, this, [this](int devices) {
         m_notice.showMessage(Role::attention, tr("Reading in the ring: %n devices found.", nullptr, devices));
     });
-    connect(&m_bus, &BusSession::readInEnded, this, [this] {
+    connect(&m_bus, &RingSession::readInEnded, this, [this] {
         m_notice.withdraw();
         Q_EMIT changed();
         tellComparison();
     });
-    connect(&m_bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
+    connect(&m_bus, &RingSession::readInFailed, this, [this](const Refusal &why) {
         m_notice.showMessage(Role::fault, refusalText(why));
         Q_EMIT changed();
     });
-    connect(&m_bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
+    connect(&m_bus, &RingSession::structureChanged, this, &RingConnection::ringChanged);
 }
 
 // The training bus alone begins in Operate.
@@ -51,7 +51,7 @@ void RingConnection::connectRing()
 {
     if (m_bus.state() != BusState::closed)
         return;
-    connect(&m_bus, &BusSession::nodesChanged, this, &RingConnection::ringConnected,
+    connect(&m_bus, &RingSession::nodesChanged, this, &RingConnection::ringConnected,
             static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
     (void)m_ring.open(m_ring.pacing()); // a refusal is told by the bus
 }

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 class InlineMessage;
 class Leaving;
 class ProjectDocument;
@@ -45,7 +45,7 @@ private:
     bool mayChangeRing(); // else it says why not
 
     RingAtWork &m_ring;
-    BusSession &m_bus; // of the ring
+    RingSession &m_bus; // of the ring
     ProjectDocument &m_project;
     Leaving &m_leaving;
     InlineMessage &m_notice;

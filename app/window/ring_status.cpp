@@ -2,8 +2,8 @@
 #include "app/window/ring_status.h"
 
 #include "app/window/status_line.h"
-#include "ring/bus_session.h"
 #include "ring/master_look.h"
+#include "ring/ring_session.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -36,7 +36,7 @@ RingStatus::~RingStatus()
         delete label;
 }
 
-void RingStatus::show(const BusSession &bus)
+void RingStatus::show(const RingSession &bus)
 {
     const Snapshot &snapshot = bus.latest();
     const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();

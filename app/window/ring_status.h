@@ -7,7 +7,7 @@ class QLabel;
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 class StatusLine;
 
 // What the status line tells of a ring: state of the master, cycle, errors, link. Used by RingViews.
@@ -20,7 +20,7 @@ public:
     explicit RingStatus(StatusLine &line);
     ~RingStatus();
 
-    void show(const BusSession &bus);
+    void show(const RingSession &bus);
     void clear(); // another ring is shown, or none
 
 private:

@@ -108,7 +108,7 @@ void RingViews::showState()
 {
     if (!isCurrent())
         return;
-    const BusSession &bus = *m_ring.bus();
+    const RingSession &bus = *m_ring.bus();
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
     m_parts.actions.connectBus->setEnabled(isClosed);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/line_at_work.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
-#include "app/window/serial_line.h"
 #include "catalog/catalog.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/project/project_document.h"
@@ -21,8 +21,8 @@ public:
     ~TrainingWindow();
 
     MainWindow &window() { return *m_window; }
-    BusSession &bus() { return *m_plant.first<RingAtWork>()->bus(); }
-    SerialLine &line() { return *m_plant.first<SerialLine>(); }
+    RingSession &bus() { return *m_plant.first<RingAtWork>()->bus(); }
+    LineAtWork &line() { return *m_plant.first<LineAtWork>(); }
     Plant &plant() { return m_plant; }
     Buses &buses() { return m_plant.buses(); }
     TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }

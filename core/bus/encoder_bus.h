@@ -25,7 +25,7 @@ struct TypedWrite
 };
 
 // A connected bus, whatever it is, as window, command line and ledger see it: its devices, its state, and
-// what they let pass to it. Implemented by BusSession (a ring) and LineSession (a serial line).
+// what they let pass to it. Implemented by RingSession (a ring) and LineSession (a serial line).
 class EncoderBus : public QObject
 {
     Q_OBJECT

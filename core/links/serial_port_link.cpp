@@ -44,14 +44,14 @@ tl::unexpected<Refusal> settingRefused(const QString &setting)
                                                   "none, even or odd, 1 or 2 stop bits")});
 }
 
-QSerialPort::Parity parityOf(LineSettings::Parity parity)
+QSerialPort::Parity parityOf(SerialSettings::Parity parity)
 {
     switch (parity) {
-    case LineSettings::Parity::none:
+    case SerialSettings::Parity::none:
         return QSerialPort::NoParity;
-    case LineSettings::Parity::even:
+    case SerialSettings::Parity::even:
         return QSerialPort::EvenParity;
-    case LineSettings::Parity::odd:
+    case SerialSettings::Parity::odd:
         return QSerialPort::OddParity;
     }
     return QSerialPort::NoParity;
@@ -107,7 +107,7 @@ Result<QString> SerialPortLink::findPort()
     return m_adapter.find(present);
 }
 
-Result<void> SerialPortLink::open(const LineSettings &settings)
+Result<void> SerialPortLink::open(const SerialSettings &settings)
 {
     close();
     const Result<QString> path = findPort();
@@ -135,7 +135,7 @@ Result<void> SerialPortLink::open(const LineSettings &settings)
 }
 
 // Before it is opened: afterwards a port without modem lines does not take a parity any more.
-Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, const LineSettings &settings)
+Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, const SerialSettings &settings)
 {
     port.setPortName(path);
     if (settings.baudRate <= 0 || !port.setBaudRate(settings.baudRate))

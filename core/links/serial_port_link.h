@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/byte_link.h"
+#include "esc_line/byte_link.h"
 #include "links/kept_adapter.h"
 #include "links/wake_flag.h"
 
@@ -36,7 +36,7 @@ public:
 
     // Refused: portNotFound, portOfOther, portNoRights, portInUse, lineSettingWrong, linkFailed (what the
     // system says).
-    Result<void> open(const LineSettings &settings) override;
+    Result<void> open(const SerialSettings &settings) override;
     void close() override;
     Result<void> setBaudRate(int baudRate) override;
     void takeOtherAdapter() override;
@@ -56,7 +56,7 @@ private:
     };
 
     Result<QString> findPort();
-    static Result<void> prepare(QSerialPort &port, const QString &path, const LineSettings &settings);
+    static Result<void> prepare(QSerialPort &port, const QString &path, const SerialSettings &settings);
     Waited waitUntil(Instant until);
     tl::unexpected<Refusal> lost();
 

@@ -6,8 +6,8 @@
 #include "catalog/hex_code.h"
 #include "encoder/line_address.h"
 #include "encoder/sentence.h"
-#include "line/line_limits.h"
-#include "line/line_outline.h"
+#include "esc_line/line_limits.h"
+#include "esc_line/line_outline.h"
 #include "project/line_plan.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
@@ -19,10 +19,10 @@
 namespace codewheel {
 namespace {
 
-constexpr NamedValue<LineSettings::Parity> parities[] = {
-    {"none", LineSettings::Parity::none},
-    {"even", LineSettings::Parity::even},
-    {"odd", LineSettings::Parity::odd},
+constexpr NamedValue<SerialSettings::Parity> parities[] = {
+    {"none", SerialSettings::Parity::none},
+    {"even", SerialSettings::Parity::even},
+    {"odd", SerialSettings::Parity::odd},
 };
 
 using namespace project_keys;
@@ -139,7 +139,7 @@ KindData LineKind::usual() const
 QString LineKind::linkText(const KindData &settings) const
 {
     const auto *plan = settings.as<LinePlan>();
-    const LineWish wish = plan != nullptr ? plan->wish : LineWish();
+    const LineSettings wish = plan != nullptr ? plan->wish : LineSettings();
     const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(wish.line.parity)));
     const QString form = QStringLiteral("%1%2%3").arg(wish.line.dataBits).arg(parity).arg(wish.line.stopBits);
     QStringList parts{sentence(tr("%1 Bd"), {QString::number(wish.line.baudRate)}), form};
@@ -167,7 +167,7 @@ KindData LineKind::read(const JsonObject &json, std::vector<ProjectDevice> &enco
                     "lowLatency", "pollInterval", "timeOut", "retries", "quietAfterWrite", "fractionBits",
                     "topSpeed", "devices"});
     LinePlan line;
-    LineWish &wish = line.wish;
+    LineSettings &wish = line.wish;
     wish.port = json.freeText("port");
     if (json.has("adapter"))
         line.adapter = readAdapter(json.object("adapter", {"vendor", "product", "serialNumber", "usbPath"}));
@@ -200,7 +200,7 @@ void LineKind::write(ProjectWriter &writer, const KindData &settings,
     JsonWriter &json = writer.json();
     std::vector<ProjectDevice> byAddress(encoders.begin(), encoders.end());
     std::ranges::stable_sort(byAddress, {}, &ProjectDevice::place);
-    const LineWish &wish = line.wish;
+    const LineSettings &wish = line.wish;
     writer.writeText("port", wish.port);
     if (line.adapter != LineAdapter())
         writeAdapter(writer, line.adapter);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/line_wish.h"
+#include "esc_line/line_settings.h"
 #include "project/project.h"
 
 namespace codewheel {
@@ -21,7 +21,7 @@ struct LineAdapter
 // A serial line, as it is planned.
 struct LinePlan
 {
-    LineWish wish; // the file keeps of its timing: time-out, retries, and the quiet after a write
+    LineSettings wish; // the file keeps of its timing: time-out, retries, and the quiet after a write
     LineAdapter adapter;
 
     friend bool operator==(const LinePlan &, const LinePlan &) = default;

@@ -11,7 +11,7 @@
 namespace codewheel {
 
 // How the CRC errors of each segment came over the last minutes, as far as pictures of the ring were taken.
-// Kept by BusSession, shown by the master panel.
+// Kept by RingSession, shown by the master panel.
 class CrcHistory
 {
 public:

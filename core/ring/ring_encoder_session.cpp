@@ -3,15 +3,15 @@
 
 #include "bus/word_channel.h"
 #include "drivers/values_to_write.h"
-#include "ring/bus_session.h"
 #include "ring/ring_runner.h"
+#include "ring/ring_session.h"
 #include "ring/send_permission.h"
 
 #include <algorithm>
 
 namespace codewheel {
 
-RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Place number,
+RingEncoderSession::RingEncoderSession(RingSession &bus, std::size_t device, Place number,
                                        const DeviceDescription &description, bool linkBoundsCycles)
     : DrivenEncoderSession(device, number, description)
     , m_bus(bus)
@@ -20,7 +20,7 @@ RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Plac
     Capabilities can = description.capabilities;
     can.manufacturerPreset = can.manufacturerPreset && linkBoundsCycles;
     limitTo(can);
-    connect(&bus, &BusSession::stateChanged, this, &EncoderSession::permissionChanged);
+    connect(&bus, &RingSession::stateChanged, this, &EncoderSession::permissionChanged);
 }
 
 QDateTime RingEncoderSession::dateTime(Instant at) const

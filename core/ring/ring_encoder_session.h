@@ -5,9 +5,9 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 
-// An encoder of a ring, as views see it: turns jobs into commands for the runner, and what BusSession pumps
+// An encoder of a ring, as views see it: turns jobs into commands for the runner, and what RingSession pumps
 // out of the bus thread into signals.
 class RingEncoderSession final : public DrivenEncoderSession
 {
@@ -15,7 +15,7 @@ class RingEncoderSession final : public DrivenEncoderSession
 
 public:
     // `linkBoundsCycles`: a word can be sent for one bus cycle only; without it some jobs cannot be done.
-    RingEncoderSession(BusSession &bus, std::size_t device, Place number,
+    RingEncoderSession(RingSession &bus, std::size_t device, Place number,
                        const DeviceDescription &description, bool linkBoundsCycles);
 
     // 00000000 is what it shows without power.
@@ -24,7 +24,7 @@ public:
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
 
 private:
-    friend class BusSession;
+    friend class RingSession;
     Result<void> mayStart(const Job &job) const override;
     void post(JobCommand command) override;
     void report(Message message, Instant at) override;
@@ -36,7 +36,7 @@ private:
     Refusal nameOf(const Message &fault) const;
     void takeFault(const Message &fault);
 
-    BusSession &m_bus;
+    RingSession &m_bus;
     bool m_linkBoundsCycles;
 };
 

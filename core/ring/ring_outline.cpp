@@ -6,9 +6,9 @@
 #include "catalog/hex_code.h"
 #include "encoder/device_error_name.h"
 #include "encoder/encoder_session.h"
-#include "ring/bus_session.h"
 #include "ring/device_leds.h"
 #include "ring/master_look.h"
+#include "ring/ring_session.h"
 #include "ring/ring_tree.h"
 
 #include <algorithm>

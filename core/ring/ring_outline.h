@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 class Catalog;
 
 // A ring: the master, below it the remote bus, below a bus terminal its local bus and its branch.
@@ -15,7 +15,7 @@ class RingOutline final : public BusOutline
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingOutline)
 
 public:
-    explicit RingOutline(const BusSession &bus) // outlives it
+    explicit RingOutline(const RingSession &bus) // outlives it
         : m_bus(bus)
     {}
 
@@ -32,7 +32,7 @@ private:
     QString codingText(const Participant &participant) const;
     QString ledsText(std::size_t node) const;
 
-    const BusSession &m_bus;
+    const RingSession &m_bus;
 };
 
 // A ring that is not connected.

@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // A lost character leaves a gap; a doubled one pushes the others back.
-void LineWire::send(const QByteArray &bytes, int sender, Instant earliest, const LineSettings &settings)
+void LineWire::send(const QByteArray &bytes, int sender, Instant earliest, const SerialSettings &settings)
 {
     Instant begin = std::max(earliest, m_freeFrom[sender]);
     int sent = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/line_settings.h"
+#include "esc_line/serial_settings.h"
 #include "simulator/line_faults.h"
 
 #include <QByteArray>
@@ -37,7 +37,7 @@ public:
     const LineFaults &faults() const { return m_faults; }
 
     // The sender's characters follow each other, from `earliest` on or from when the ones before are out.
-    void send(const QByteArray &bytes, int sender, Instant earliest, const LineSettings &settings);
+    void send(const QByteArray &bytes, int sender, Instant earliest, const SerialSettings &settings);
     std::size_t waiting() const { return m_characters.size(); } // characters that are not complete yet
     // When the next character is complete.
     std::optional<Instant> nextEnd() const;

@@ -17,7 +17,7 @@ SimulatedLine::SimulatedLine(const std::vector<EscEncoderPlan> &encoders, std::u
     , m_wire(seed)
 {}
 
-void SimulatedLine::begin(const LineSettings &settings, Instant now)
+void SimulatedLine::begin(const SerialSettings &settings, Instant now)
 {
     const std::scoped_lock lock(m_mutex);
     m_settings = settings;
@@ -32,7 +32,7 @@ void SimulatedLine::setBaudRate(int baudRate)
     m_settings.baudRate = baudRate;
 }
 
-LineSettings SimulatedLine::settings() const
+SerialSettings SimulatedLine::settings() const
 {
     const std::scoped_lock lock(m_mutex);
     return m_settings;
@@ -91,7 +91,7 @@ void SimulatedLine::turnShaftsTo(Instant now)
 // Start, data and parity bits tell whether a character can be read; a stop bit less does no harm.
 bool SimulatedLine::fitsEncoders() const
 {
-    return m_settings.dataBits == 8 && m_settings.parity == LineSettings::Parity::none;
+    return m_settings.dataBits == 8 && m_settings.parity == SerialSettings::Parity::none;
 }
 
 void SimulatedLine::deliver(const LineWire::Ended &ended)
@@ -117,7 +117,7 @@ void SimulatedLine::tellEncoders(const LineWire::Ended &ended)
         }
         if (const auto reply = encoder.hear(character.byte))
             m_wire.send(reply->bytes, static_cast<int>(i), now + m_answerDelay,
-                        LineSettings{.baudRate = reply->baudRate});
+                        SerialSettings{.baudRate = reply->baudRate});
     }
 }
 

@@ -33,9 +33,9 @@ public:
     };
 
     // At this time nothing is on the wire.
-    void begin(const LineSettings &settings, Instant now = {});
+    void begin(const SerialSettings &settings, Instant now = {});
     void setBaudRate(int baudRate);
-    LineSettings settings() const;
+    SerialSettings settings() const;
     void send(const QByteArray &bytes, Instant now);
     // Lets time pass up to `until`, or to the first bytes that reach the master before it.
     Arrival advance(Instant until);
@@ -88,7 +88,7 @@ private:
 
     std::vector<SimulatedEscEncoder> m_encoders;
     LineWire m_wire;
-    LineSettings m_settings; // of the master
+    SerialSettings m_settings; // of the master
     Instant m_answerDelay = usualAnswerDelay;
     std::int64_t m_cycles = 0; // of the time in ms, which the shafts have turned up to
     QByteArray m_heard;        // by the master

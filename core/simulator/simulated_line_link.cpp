@@ -12,7 +12,7 @@ SimulatedLineLink::SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock 
     , m_begin(m_clock ? m_clock() : Instant())
 {}
 
-Result<void> SimulatedLineLink::open(const LineSettings &settings)
+Result<void> SimulatedLineLink::open(const SerialSettings &settings)
 {
     if (m_line->isUnplugged())
         return refuse(RefusalKind::link, RefusalId::portNotFound, {name()});

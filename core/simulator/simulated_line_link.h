@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/byte_link.h"
+#include "esc_line/byte_link.h"
 #include "simulator/simulated_line.h"
 
 #include <functional>
@@ -20,7 +20,7 @@ public:
     explicit SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock = {});
 
     // Refused: portNotFound while the adapter is unplugged; later that is portLost, once, and lineClosed.
-    Result<void> open(const LineSettings &settings) override;
+    Result<void> open(const SerialSettings &settings) override;
     void close() override { m_open = false; }
     Result<void> setBaudRate(int baudRate) override;
     Instant now() const override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/serial_line.h"
+#include "app/window/line_at_work.h"
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"

@@ -48,7 +48,7 @@ protected:
     {
         std::optional<KeptConfiguration> told;
         const auto connection = QObject::connect(
-            &bus(), &BusSession::keptConfigurationTold,
+            &bus(), &RingSession::keptConfigurationTold,
             [&](const std::optional<KeptConfiguration> &configuration) { told = configuration; });
         bus().askKeptConfiguration();
         advance(40);

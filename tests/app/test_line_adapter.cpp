@@ -167,7 +167,7 @@ TEST_F(LineAdapterTest, AnAdapterThatCameBackElsewhereIsOpenedAgainWithOtherSett
     first.unplug();
     plugIn({adapter(second, QStringLiteral("A"))});
     ASSERT_TRUE(comes([&] { return line().linkName() == second.path() && line().latest().connected; }));
-    LineWish slower = form().wish();
+    LineSettings slower = form().wish();
     slower.pollInterval = std::chrono::milliseconds(700);
     form().setWish(slower);
     connectNow();

@@ -92,7 +92,7 @@ TEST_F(LineAtPort, ALedgerThatCannotBeUsedIsToldWhenThePortIsOpened)
     ledger.close();
     std::vector<MessageId> told;
     const QObject listener; // ends with this test, before the line
-    QObject::connect(&shown->line(), &SerialLine::messaged, &listener,
+    QObject::connect(&shown->line(), &LineAtWork::messaged, &listener,
                      [&](const Message &message) { told.push_back(message.id); });
     plan({test::plannedEncoder(at3)});
     connectPort(startPeer(QStringLiteral("--addresses 03")));

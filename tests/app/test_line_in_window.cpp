@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/serial_line.h"
+#include "app/window/line_at_work.h"
 #include "drivers/write_plan.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"

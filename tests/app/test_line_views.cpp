@@ -70,7 +70,7 @@ protected:
     {
         actions().lineSettings->trigger();
         auto &form = view<LineSettingsForm>();
-        LineWish wish = form.wish();
+        LineSettings wish = form.wish();
         wish.port = port;
         wish.pollInterval = std::chrono::milliseconds(500);
         form.setWish(wish);
@@ -252,7 +252,7 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
 {
     actions().lineSettings->trigger();
     auto &form = view<LineSettingsForm>();
-    LineWish wish = form.wish();
+    LineSettings wish = form.wish();
     wish.port = QStringLiteral("/dev/there-is-none");
     form.setWish(wish);
     QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);

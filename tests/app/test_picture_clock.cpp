@@ -32,7 +32,7 @@ protected:
         QTimer usual;
         usual.setTimerType(Qt::PreciseTimer);
         QObject::connect(&usual, &QTimer::timeout, &usual, [&] { ++ticks; });
-        QObject::connect(&bus(), &BusSession::updated, &usual, [&] { ++pictures; });
+        QObject::connect(&bus(), &RingSession::updated, &usual, [&] { ++pictures; });
         usual.start(33ms);
         EXPECT_TRUE(QTest::qWaitFor([&] { return ticks >= 20; }, atMost));
         return static_cast<double>(pictures) / ticks;

@@ -8,7 +8,7 @@
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/app/window_test.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
@@ -41,7 +41,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitFor([this] { return program.plant() != nullptr; }, generous));
     }
 
-    BusSession &bus() { return *program.plant()->first<RingAtWork>()->bus(); }
+    RingSession &bus() { return *program.plant()->first<RingAtWork>()->bus(); }
     bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, generous); }
 
     void click(const QString &button)
@@ -99,7 +99,7 @@ TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
 {
     const QLocale before;
-    const BusSession *session = program.plant()->first<RingAtWork>()->bus();
+    const RingSession *session = program.plant()->first<RingAtWork>()->bus();
     const std::uint64_t cycle = bus().latest().cycle;
     auto *wanted = program.window()->findChild<WantedValues *>();
     wanted->set(fraba, Parameter::steps, 255);

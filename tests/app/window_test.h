@@ -3,7 +3,7 @@
 
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
@@ -34,7 +34,7 @@ protected:
     }
 
     MainWindow &window() { return shown->window(); }
-    BusSession &bus() { return shown->bus(); }
+    RingSession &bus() { return shown->bus(); }
     const WindowActions &actions() { return window().actions(); }
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }

@@ -9,7 +9,7 @@
 // other times.
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 

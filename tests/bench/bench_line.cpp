@@ -4,7 +4,7 @@
 // line's time.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
-#include "line/line_runner.h"
+#include "esc_line/line_runner.h"
 #include "simulator/simulated_line_link.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void measure(const char *what, SimulatedLineLink::Clock clock, Instant duration)
 {
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &device = *catalog.find(u"kuebler-esc-rs485");
-    const LineSettings settings;
+    const SerialSettings settings;
     SimulatedLineLink link(std::make_shared<SimulatedLine>(), std::move(clock));
     if (!link.open(settings))
         return;

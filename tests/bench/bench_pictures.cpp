@@ -8,7 +8,7 @@
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
@@ -52,11 +52,11 @@ void letPass(std::chrono::milliseconds time)
 }
 
 // Of the processor time the threads of the window, the bus and the line take together.
-void measure(const char *what, BusSession &bus)
+void measure(const char *what, RingSession &bus)
 {
     letPass(settling);
     int pictures = 0;
-    const auto counting = QObject::connect(&bus, &BusSession::updated, [&pictures] { ++pictures; });
+    const auto counting = QObject::connect(&bus, &RingSession::updated, [&pictures] { ++pictures; });
     const double usedBefore = processorSeconds();
     QElapsedTimer clock;
     clock.start();
@@ -93,7 +93,7 @@ int main(int argc, char **argv)
                  .clock = [] { return QDateTime::currentDateTime(); },
                  .trainingRing = [](const Catalog &) { return makeMovingRing(movingWords); }});
     plant.openTraining();
-    BusSession &bus = *plant.first<RingAtWork>()->bus();
+    RingSession &bus = *plant.first<RingAtWork>()->bus();
     MainWindow window(settings, project);
     window.attach(plant, messages);
     auto *monitors = window.findChild<MonitorArea *>();

@@ -3,8 +3,8 @@
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
-#include "line/line_session.h"
-#include "ring/bus_session.h"
+#include "esc_line/line_session.h"
+#include "ring/ring_session.h"
 #include "simulator/simulated_line_link.h"
 #include "simulator/training_bus.h"
 #include "tests/bus/watched_links.h"
@@ -43,8 +43,8 @@ struct Ring
     void openByThread() { ASSERT_TRUE(bus.open(EncoderBus::Start::watching, Pacing{.period = 1ms})); }
 
     test::LinkWatch watch;
-    BusSession bus{std::make_unique<test::WatchedRingLink>(makeTrainingBus(catalog()).link, watch), catalog(),
-                   began};
+    RingSession bus{std::make_unique<test::WatchedRingLink>(makeTrainingBus(catalog()).link, watch),
+                    catalog(), began};
 };
 
 struct Line

@@ -2,7 +2,7 @@
 // Links that hand on everything, count what could change something at the far end, and can be lost or block.
 #pragma once
 
-#include "line/byte_link.h"
+#include "esc_line/byte_link.h"
 #include "ring/process_data_link.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ public:
         , m_watch(watch)
     {}
 
-    Result<void> open(const LineSettings &settings) override
+    Result<void> open(const SerialSettings &settings) override
     {
         if (!m_watch.waitWhileBlocked())
             return refuse(RefusalKind::stopped, RefusalId::cancelled);

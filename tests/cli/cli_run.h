@@ -44,7 +44,7 @@ class SharedBus
 public:
     SharedBus();
     CliRun runLine(const QString &line, const Person &person = {});
-    BusSession &bus() { return *m_training.bus; }
+    RingSession &bus() { return *m_training.bus; }
     TrainingControls &controls() { return *m_training.controls; }
     // Writes to the EEPROMs of all encoders, as the simulated encoders count them.
     int eepromWrites() const;

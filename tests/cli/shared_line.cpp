@@ -23,7 +23,7 @@ public:
         , m_cut(std::move(cut))
     {}
 
-    Result<void> open(const LineSettings &settings) override { return m_link.open(settings); }
+    Result<void> open(const SerialSettings &settings) override { return m_link.open(settings); }
     void close() override { m_link.close(); }
     Result<void> setBaudRate(int baudRate) override { return m_link.setBaudRate(baudRate); }
     Instant now() const override { return m_link.now(); }

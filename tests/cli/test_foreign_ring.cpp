@@ -3,7 +3,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/ring/ring_access.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/scripted_link.h"
 
@@ -26,7 +26,7 @@ protected:
         , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
                 QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
-        EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
+        EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
     }
 
     CliRun run(const Subcommand &command, const QStringList &rest)
@@ -42,7 +42,7 @@ protected:
 
     ScriptedLink *m_link; // owned by the bus
     const Catalog m_catalog = Catalog::builtIn();
-    BusSession m_bus;
+    RingSession m_bus;
 };
 
 TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)

@@ -181,7 +181,7 @@ TEST_F(CliMessages, BadInputIsTold)
 TEST_F(CliJournal, OnlySimulatedEncodersAreCountedInMemory)
 {
     const Catalog catalog = Catalog::builtIn();
-    BusSession real(std::make_unique<ScriptedLink>(1), catalog, QDateTime::currentDateTime());
+    RingSession real(std::make_unique<ScriptedLink>(1), catalog, QDateTime::currentDateTime());
     EXPECT_FALSE(ledgerPlace(real, folder.path()).inMemory);
     EXPECT_EQ(ledgerPlace(real, folder.path()).name, ledgerFile(folder.path()));
     const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());

@@ -32,12 +32,12 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
     EXPECT_EQ(linksMeant(QStringLiteral("training"), nullptr)->size(), 2U);
     EXPECT_TRUE(lineLink("esc:training").isSimulated());
     EXPECT_EQ(lineLink("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
-    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.line, LineSettings());
+    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.line, SerialSettings());
     const LineLink all =
         lineLink("esc:/dev/pts/5,baud=9600,format=7e1,time-out=250,retries=0,quiet=0,poll=20,"
                  "top-speed=3000,fraction-bits=28,swap-warnings=1,low-latency=0");
     EXPECT_EQ(all.wish.port, QStringLiteral("/dev/pts/5"));
-    EXPECT_EQ(all.wish.line, (LineSettings{9'600, 7, LineSettings::Parity::even, 1, false}));
+    EXPECT_EQ(all.wish.line, (SerialSettings{9'600, 7, SerialSettings::Parity::even, 1, false}));
     EXPECT_EQ(all.wish.timing.answerTimeOut, 250ms);
     EXPECT_EQ(all.wish.timing.retries, 0);
     EXPECT_EQ(all.wish.timing.quietAfterWrite, 0ms);

@@ -122,7 +122,7 @@ TEST(CliPreset, WhereTheModeIsNotKnownTheUserSaysIt)
 {
     SharedBus shared;
     shared.bus().close();
-    ASSERT_TRUE(shared.bus().open(BusSession::Start::operating)); // nothing is known after that
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // nothing is known after that
     const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
     EXPECT_EQ(errorKey(run), "modeNotKnown");
     EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 --in-position-mode")).exit, 0);

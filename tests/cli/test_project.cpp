@@ -6,7 +6,7 @@
 #include "cli/ring/ring_access.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
@@ -43,7 +43,7 @@ protected:
                                                              {second.node, 0x37, 0x0237, 2, 2, {}}}),
                 m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
-        EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
+        EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
         m_project.devices = {encoder(first, "fraba-ocd-ib", "hoist"),
                              encoder(second, "baumer-gxp6w", "trolley")};
     }
@@ -65,7 +65,7 @@ protected:
     QString nameAt(Place number) const { return m_bus.encoder(number)->device().key; }
 
     const Catalog m_catalog = Catalog::builtIn();
-    BusSession m_bus;
+    RingSession m_bus;
     Project m_project;
     QTemporaryDir m_folder;
 };

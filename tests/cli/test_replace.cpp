@@ -5,7 +5,7 @@
 #include "cli/ring/ring_access.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
 

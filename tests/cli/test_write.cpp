@@ -137,7 +137,7 @@ TEST(CliWrite, WhereTheModeIsNotKnownTheRawWordIsTold)
 {
     SharedBus shared;
     shared.bus().close();
-    ASSERT_TRUE(shared.bus().open(BusSession::Start::operating)); // nothing is known after that
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // nothing is known after that
     const CliRun run = shared.runLine(QStringLiteral("write 1.0 steps=255 --yes"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_THAT(run.out,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a session of a serial line, or get a sentence; what was read is kept as it is, and its
 // requests can be told.
-#include "line/line_record.h"
-#include "line/line_replay.h"
+#include "esc_line/line_record.h"
+#include "esc_line/line_replay.h"
 #include "tests/fuzz/must.h"
 
 using namespace codewheel;

@@ -8,7 +8,7 @@
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
 #include "journal/message_store.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 
 #include <QCoreApplication>
@@ -32,8 +32,8 @@ int main(int argc, char **argv)
     const QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     const Catalog catalog = Catalog::builtIn();
-    BusSession bus(makeTrainingBus(catalog).link, catalog, QDateTime::currentDateTime());
-    if (arguments.size() != 4 || !bus.open(BusSession::Start::operating))
+    RingSession bus(makeTrainingBus(catalog).link, catalog, QDateTime::currentDateTime());
+    if (arguments.size() != 4 || !bus.open(RingSession::Start::operating))
         return 1;
     MessageStore store({.file = arguments[1]});
     const LedgerKeeper keeper(bus, DatabasePlace::file(arguments[2]));

@@ -3,7 +3,7 @@
 #include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
 #include "journal/eeprom_cost.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "tests/support/places.h"
 
@@ -44,14 +44,14 @@ TEST(EepromConcern, IsSilentWhereTheManualIs)
 class EepromCost : public testing::Test
 {
 protected:
-    EepromCost() { EXPECT_TRUE(bus.open(BusSession::Start::operating)); }
+    EepromCost() { EXPECT_TRUE(bus.open(RingSession::Start::operating)); }
     int of(int segment, const Job &job) const
     {
         return mostEepromWrites(*bus.encoder(DeviceNumber{segment, 0}.node()), job);
     }
 
     const Catalog catalog = Catalog::builtIn();
-    BusSession bus{makeTrainingBus(catalog).link, catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    RingSession bus{makeTrainingBus(catalog).link, catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
 };
 
 TEST_F(EepromCost, IsTheMostAJobMayWrite)

@@ -3,7 +3,7 @@
 #include "catalog/catalog.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
@@ -24,7 +24,7 @@ class LedgerKeeperTest : public testing::Test
 protected:
     LedgerKeeperTest()
     {
-        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        EXPECT_TRUE(bus.open(RingSession::Start::operating));
         bus.advance(10);
         bus.encoder(fraba)->tell(Parameter::startUpMode, 1); // position mode
     }
@@ -52,7 +52,7 @@ protected:
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
-    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
     const JournalFile file;
     std::vector<Message> messages;
     std::unique_ptr<LedgerKeeper> keeper;
@@ -203,7 +203,7 @@ TEST_F(LedgerKeeperTest, CountsWhatComesWhileADeviceIsNamed)
     bus.advance(50);
     bus.channel(fraba)->stage(0x80000000);
     bool wasNamed = false;
-    QObject::connect(&bus, &BusSession::updated, &bus, [&] {
+    QObject::connect(&bus, &RingSession::updated, &bus, [&] {
         if (!std::exchange(wasNamed, true)) {
             EXPECT_TRUE(bus.name(fraba, QStringLiteral("fraba-ocd-ib")));
         }
@@ -394,7 +394,7 @@ TEST_F(LedgerKeeperTest, GoesOnWithTheSessionsOfANewConnection)
     keep(DatabasePlace::memory());
     write(fraba, 255);
     bus.close();
-    ASSERT_TRUE(bus.open(BusSession::Start::operating));
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
     bus.advance(10);
     EXPECT_EQ(countAt(fraba).writes, 1);
     write(fraba, 256);

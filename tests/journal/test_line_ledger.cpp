@@ -2,8 +2,8 @@
 // What is written to the encoders of a serial line, on the simulated one.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
+#include "esc_line/line_session.h"
 #include "journal/ledger_keeper.h"
-#include "line/line_session.h"
 #include "simulator/simulated_line_link.h"
 #include "tests/journal/journal_file.h"
 

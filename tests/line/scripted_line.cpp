@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-Result<void> ScriptedLink::open(const LineSettings &settings)
+Result<void> ScriptedLink::open(const SerialSettings &settings)
 {
     ++tries;
     if (unplugged)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/request_driver.h"
-#include "line/byte_link.h"
+#include "esc_line/byte_link.h"
 
 #include <deque>
 #include <functional>
@@ -36,7 +36,7 @@ public:
     int opened = 0;
     int tries = 0; // of opening
 
-    Result<void> open(const LineSettings &settings) override;
+    Result<void> open(const SerialSettings &settings) override;
     void close() override {}
     Result<void> setBaudRate(int baudRate) override;
     Instant now() const override { return m_now; }

@@ -5,7 +5,7 @@
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
 #include "drivers/make_driver.h"
-#include "line/line_runner.h"
+#include "esc_line/line_runner.h"
 #include "simulator/simulated_line_link.h"
 
 #include <gtest/gtest.h>

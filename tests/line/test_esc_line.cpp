@@ -3,7 +3,7 @@
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
 #include "drivers/values_to_write.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "simulator/simulated_line_link.h"
 
 #include <gtest/gtest.h>

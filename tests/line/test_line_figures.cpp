@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/line_figures.h"
+#include "esc_line/line_figures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/line_record.h"
+#include "esc_line/line_record.h"
 
 #include <gtest/gtest.h>
 

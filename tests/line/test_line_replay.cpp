@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "line/line_replay.h"
-#include "line/line_session.h"
+#include "esc_line/line_replay.h"
+#include "esc_line/line_session.h"
 #include "tests/line/scripted_line.h"
 
 #include <gtest/gtest.h>

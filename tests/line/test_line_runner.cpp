@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/line_runner.h"
+#include "esc_line/line_runner.h"
 #include "tests/line/scripted_line.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/line_runner.h"
-#include "line/line_scan.h"
+#include "esc_line/line_runner.h"
+#include "esc_line/line_scan.h"
 #include "simulator/simulated_line_link.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "tests/line/scripted_line.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/row_text.h"
+#include "esc_line/row_text.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // How an encoder that answers fares beside others that do not, in virtual time on a line that keeps its time.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
-#include "line/line_runner.h"
+#include "esc_line/line_runner.h"
 #include "simulator/simulated_line_link.h"
 
 #include <gtest/gtest.h>

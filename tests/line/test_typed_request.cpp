@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "esc/esc_scaling.h"
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr LineSettings usual{};
+constexpr SerialSettings usual{};
 
 template <typename T>
 RefusalId refusalOf(const Result<T> &result)
@@ -31,7 +31,7 @@ RefusalId refusalOf(const Result<T> &result)
 class SerialLink : public testing::Test
 {
 protected:
-    void open(const LineSettings &settings = usual)
+    void open(const SerialSettings &settings = usual)
     {
         const auto opened = m_link.open(settings);
         ASSERT_TRUE(opened) << refusalText(opened.error()).toStdString();
@@ -101,7 +101,7 @@ TEST_F(SerialLink, SetsTheLine)
     ASSERT_TRUE(m_link.setBaudRate(4'800));
     settings = settingsOfPort();
     EXPECT_EQ(::cfgetospeed(&settings), speed_t{B4800});
-    open({.baudRate = 9'600, .parity = LineSettings::Parity::even, .stopBits = 1});
+    open({.baudRate = 9'600, .parity = SerialSettings::Parity::even, .stopBits = 1});
     settings = settingsOfPort();
     EXPECT_EQ(::cfgetospeed(&settings), speed_t{B9600});
     EXPECT_EQ(settings.c_cflag & CSTOPB, 0U);

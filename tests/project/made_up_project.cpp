@@ -120,10 +120,10 @@ LinePlan Maker::line()
 {
     using std::chrono::milliseconds;
     LinePlan line;
-    LineWish &wish = line.wish;
+    LineSettings &wish = line.wish;
     wish.port = text();
     wish.line = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
-                 static_cast<LineSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
+                 static_cast<SerialSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
     wish.timing.character = wish.line.timeOf(1);
     wish.timing.answerTimeOut = milliseconds(1 + below(10'000));
     wish.timing.retries = static_cast<int>(below(11));

@@ -3,7 +3,7 @@
 // each cycle (FRABA manual 5.4.1).
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
@@ -31,9 +31,9 @@ protected:
             m_seen += out == frabaPreset ? 1 : 0;
             return m_seen > 0 ? Word{100} : Word{12'345};
         });
-        m_bus = std::make_unique<BusSession>(std::move(link), m_catalog, QDateTime());
+        m_bus = std::make_unique<RingSession>(std::move(link), m_catalog, QDateTime());
     }
-    void open(BusSession::Start start = BusSession::Start::operating)
+    void open(RingSession::Start start = RingSession::Start::operating)
     {
         ASSERT_TRUE(m_bus->open(start));
         encoder().tell(Parameter::startUpMode, 1);
@@ -52,7 +52,7 @@ protected:
 
     const Catalog m_catalog = Catalog::builtIn();
     ScriptedLink *m_link = nullptr;
-    std::unique_ptr<BusSession> m_bus;
+    std::unique_ptr<RingSession> m_bus;
     int m_seen = 0; // cycles in which 60000000 was exchanged
     std::optional<Outcome> m_outcome;
     std::vector<RefusalId> m_refused;
@@ -120,7 +120,7 @@ TEST_F(FrabaPresetOnTheRing, WatchInTheSameCycleKeepsItFromGoingOut)
 TEST_F(FrabaPresetOnTheRing, InWatchAWordOfSomebodyElseIsLeftAlone)
 {
     m_link->setPeerOut({frabaPreset});
-    open(BusSession::Start::watching);
+    open(RingSession::Start::watching);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(frabaPreset));
 }
 

@@ -3,7 +3,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/support/faulty_ring.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
@@ -33,15 +33,15 @@ class ASessionWithAMaster : public testing::Test
 protected:
     ASessionWithAMaster()
     {
-        QObject::connect(&m_bus, &BusSession::messaged, &m_bus,
+        QObject::connect(&m_bus, &RingSession::messaged, &m_bus,
                          [this](const Message &message) { m_messages.push_back(message); });
-        QObject::connect(&m_bus, &BusSession::readInProgressed, &m_bus,
+        QObject::connect(&m_bus, &RingSession::readInProgressed, &m_bus,
                          [this](int devices) { m_progress.push_back(devices); });
-        QObject::connect(&m_bus, &BusSession::readInEnded, &m_bus, [this] { ++m_readIns; });
-        QObject::connect(&m_bus, &BusSession::readInFailed, &m_bus,
+        QObject::connect(&m_bus, &RingSession::readInEnded, &m_bus, [this] { ++m_readIns; });
+        QObject::connect(&m_bus, &RingSession::readInFailed, &m_bus,
                          [this](const Refusal &why) { m_failure = why.id; });
-        QObject::connect(&m_bus, &BusSession::structureChanged, &m_bus, [this] { ++m_changes; });
-        EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
+        QObject::connect(&m_bus, &RingSession::structureChanged, &m_bus, [this] { ++m_changes; });
+        EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
         m_bus.advance(10);
     }
     void befall(TrainingFault fault, Place place, int value = 1)
@@ -64,7 +64,7 @@ protected:
 
     const Catalog m_catalog = Catalog::builtIn();
     FaultyRing m_ring;
-    BusSession m_bus{std::move(m_ring.link), m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    RingSession m_bus{std::move(m_ring.link), m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
     std::vector<Message> m_messages;
     std::vector<int> m_progress;
     int m_readIns = 0;
@@ -435,7 +435,7 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
     std::optional<RefusalId> refusedJob;
     QObject::connect(channel, &WordChannel::refused, &m_bus,
                      [&](const Refusal &why) { refusedWrite = why.id; });
-    QObject::connect(&m_bus, &BusSession::structureChanged, &m_bus, [&] {
+    QObject::connect(&m_bus, &RingSession::structureChanged, &m_bus, [&] {
         ASSERT_NE(channel, nullptr);
         ASSERT_NE(session, nullptr);
         EXPECT_EQ(channel->place(), onLocalBus);
@@ -488,7 +488,7 @@ TEST_F(ASessionWithAMaster, AlarmStopBetweenTwoRingsIsNotLost)
 {
     befall(TrainingFault::wireBreak, last);
     m_bus.advance(30);
-    QObject::connect(&m_bus, &BusSession::readInProgressed, &m_bus, [this](int devices) {
+    QObject::connect(&m_bus, &RingSession::readInProgressed, &m_bus, [this](int devices) {
         if (devices == 7)
             m_bus.alarmStop();
     });
@@ -502,7 +502,7 @@ TEST_F(ASessionWithAMaster, AlarmStopBetweenTwoRingsIsNotLost)
 TEST_F(ASessionWithAMaster, TheMasterKeepsWhatItIsGiven)
 {
     std::optional<KeptConfiguration> told;
-    QObject::connect(&m_bus, &BusSession::keptConfigurationTold, &m_bus,
+    QObject::connect(&m_bus, &RingSession::keptConfigurationTold, &m_bus,
                      [&](const std::optional<KeptConfiguration> &kept) { told = kept; });
     const KeptConfiguration mine{QStringLiteral("mine.codewheel"), m_bus.structure()};
     m_bus.keepConfiguration(mine);
@@ -511,7 +511,7 @@ TEST_F(ASessionWithAMaster, TheMasterKeepsWhatItIsGiven)
     EXPECT_EQ(m_bus.master()->configurationName, QStringLiteral("mine.codewheel"));
     told.reset();
     m_bus.close();
-    ASSERT_TRUE(m_bus.open(BusSession::Start::watching));
+    ASSERT_TRUE(m_bus.open(RingSession::Start::watching));
     takeMessages();
     m_bus.advance(1);
     EXPECT_THAT(takeMessages(), Contains(MessageId::configurationFound));
@@ -566,13 +566,13 @@ TEST_F(ASessionWithAMaster, InWatchNothingChangesWhatTheRingDoesButStop)
 TEST(ASessionWithoutAMaster, RefusesItsServicesInWords)
 {
     const Catalog catalog = Catalog::builtIn();
-    BusSession bus(std::make_unique<ScriptedLink>(2), catalog, QDateTime());
+    RingSession bus(std::make_unique<ScriptedLink>(2), catalog, QDateTime());
     std::vector<Message> messages;
     bool failed = false;
-    QObject::connect(&bus, &BusSession::messaged, &bus,
+    QObject::connect(&bus, &RingSession::messaged, &bus,
                      [&](const Message &message) { messages.push_back(message); });
-    QObject::connect(&bus, &BusSession::readInFailed, &bus, [&] { failed = true; });
-    ASSERT_TRUE(bus.open(BusSession::Start::watching));
+    QObject::connect(&bus, &RingSession::readInFailed, &bus, [&] { failed = true; });
+    ASSERT_TRUE(bus.open(RingSession::Start::watching));
     bus.advance(1);
     EXPECT_EQ(bus.master(), nullptr);
     messages.clear();
@@ -594,10 +594,10 @@ TEST(ASessionInThreads, TakesOtherRingsOver)
 {
     const Catalog catalog = Catalog::builtIn();
     FaultyRing faulty;
-    BusSession bus(std::move(faulty.link), catalog, QDateTime());
-    ASSERT_TRUE(bus.open(BusSession::Start::operating));
+    RingSession bus(std::move(faulty.link), catalog, QDateTime());
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
     int readIns = 0;
-    QObject::connect(&bus, &BusSession::readInEnded, &bus, [&] { ++readIns; });
+    QObject::connect(&bus, &RingSession::readInEnded, &bus, [&] { ++readIns; });
     bus.startThread(100us);
     std::jthread trainer([ring = faulty.ring](const std::stop_token &stop) {
         for (int i = 0; !stop.stop_requested(); ++i) {

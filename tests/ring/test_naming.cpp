@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which make an encoder is, the bus does not tell: the user names it.
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
@@ -34,10 +34,10 @@ protected:
             ++m_sent[out];
             return out == 0 || out == 0x8000'0000 ? Word{12345} : 0xC000'0000 | out;
         });
-        EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
-        QObject::connect(&m_bus, &BusSession::named, &m_bus,
+        EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
+        QObject::connect(&m_bus, &RingSession::named, &m_bus,
                          [this](Place number) { m_named.push_back(number); });
-        QObject::connect(&m_bus, &BusSession::messaged, &m_bus,
+        QObject::connect(&m_bus, &RingSession::messaged, &m_bus,
                          [this](const Message &message) { m_messages.push_back(message); });
         m_bus.advance(3);
     }
@@ -45,7 +45,7 @@ protected:
 
     ScriptedLink *m_link; // owned by the bus
     const Catalog m_catalog = Catalog::builtIn();
-    BusSession m_bus;
+    RingSession m_bus;
     std::map<Word, int> m_sent;
     std::vector<Place> m_named;
     std::vector<Message> m_messages;
@@ -147,7 +147,7 @@ TEST_F(Naming, InTheMidstOfASignalOfTheSessionIsSafe)
 TEST_F(Naming, EventsOfTheDriverBeforeAreDropped)
 {
     int changes = 0;
-    QObject::connect(&m_bus, &BusSession::named, &m_bus, [&] {
+    QObject::connect(&m_bus, &RingSession::named, &m_bus, [&] {
         QObject::connect(encoder(), &EncoderSession::knownChanged, &m_bus, [&] { ++changes; });
     });
     ASSERT_TRUE(m_bus.channel(encoderPlace));

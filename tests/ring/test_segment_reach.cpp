@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "ring/segment_reach.h"
 #include "tests/ring/written_ring.h"
 #include "tests/support/faulty_ring.h"
@@ -40,8 +40,8 @@ TEST(SegmentReach, IsWhatTheSimulatedMasterTakesOut)
 {
     const Catalog catalog = Catalog::builtIn();
     FaultyRing simulated;
-    BusSession bus(std::move(simulated.link), catalog, QDateTime());
-    ASSERT_TRUE(bus.open(BusSession::Start::operating));
+    RingSession bus(std::move(simulated.link), catalog, QDateTime());
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
     bus.advance(5);
     for (int segment = 1; segment <= 6; ++segment) {
         bus.switchSegment(segment, false);

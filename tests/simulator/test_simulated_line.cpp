@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr LineSettings usual{};
+constexpr SerialSettings usual{};
 
 class SimulatedLineTest : public testing::Test
 {
@@ -137,7 +137,7 @@ TEST_F(SimulatedLineTest, AtAnotherFormatNothingIsUnderstood)
 {
     ASSERT_TRUE(m_link.open({.dataBits = 7}));
     EXPECT_EQ(answer("05P"), "");
-    ASSERT_TRUE(m_link.open({.parity = LineSettings::Parity::even}));
+    ASSERT_TRUE(m_link.open({.parity = SerialSettings::Parity::even}));
     EXPECT_EQ(answer("05P"), "");
     ASSERT_TRUE(m_link.open({.stopBits = 1}));
     EXPECT_EQ(answer("05P"), "\r\n00001235\r\n");

@@ -3,7 +3,7 @@
 #include "drivers/make_driver.h"
 #include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "project/line_plan.h"
 #include "project/project_take_over.h"
 #include "report/live_encoders.h"

@@ -3,7 +3,7 @@
 
 namespace codewheel::test {
 
-TransferBus::TransferBus(BusSession::Start start)
+TransferBus::TransferBus(RingSession::Start start)
 {
     EXPECT_TRUE(bus.open(start));
     buses.add(bus);

@@ -4,7 +4,7 @@
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "encoder/hex.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "tests/support/places.h"
 #include "transfer/transfer_account.h"
@@ -23,7 +23,7 @@ inline constexpr Place onLoop = "6.1"_ring;
 class TransferBus : public testing::Test
 {
 protected:
-    explicit TransferBus(BusSession::Start start = BusSession::Start::operating);
+    explicit TransferBus(RingSession::Start start = RingSession::Start::operating);
 
     EncoderSession &encoder(Place number) { return *bus.encoder(number); }
     // Until it is at its end, or `milliseconds` have passed.
@@ -35,7 +35,7 @@ protected:
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
-    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
     Buses buses;
     JobRound round{buses};
 

@@ -3,7 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "esc/esc_explain.h"
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 
 #include <QCoreApplication>
 

@@ -3,7 +3,7 @@
 
 #include "encoder/sentence.h"
 #include "esc/esc_explain.h"
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 #include "widgets/look/fonts.h"
 
 #include <QLocale>

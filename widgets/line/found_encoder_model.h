@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/line_scan.h"
+#include "esc_line/line_scan.h"
 #include "widgets/models/table_model_base.h"
 
 #include <set>

@@ -2,7 +2,7 @@
 #include "widgets/line/line_panel.h"
 
 #include "encoder/sentence.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "widgets/line/line_figures_model.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -21,11 +21,11 @@ namespace {
 
 constexpr int linePanelHeight = 300; // the rest is scrolled to
 
-QString characterText(const LineSettings &settings)
+QString characterText(const SerialSettings &settings)
 {
-    const QString parity = settings.parity == LineSettings::Parity::none   ? QStringLiteral("N")
-                           : settings.parity == LineSettings::Parity::even ? QStringLiteral("E")
-                                                                           : QStringLiteral("O");
+    const QString parity = settings.parity == SerialSettings::Parity::none   ? QStringLiteral("N")
+                           : settings.parity == SerialSettings::Parity::even ? QStringLiteral("E")
+                                                                             : QStringLiteral("O");
     return QString::number(settings.dataBits) + parity + QString::number(settings.stopBits);
 }
 

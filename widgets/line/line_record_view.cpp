@@ -2,7 +2,7 @@
 #include "widgets/line/line_record_view.h"
 
 #include "encoder/sentence.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "widgets/line/line_row_options.h"
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/replay_model.h"

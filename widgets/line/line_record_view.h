@@ -2,7 +2,7 @@
 #pragma once
 
 #include "esc/esc_explain.h"
-#include "line/line_replay.h"
+#include "esc_line/line_replay.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/line/line_row_model.h"
 
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 #include "widgets/look/fonts.h"
 
 #include <QLocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/row_text.h"
+#include "esc_line/row_text.h"
 #include "widgets/look/roles.h"
 
 namespace codewheel {

@@ -3,7 +3,7 @@
 
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/line/found_encoder_model.h"
 #include "widgets/look/describe.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/line_event.h"
+#include "esc_line/line_event.h"
 
 #include <QPointer>
 #include <QWidget>

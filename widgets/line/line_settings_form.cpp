@@ -146,9 +146,9 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_stopBits = addChoice(form, tr("&Stop bits"), tr("2 for these encoders"));
     for (const int bits : {8, 7})
         m_dataBits->addItem(QString::number(bits), bits);
-    m_parity->addItem(tr("none", "parity"), static_cast<int>(LineSettings::Parity::none));
-    m_parity->addItem(tr("even", "parity"), static_cast<int>(LineSettings::Parity::even));
-    m_parity->addItem(tr("odd", "parity"), static_cast<int>(LineSettings::Parity::odd));
+    m_parity->addItem(tr("none", "parity"), static_cast<int>(SerialSettings::Parity::none));
+    m_parity->addItem(tr("even", "parity"), static_cast<int>(SerialSettings::Parity::even));
+    m_parity->addItem(tr("odd", "parity"), static_cast<int>(SerialSettings::Parity::odd));
     for (const int bits : {2, 1})
         m_stopBits->addItem(QString::number(bits), bits);
     m_lowLatency = new QCheckBox(tr("&Low latency"), m_content);
@@ -231,7 +231,7 @@ void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString
     const bool isPicked = m_isPicked;
     m_ports = ports;
     showPorts();
-    LineWish kept = wish();
+    LineSettings kept = wish();
     kept.port = chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen;
     setWish(kept);
     m_isPicked = isPicked;
@@ -258,15 +258,15 @@ void LineSettingsForm::showPorts()
     }
 }
 
-LineWish LineSettingsForm::wish() const
+LineSettings LineSettingsForm::wish() const
 {
     using std::chrono::milliseconds;
-    LineWish wish;
+    LineSettings wish;
     wish.port = chosenPort();
     wish.timing = m_timing;
     wish.line.baudRate = m_baudRate->currentText().toInt();
     wish.line.dataBits = m_dataBits->currentData().toInt();
-    wish.line.parity = static_cast<LineSettings::Parity>(m_parity->currentData().toInt());
+    wish.line.parity = static_cast<SerialSettings::Parity>(m_parity->currentData().toInt());
     wish.line.stopBits = m_stopBits->currentData().toInt();
     wish.line.lowLatency = m_lowLatency->isChecked();
     if (wish.line.baudRate > 0)
@@ -290,7 +290,7 @@ void LineSettingsForm::setPort(const QString &port)
     m_isPicked = false;
 }
 
-void LineSettingsForm::setWish(const LineWish &wish)
+void LineSettingsForm::setWish(const LineSettings &wish)
 {
     setPort(wish.port);
     m_baudRate->setEditText(QString::number(wish.line.baudRate));
@@ -339,7 +339,7 @@ void LineSettingsForm::takeRate()
     Q_EMIT baudRateWanted(*m_rateWanted);
 }
 
-bool LineSettingsForm::isComplete(const LineWish &wish)
+bool LineSettingsForm::isComplete(const LineSettings &wish)
 {
     if (wish.port.isEmpty())
         m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
@@ -367,7 +367,7 @@ void LineSettingsForm::connectNow()
 {
     if (!takeTyped())
         return;
-    if (const LineWish wanted = wish(); isComplete(wanted))
+    if (const LineSettings wanted = wish(); isComplete(wanted))
         Q_EMIT connectWanted(wanted, m_isPicked);
 }
 
@@ -375,7 +375,7 @@ void LineSettingsForm::connectOther()
 {
     if (!takeTyped())
         return;
-    if (const LineWish wanted = wish(); isComplete(wanted))
+    if (const LineSettings wanted = wish(); isComplete(wanted))
         Q_EMIT otherAdapterWanted(wanted);
 }
 

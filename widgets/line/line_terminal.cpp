@@ -3,9 +3,9 @@
 
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "line/line_session.h"
-#include "line/typed_request.h"
-#include "line/write_question.h"
+#include "esc_line/line_session.h"
+#include "esc_line/typed_request.h"
+#include "esc_line/write_question.h"
 #include "widgets/line/line_record_io.h"
 #include "widgets/line/line_record_view.h"
 #include "widgets/line/line_row_table.h"

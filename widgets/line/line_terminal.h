@@ -2,7 +2,7 @@
 #pragma once
 
 #include "esc/esc_explain.h"
-#include "line/line_event.h"
+#include "esc_line/line_event.h"
 #include "widgets/look/roles.h"
 
 #include <QPointer>

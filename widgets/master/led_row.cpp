@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/master/led_row.h"
 
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
 
@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-LedRow::LedRow(const BusSession &ring, QWidget *parent)
+LedRow::LedRow(const RingSession &ring, QWidget *parent)
     : QWidget(parent)
     , m_ring(ring)
 {
@@ -29,8 +29,8 @@ LedRow::LedRow(const BusSession &ring, QWidget *parent)
         row->addWidget(m_leds[i]);
     }
     row->addStretch(1);
-    connect(&ring, &BusSession::updated, this, &LedRow::refresh);
-    connect(&ring, &BusSession::stateChanged, this, &LedRow::refresh);
+    connect(&ring, &RingSession::updated, this, &LedRow::refresh);
+    connect(&ring, &RingSession::stateChanged, this, &LedRow::refresh);
     refresh();
 }
 

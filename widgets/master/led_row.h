@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 class RoleLabel;
 
 // The LEDs on the housing of a device as they have to be: each with its name and "on", "off" or "blinking".
@@ -23,7 +23,7 @@ class LedRow : public QWidget
 
 public:
     // The ring outlives it.
-    explicit LedRow(const BusSession &ring, QWidget *parent = nullptr);
+    explicit LedRow(const RingSession &ring, QWidget *parent = nullptr);
 
     void setPlace(std::optional<Place> place); // of this ring; nothing: hidden
 
@@ -31,7 +31,7 @@ private:
     void refresh();
     void showLeds(const DeviceLeds &leds);
 
-    const BusSession &m_ring;
+    const RingSession &m_ring;
     std::optional<Place> m_place;
     std::array<RoleLabel *, 4> m_leds{}; // UL, RC, BA, RBDA
     std::optional<DeviceLeds> m_shown;

@@ -3,9 +3,9 @@
 
 #include "catalog/hex_code.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
 #include "ring/master_look.h"
 #include "ring/master_text.h"
+#include "ring/ring_session.h"
 #include "ring/send_permission.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
@@ -37,7 +37,7 @@ constexpr int segmentsInSight = 6;
 
 } // namespace
 
-MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
+MasterPanel::MasterPanel(RingSession &bus, QWidget *parent)
     : QScrollArea(parent)
     , m_bus(bus)
     , m_content(new QWidget(this))
@@ -62,20 +62,20 @@ MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
     column->addStretch(1);
     setWidget(m_content);
 
-    connect(&bus, &BusSession::updated, this, &MasterPanel::refresh);
-    connect(&bus, &BusSession::stateChanged, this, &MasterPanel::refresh);
-    connect(&bus, &BusSession::structureChanged, this, [this] {
+    connect(&bus, &RingSession::updated, this, &MasterPanel::refresh);
+    connect(&bus, &RingSession::stateChanged, this, &MasterPanel::refresh);
+    connect(&bus, &RingSession::structureChanged, this, [this] {
         m_askedSegment = 0; // whatever was named may be gone
         m_message->withdraw();
         refresh();
     });
-    connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
+    connect(&bus, &RingSession::readInProgressed, this, [this](int devices) {
         m_progress->setMaximum(std::max(m_progress->maximum(), devices));
         m_progress->setValue(devices);
         m_progress->setFormat(tr("%n devices found", nullptr, devices));
     });
-    connect(&bus, &BusSession::readInEnded, this, &MasterPanel::refresh);
-    connect(&bus, &BusSession::readInFailed, this, &MasterPanel::refresh);
+    connect(&bus, &RingSession::readInEnded, this, &MasterPanel::refresh);
+    connect(&bus, &RingSession::readInFailed, this, &MasterPanel::refresh);
     m_message->setObjectName(QStringLiteral("masterMessage"));
     connect(m_message, &InlineMessage::actionTriggered, this, &MasterPanel::switchAskedSegmentOff);
     connect(m_message, &InlineMessage::otherActionTriggered, m_message, &InlineMessage::withdraw);

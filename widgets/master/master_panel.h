@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 class InlineMessage;
 class RoleLabel;
 class SegmentModel;
@@ -30,7 +30,7 @@ class MasterPanel : public QScrollArea
 
 public:
     // The bus outlives the panel.
-    explicit MasterPanel(BusSession &bus, QWidget *parent = nullptr);
+    explicit MasterPanel(RingSession &bus, QWidget *parent = nullptr);
     ~MasterPanel() override;
 
     // Switches the segment on again; or asks whether it shall be off.
@@ -62,7 +62,7 @@ private:
     void switchAskedSegmentOff();
     void withdrawWhatIsOver();
 
-    BusSession &m_bus;
+    RingSession &m_bus;
     QWidget *m_content;
     RoleLabel *m_state;
     QLabel *m_fault = nullptr;

@@ -4,7 +4,7 @@
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "ring/send_permission.h"
 #include "ring/take_over.h"
 #include "widgets/look/describe.h"
@@ -26,7 +26,7 @@ QString keptName(const KeptConfiguration &kept)
 
 } // namespace
 
-RingComparison::RingComparison(ProjectDocument &document, BusSession &bus, QWidget *parent)
+RingComparison::RingComparison(ProjectDocument &document, RingSession &bus, QWidget *parent)
     : ComparisonPage(document, bus.catalog(), bus.id(), QString::fromLatin1(interbusKind), parent)
     , m_document(document)
     , m_ring(bus)
@@ -58,10 +58,10 @@ RingComparison::RingComparison(ProjectDocument &document, BusSession &bus, QWidg
         if (m_before)
             keep(*m_before);
     });
-    connect(&bus, &BusSession::structureChanged, this, &RingComparison::compare);
-    connect(&bus, &BusSession::readInEnded, this, &RingComparison::compare);
-    connect(&bus, &BusSession::named, this, &RingComparison::compare);
-    connect(&bus, &BusSession::keptConfigurationTold, this, &RingComparison::showKept);
+    connect(&bus, &RingSession::structureChanged, this, &RingComparison::compare);
+    connect(&bus, &RingSession::readInEnded, this, &RingComparison::compare);
+    connect(&bus, &RingSession::named, this, &RingComparison::compare);
+    connect(&bus, &RingSession::keptConfigurationTold, this, &RingComparison::showKept);
     setBus(&bus);
 }
 

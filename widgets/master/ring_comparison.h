@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 
 // The comparison of a ring: lines are also taken over into the configuration that the master keeps, and that
 // one is loaded back; all can be taken back.
@@ -16,7 +16,7 @@ class RingComparison final : public ComparisonPage
 
 public:
     // Both must outlive it.
-    RingComparison(ProjectDocument &document, BusSession &bus, QWidget *parent = nullptr);
+    RingComparison(ProjectDocument &document, RingSession &bus, QWidget *parent = nullptr);
 
 Q_SIGNALS:
     void readInRequested();
@@ -33,7 +33,7 @@ private:
     void showKept(const std::optional<KeptConfiguration> &configuration);
 
     ProjectDocument &m_document;
-    BusSession &m_ring;
+    RingSession &m_ring;
     QPushButton *m_readIn;
     QPushButton *m_lineIntoMaster;
     QPushButton *m_allIntoMaster;

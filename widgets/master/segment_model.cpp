@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/master/segment_model.h"
 
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "widgets/look/roles.h"
 
 #include <QLocale>
@@ -25,7 +25,7 @@ bool isShownSame(const SegmentRow &a, const SegmentRow &b)
 
 } // namespace
 
-void SegmentModel::show(const BusSession &bus)
+void SegmentModel::show(const RingSession &bus)
 {
     std::vector<SegmentRow> fresh;
     if (const MasterStatus *master = bus.master())

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 
 // A segment of the ring: on or off, and its CRC errors.
 struct SegmentRow
@@ -33,7 +33,7 @@ public:
     using TableModelBase::TableModelBase;
 
     // Only what changed is told to the views.
-    void show(const BusSession &bus);
+    void show(const RingSession &bus);
 
 private:
     int columns() const override { return columnCountOf; }

@@ -3,7 +3,7 @@
 
 #include "bus/word_channel.h"
 #include "encoder/hex.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "ring/segment_reach.h"
 #include "widgets/master/master_panel.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr qsizetype devicesNamed = 8;
 
-QString lostDeviceText(const BusSession &bus, const Participant &device)
+QString lostDeviceText(const RingSession &bus, const Participant &device)
 {
     const EncoderSession *encoder = bus.encoder(device.number);
     return QStringLiteral("%1 %2").arg(device.number.toString(),
@@ -30,7 +30,7 @@ QString listText(const QStringList &texts)
 
 } // namespace
 
-QString segmentQuestion(const BusSession &bus, int segment)
+QString segmentQuestion(const RingSession &bus, int segment)
 {
     QStringList devices;
     QStringList outputs;

@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 
 // Whether the segment shall be switched off: names the devices that go out of the data cycles with it, and
 // those of their outputs that are not 0 now.
-QString segmentQuestion(const BusSession &bus, int segment);
+QString segmentQuestion(const RingSession &bus, int segment);
 
 } // namespace codewheel

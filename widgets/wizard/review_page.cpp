@@ -5,7 +5,7 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"

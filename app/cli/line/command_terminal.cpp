@@ -14,8 +14,8 @@
 #include "cli/typed_lines.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "line/typed_request.h"
-#include "line/write_question.h"
+#include "esc_line/typed_request.h"
+#include "esc_line/write_question.h"
 
 #include <QJsonDocument>
 #include <QScopedValueRollback>

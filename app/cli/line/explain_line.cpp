@@ -8,7 +8,7 @@
 #include "encoder/sentence.h"
 #include "esc/esc_frame.h"
 #include "esc/esc_scaling.h"
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 
 #include <array>
 

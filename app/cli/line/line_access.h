@@ -3,8 +3,8 @@
 
 #include "cli/bus_access.h"
 #include "cli/line/line_link.h"
-#include "line/byte_link.h"
-#include "line/line_session.h"
+#include "esc_line/byte_link.h"
+#include "esc_line/line_session.h"
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line/line_figures.h"
+#include "esc_line/line_figures.h"
 
 #include <QJsonObject>
 #include <QString>

@@ -4,7 +4,7 @@
 #include "cli/texts.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
-#include "line/line_limits.h"
+#include "esc_line/line_limits.h"
 #include "links/serial_ports.h"
 
 #include <QStringList>
@@ -68,7 +68,7 @@ QString lineSettingKeys()
 // "8N2": data bits, parity, stop bits.
 Checked<void> takeFormat(LineLink &link, const QString &text)
 {
-    using Parity = LineSettings::Parity;
+    using Parity = SerialSettings::Parity;
     const QString letters = QStringLiteral("NEO");
     constexpr std::array parities{Parity::none, Parity::even, Parity::odd};
     const bool isFormat = text.size() == 3 && (text[0] == u'7' || text[0] == u'8') &&

@@ -13,7 +13,7 @@ namespace codewheel {
 // The serial line that --link names.
 struct LineLink
 {
-    LineWish wish{};                   // its port: a name or a path; empty: the simulated line
+    LineSettings wish{};               // its port: a name or a path; empty: the simulated line
     bool swapWarningBytes = false;     // of all its encoders
     std::set<LineAddress> swapping{};  // of these, as the project says
     bool asksForFractionBits = false;  // of the scaling factor, from the encoder

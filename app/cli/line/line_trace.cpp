@@ -5,8 +5,8 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "esc/esc_bits.h"
-#include "line/line_session.h"
-#include "line/typed_request.h"
+#include "esc_line/line_session.h"
+#include "esc_line/typed_request.h"
 
 namespace codewheel {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/subcommand.h"
-#include "line/line_scan.h"
+#include "esc_line/line_scan.h"
 
 #include <array>
 

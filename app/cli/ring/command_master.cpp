@@ -40,8 +40,8 @@ constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confi
 // bus has come as far.
 struct Action
 {
-    std::function<void(BusSession &)> carryOut;
-    std::function<QString(const BusSession &)> question{}; // none: nothing has to be asked
+    std::function<void(RingSession &)> carryOut;
+    std::function<QString(const RingSession &)> question{}; // none: nothing has to be asked
 };
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
@@ -52,7 +52,7 @@ tl::unexpected<Complaint> unknownAction(const QString &text)
 }
 
 // The devices that go with the segment, and the words they have now.
-QString segmentQuestion(const BusSession &bus, int segment, bool on)
+QString segmentQuestion(const RingSession &bus, int segment, bool on)
 {
     if (on)
         return sentence(CommandLine::tr("Put segment %1 back into the data cycles?"),
@@ -78,14 +78,14 @@ Checked<Action> segmentAction(const QStringList &words)
     if (words.size() != 3 || !isNumber || (how != QStringLiteral("on") && how != QStringLiteral("off")))
         return unknownAction(words.join(u' '));
     const bool on = how == QStringLiteral("on");
-    return Action{[segment, on](BusSession &bus) { bus.switchSegment(segment, on); },
-                  [segment, on](const BusSession &bus) { return segmentQuestion(bus, segment, on); }};
+    return Action{[segment, on](RingSession &bus) { bus.switchSegment(segment, on); },
+                  [segment, on](const RingSession &bus) { return segmentQuestion(bus, segment, on); }};
 }
 
-Action asking(void (BusSession::*service)(), const QString &question)
+Action asking(void (RingSession::*service)(), const QString &question)
 {
-    return {[service](BusSession &bus) { (bus.*service)(); },
-            [question](const BusSession &) { return question; }};
+    return {[service](RingSession &bus) { (bus.*service)(); },
+            [question](const RingSession &) { return question; }};
 }
 
 Checked<Action> actionOf(const QStringList &words)
@@ -96,17 +96,17 @@ Checked<Action> actionOf(const QStringList &words)
     if (words.size() > 1)
         return unknownAction(words.join(u' '));
     if (name == QStringLiteral("status"))
-        return Action{[](BusSession &) {}};
+        return Action{[](RingSession &) {}};
     if (name == QStringLiteral("start"))
-        return Action{[](BusSession &bus) { bus.setRunning(true); }};
+        return Action{[](RingSession &bus) { bus.setRunning(true); }};
     if (name == QStringLiteral("stop"))
-        return Action{[](BusSession &bus) { bus.setRunning(false); }};
+        return Action{[](RingSession &bus) { bus.setRunning(false); }};
     if (name == QStringLiteral("alarm-stop"))
-        return Action{&BusSession::alarmStop};
+        return Action{&RingSession::alarmStop};
     if (name == QStringLiteral("read-in"))
-        return asking(&BusSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
+        return asking(&RingSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
     if (name == QStringLiteral("confirm"))
-        return asking(&BusSession::confirmDiagnostics, CommandLine::tr("Confirm diagnostics?"));
+        return asking(&RingSession::confirmDiagnostics, CommandLine::tr("Confirm diagnostics?"));
     return unknownAction(name);
 }
 
@@ -148,7 +148,7 @@ QJsonArray messagesJson(const std::vector<Message> &messages)
     return rows;
 }
 
-Checked<void> agreed(const Call &call, const BusSession &bus, const Action &action)
+Checked<void> agreed(const Call &call, const RingSession &bus, const Action &action)
 {
     if (!action.question)
         return {};
@@ -156,11 +156,11 @@ Checked<void> agreed(const Call &call, const BusSession &bus, const Action &acti
                    CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to do it."));
 }
 
-Checked<Told> carryOutAction(const Call &call, BusSession &bus, int after, const Action &action)
+Checked<Told> carryOutAction(const Call &call, RingSession &bus, int after, const Action &action)
 {
     Told told;
     QObject scope;
-    QObject::connect(&bus, &BusSession::messaged, &scope,
+    QObject::connect(&bus, &RingSession::messaged, &scope,
                      [&](const Message &message) { told.messages.push_back(message); });
     bus.advance(std::max(after, 1));
     if (const auto may = agreed(call, bus, action); !may)
@@ -188,7 +188,7 @@ Checked<Answer> runMaster(const Call &call)
     const auto access = busMeant(call, QString::fromLatin1(interbusKind));
     if (!access)
         return tl::unexpected(access.error());
-    BusSession &ring = static_cast<RingAccess &>(**access).ring(); // of its kind
+    RingSession &ring = static_cast<RingAccess &>(**access).ring(); // of its kind
     const auto told = carryOutAction(call, ring, *after, *action);
     if (!told)
         return tl::unexpected(told.error());

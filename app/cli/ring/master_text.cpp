@@ -4,8 +4,8 @@
 #include "catalog/hex_code.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "ring/bus_session.h"
 #include "ring/master_text.h"
+#include "ring/ring_session.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -52,7 +52,7 @@ QString hex(std::uint16_t word)
     return QStringLiteral("%1").arg(word, 4, 16, QLatin1Char('0')).toUpper();
 }
 
-QJsonArray devicesJson(const BusSession &bus, const MasterStatus &master)
+QJsonArray devicesJson(const RingSession &bus, const MasterStatus &master)
 {
     QJsonArray devices;
     for (std::size_t i = 0; i < std::min(bus.structure().size(), master.devices.size()); ++i)
@@ -80,7 +80,7 @@ QString segmentLines(const MasterStatus &master)
 
 } // namespace
 
-QString masterLines(const BusSession &bus)
+QString masterLines(const RingSession &bus)
 {
     const MasterStatus *master = bus.master();
     if (!master)
@@ -95,7 +95,7 @@ QString masterLines(const BusSession &bus)
            u'\n' + segmentLines(*master);
 }
 
-QJsonValue masterJson(const BusSession &bus)
+QJsonValue masterJson(const RingSession &bus)
 {
     const MasterStatus *master = bus.master();
     if (!master)

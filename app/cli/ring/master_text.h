@@ -6,11 +6,11 @@
 
 namespace codewheel {
 
-class BusSession;
+class RingSession;
 
 // What the ring's master says, line by line; and for programs (docs/command-line.md), null where the link
 // reaches no master.
-QString masterLines(const BusSession &bus);
-QJsonValue masterJson(const BusSession &bus);
+QString masterLines(const RingSession &bus);
+QJsonValue masterJson(const RingSession &bus);
 
 } // namespace codewheel

@@ -87,12 +87,12 @@ QString makeOf(const Participant &participant, const DeviceDescription *named)
 
 } // namespace
 
-RingAccess::RingAccess(BusSession &ring)
+RingAccess::RingAccess(RingSession &ring)
     : BusAccess(ring, QString::fromLatin1(interbusKind))
     , m_ring(ring)
 {}
 
-RingAccess::RingAccess(std::unique_ptr<BusSession> ring, std::shared_ptr<void> world)
+RingAccess::RingAccess(std::unique_ptr<RingSession> ring, std::shared_ptr<void> world)
     : BusAccess(*ring, QString::fromLatin1(interbusKind))
     , m_owned(std::move(ring))
     , m_world(std::move(world))

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/bus_access.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 
 namespace codewheel {
 
@@ -11,11 +11,11 @@ namespace codewheel {
 class RingAccess final : public BusAccess
 {
 public:
-    explicit RingAccess(BusSession &ring); // open; it outlives this
+    explicit RingAccess(RingSession &ring); // open; it outlives this
     // `world`: what the session needs as long as it lives.
-    RingAccess(std::unique_ptr<BusSession> ring, std::shared_ptr<void> world);
+    RingAccess(std::unique_ptr<RingSession> ring, std::shared_ptr<void> world);
 
-    BusSession &ring() const { return m_ring; }
+    RingSession &ring() const { return m_ring; }
 
     bool followsFaultPlan() const override { return m_world != nullptr; }
     std::optional<NodeId> placeTyped(const QString &text) const override;
@@ -32,9 +32,9 @@ public:
     void keepFound(const Call &call, Project &project) const override;
 
 private:
-    std::unique_ptr<BusSession> m_owned;
+    std::unique_ptr<RingSession> m_owned;
     std::shared_ptr<void> m_world;
-    BusSession &m_ring;
+    RingSession &m_ring;
 };
 
 } // namespace codewheel

@@ -46,7 +46,7 @@ protected:
         encoder().tell(Parameter::rodLength, 500'000);
     }
 
-    test::TrainingBusSession ring{BusSession::Start::operating, test::makeRodBus};
+    test::TrainingRingSession ring{RingSession::Start::operating, test::makeRodBus};
     DialPanel panel;
 };
 

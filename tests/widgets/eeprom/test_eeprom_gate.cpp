@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A FRABA of the training bus whose ledger says that it was written to often: every place that starts a job.
 #include "tests/app/question.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/cancel_question.h"
@@ -50,7 +50,7 @@ protected:
         return *found;
     }
 
-    test::TrainingBusSession ring;
+    test::TrainingRingSession ring;
 };
 
 TEST_F(EepromGateTest, SaysByWhatItIsCountedAndAsksNothing)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes, FRABA preset and reset as they are asked for in the parameter panel's menu, with the mouse.
 #include "tests/app/question.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -75,7 +75,7 @@ protected:
         return m_panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))->sentence();
     }
 
-    test::TrainingBusSession m_ring;
+    test::TrainingRingSession m_ring;
     ProjectDocument m_project;
     WantedValues m_wanted{m_project};
     ParameterPanel m_panel{m_wanted};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "tests/line/scripted_line.h"
 
 #include <QAction>

@@ -22,7 +22,7 @@ protected:
         form.resize(600, 500);
         form.show();
         QObject::connect(&form, &LineSettingsForm::connectWanted, &form,
-                         [this](const LineWish &wish) { wanted.push_back(wish); });
+                         [this](const LineSettings &wish) { wanted.push_back(wish); });
     }
     template <typename Field>
     Field &field(const char *name) const
@@ -43,7 +43,7 @@ protected:
     }
 
     LineSettingsForm form;
-    std::vector<LineWish> wanted;
+    std::vector<LineSettings> wanted;
     const std::vector<PortRow> ports{
         {QStringLiteral("/dev/ttyUSB0"), QStringLiteral("USB Serial"), QStringLiteral("FT12345")},
         {QStringLiteral("/dev/ttyS0"), {}, {}}};
@@ -54,7 +54,7 @@ TEST_F(LineSettingsFormTest, BeginsWithTheSettingsOfTheFactory)
     form.setPorts(ports);
     connectNow();
     ASSERT_EQ(wanted.size(), 1U);
-    LineWish factory;
+    LineSettings factory;
     factory.port = QStringLiteral("/dev/ttyUSB0");
     EXPECT_EQ(wanted.front(), factory);
     EXPECT_EQ(field<QComboBox>("Port").currentText(),
@@ -136,7 +136,7 @@ TEST_F(LineSettingsFormTest, AnyBaudRateMayBeTyped)
     form.setPorts(ports);
     field<QComboBox>("Baud rate").setEditText(QStringLiteral("38400"));
     EXPECT_EQ(form.wish().line.baudRate, 38'400);
-    EXPECT_EQ(form.wish().timing.character, LineSettings{.baudRate = 38'400}.timeOf(1));
+    EXPECT_EQ(form.wish().timing.character, SerialSettings{.baudRate = 38'400}.timeOf(1));
     field<QComboBox>("Baud rate").setEditText(QString());
     connectNow();
     EXPECT_TRUE(wanted.empty());
@@ -162,11 +162,11 @@ TEST_F(LineSettingsFormTest, SaysWhenTheListIsEmptyOrRightsAreMissing)
 
 TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
 {
-    LineWish wish;
+    LineSettings wish;
     wish.port = QStringLiteral("/dev/ttyS4");
     wish.line = {.baudRate = 57'600,
                  .dataBits = 7,
-                 .parity = LineSettings::Parity::even,
+                 .parity = SerialSettings::Parity::even,
                  .stopBits = 1,
                  .lowLatency = false};
     wish.timing.character = wish.line.timeOf(1);
@@ -184,7 +184,7 @@ TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
 // What the command line and the project's file take, the form shows and gives back.
 TEST_F(LineSettingsFormTest, GoesAsFarAsTheCommandLine)
 {
-    LineWish wish;
+    LineSettings wish;
     wish.port = QStringLiteral("/dev/ttyS4");
     wish.line.baudRate = 10'000'000;
     wish.timing.character = wish.line.timeOf(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line/typed_request.h"
+#include "esc_line/typed_request.h"
 #include "tests/support/events_seen.h"
 #include "tests/support/old_file.h"
 #include "tests/widgets/line/line_bench.h"

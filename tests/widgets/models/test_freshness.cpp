@@ -2,7 +2,7 @@
 // What is live looks alive, what is old looks old, in every view.
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "tests/widgets/rod_bus.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/rod_view.h"
@@ -52,7 +52,7 @@ protected:
         return QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
     }
 
-    test::TrainingBusSession ring;
+    test::TrainingRingSession ring;
 };
 
 TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
@@ -88,9 +88,9 @@ TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
 // Nothing is asked of the bus for that.
 TEST_F(FreshnessTest, TheAgeGoesOnByItself)
 {
-    BusSession bus(makeTrainingBus(ring.catalog).link, ring.catalog,
-                   QDateTime::currentDateTime().addSecs(-30));
-    ASSERT_TRUE(bus.open(BusSession::Start::watching));
+    RingSession bus(makeTrainingBus(ring.catalog).link, ring.catalog,
+                    QDateTime::currentDateTime().addSecs(-30));
+    ASSERT_TRUE(bus.open(RingSession::Start::watching));
     bus.advance(10);
     DialPanel panel;
     panel.show();
@@ -105,7 +105,7 @@ TEST_F(FreshnessTest, TheAgeGoesOnByItself)
 
 TEST_F(FreshnessTest, ARodToo)
 {
-    test::TrainingBusSession rod(BusSession::Start::operating, test::makeRodBus);
+    test::TrainingRingSession rod(RingSession::Start::operating, test::makeRodBus);
     DialPanel panel;
     panel.show();
     panel.setEncoder(&rod.encoder(test::rodPlace));

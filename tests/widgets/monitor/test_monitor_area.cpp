@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/places.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/monitor_area.h"
@@ -39,7 +39,7 @@ protected:
         return names;
     }
 
-    test::TrainingBusSession ring;
+    test::TrainingRingSession ring;
     MonitorArea area{ring.buses};
 };
 
@@ -178,7 +178,7 @@ TEST_F(MonitorAreaTest, MonitorsGoAndComeBackWithTheirBus)
     ring.bus.close();
     EXPECT_TRUE(open().isEmpty());
     const QJsonObject kept = area.state();
-    EXPECT_TRUE(ring.bus.open(BusSession::Start::watching));
+    EXPECT_TRUE(ring.bus.open(RingSession::Start::watching));
     ring.bus.advance(5);
     EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 IN 32")});
     EXPECT_EQ(area.state(), kept);

@@ -36,11 +36,11 @@ protected:
         auto *column = new QVBoxLayout(&window);
         column->addWidget(&in);
         column->addWidget(&out);
-        QObject::connect(&ring.bus, &BusSession::updated, &window, [this] {
+        QObject::connect(&ring.bus, &RingSession::updated, &window, [this] {
             in.showPicture(ring.bus.latest().at);
             out.showPicture(ring.bus.latest().at);
         });
-        QObject::connect(&ring.bus, &BusSession::stateChanged, &out, &WordMonitor::busStateChanged);
+        QObject::connect(&ring.bus, &RingSession::stateChanged, &out, &WordMonitor::busStateChanged);
         window.show();
         window.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
@@ -102,7 +102,7 @@ protected:
         return ring.bus.latest().devices.front().out;
     }
 
-    test::TrainingBusSession ring;
+    test::TrainingRingSession ring;
     QWidget window;
     WordMonitor in = monitorOf(MonitorKind::in32);
     WordMonitor out = monitorOf(MonitorKind::out32);
@@ -269,7 +269,7 @@ TEST_F(WordMonitorTest, AtOnceIsOffAndSendsHarmlessWordsOnly)
 // TR manual 2.2: without the service bit OUT has no effect.
 TEST_F(WordMonitorTest, OfALinearEncoderOnlyTheServiceBitIsAsked)
 {
-    test::TrainingBusSession bus{BusSession::Start::operating, test::makeRodBus};
+    test::TrainingRingSession bus{RingSession::Start::operating, test::makeRodBus};
     EncoderSession &encoder = bus.encoder(test::rodPlace);
     WordMonitor monitor(bus.channel(test::rodPlace), &encoder, &encoder.device(), MonitorKind::out32);
     monitor.show();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel on the training bus, in virtual time, with mouse and keys.
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"
@@ -49,7 +49,7 @@ class Parameters : public testing::Test
 protected:
     Parameters()
     {
-        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        EXPECT_TRUE(bus.open(RingSession::Start::operating));
         bus.encoder(fraba)->tell(Parameter::startUpMode, 1); // position mode
         bus.advance(10);
         panel.resize(290, 480);
@@ -116,7 +116,7 @@ protected:
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
-    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
+    RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
     ProjectDocument project;
     WantedValues wanted{project};
     ParameterPanel panel{wanted};
@@ -467,7 +467,7 @@ TEST_F(Parameters, AnErrorOfTheEncoderStandsInThePanelWithAWayBack)
 
 TEST_F(Parameters, AConnectionThatEndsTakesItsEncoderAway)
 {
-    ASSERT_TRUE(bus.open(BusSession::Start::watching));
+    ASSERT_TRUE(bus.open(RingSession::Start::watching));
     EXPECT_EQ(model().rowCount(), 0);
     EXPECT_FALSE(table().isVisible());
 }

@@ -85,7 +85,7 @@ protected:
         ASSERT_FALSE(rod().runningJob());
     }
 
-    test::TrainingBusSession ring{BusSession::Start::operating, test::makeRodBus};
+    test::TrainingRingSession ring{RingSession::Start::operating, test::makeRodBus};
     ProjectDocument project;
     WantedValues wanted{project};
     ParameterPanel panel{wanted};

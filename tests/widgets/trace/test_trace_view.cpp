@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/training_ring_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/trace/trace_model.h"
@@ -65,7 +65,7 @@ protected:
         return {};
     }
 
-    test::TrainingBusSession ring;
+    test::TrainingRingSession ring;
     TraceView view{ring.buses};
     QTableView &table = *view.findChild<QTableView *>();
 };
@@ -248,7 +248,7 @@ TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)
 {
     write(fraba, 0x020000FF);
     const int rows = model().rowCount();
-    ASSERT_TRUE(ring.bus.open(BusSession::Start::operating));
+    ASSERT_TRUE(ring.bus.open(RingSession::Start::operating));
     ring.bus.advance(10);
     view.setEncoder(&ring.encoder(fraba));
     EXPECT_GE(model().rowCount(), rows);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/make_driver.h"
 #include "drivers/position_scale.h"
-#include "line/line_session.h"
+#include "esc_line/line_session.h"
 #include "simulator/simulated_line_link.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/monitor/position_range.h"

@@ -4,7 +4,7 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "ring/ring_session.h"
 #include "simulator/training_bus.h"
 #include "tests/app/question.h"
 #include "tests/support/places.h"
@@ -38,7 +38,7 @@ protected:
         : training(make(catalog))
     {
         buses.add(bus);
-        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        EXPECT_TRUE(bus.open(RingSession::Start::operating));
         bus.advance(20);
         wizard.resize(700, 560);
         wizard.show();
@@ -104,7 +104,7 @@ protected:
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training;
     std::shared_ptr<TrainingControls> controls = training.controls;
-    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
+    RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
     ProjectDocument project;
     WantedValues wanted{project};
     Buses buses;

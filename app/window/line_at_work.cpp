@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/line_at_work.h"
+
+#include "app/journal_files.h"
+#include "drivers/esc_driver.h"
+#include "journal/ledger_keeper.h"
+#include "links/port_access.h"
+#include "links/project_adapter.h"
+#include "simulator/simulated_line_link.h"
+#include "widgets/project/project_document.h"
+
+#include <QFileInfo>
+
+#include <chrono>
+#include <thread>
+
+namespace codewheel {
+namespace {
+
+const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
+
+Instant steadyTime()
+{
+    return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+// Whatever links lead to it.
+bool isSamePort(const QString &path, const QString &other)
+{
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    return path == other || (!canonical.isEmpty() && canonical == QFileInfo(other).canonicalFilePath());
+}
+
+EscSettings escSettingsOf(const LineSettings &wish)
+{
+    EscSettings settings;
+    settings.positionInterval = wish.pollInterval;
+    settings.topSpeed = wish.topSpeed;
+    settings.fractionBits = wish.fractionBits;
+    return settings;
+}
+
+// A port keeps real time. Opening one of this computer is a matter of milliseconds.
+Result<void> openByThread(LineSession &session, const LineSettings &wish)
+{
+    Result<void> opened;
+    QObject waiting;
+    QObject::connect(&session, &LineSession::openRefused, &waiting,
+                     [&opened](const Refusal &why) { opened = tl::unexpected(why); });
+    (void)session.open(wish.line, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
+    for (; session.state() == BusState::opening; std::this_thread::yield())
+        session.pump();
+    return opened;
+}
+
+} // namespace
+
+LineAtWork::LineAtWork(BusId id, Surroundings its, QObject *parent)
+    : BusAtWork(id, std::move(its), parent)
+{
+    connect(&project(), &ProjectDocument::changed, this, &LineAtWork::tellByteOrder);
+}
+
+LineAtWork::~LineAtWork()
+{
+    endAccount();
+}
+
+QString LineAtWork::kind() const
+{
+    return QString::fromLatin1(escKind);
+}
+
+std::unique_ptr<LineSession> LineAtWork::makeSession(std::unique_ptr<ByteLink> link, const LineSettings &wish)
+{
+    auto session = std::make_unique<LineSession>(
+        std::move(link), catalog(), surroundings().clock(),
+        [settings = escSettingsOf(wish)](const DeviceDescription &device, LineAddress address) {
+            return std::make_unique<EscDriver>(device, address, settings);
+        },
+        nullptr, id());
+    session->setFractionBits(wish.fractionBits);
+    connect(session.get(), &LineSession::nodesChanged, this, &LineAtWork::tellByteOrder);
+    tellMessagesOf(*session);
+    return session;
+}
+
+void LineAtWork::replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
+                         const SerialPortLink *port)
+{
+    Q_EMIT aboutToChange();
+    if (m_session)
+        m_session->close();
+    endAccount();
+    m_session = std::move(session);
+    m_training = std::move(training);
+    m_port = port;
+    if (m_session)
+        keepAccount(
+            std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, surroundings().dataFolder)));
+    Q_EMIT changed();
+}
+
+void LineAtWork::openTraining()
+{
+    auto line = std::make_shared<SimulatedLine>();
+    const bool isVirtual = !surroundings().byThread;
+    auto link = std::make_unique<SimulatedLineLink>(line, isVirtual ? SimulatedLineLink::Clock()
+                                                                    : SimulatedLineLink::Clock(steadyTime));
+    auto session = makeSession(std::move(link), {});
+    // a simulated link always opens
+    if (!session->open({}, {}, LineSession::Start::operating,
+                       isVirtual ? LineSession::Drive::byHand : LineSession::Drive::byThread))
+        Q_UNREACHABLE();
+    for (const LineAddress address : line->addresses())
+        (void)session->add(address, trainingDevice);
+    replace(std::move(session), std::move(line), nullptr);
+}
+
+Result<void> LineAtWork::openPort(const LinePlan &line)
+{
+    m_wanted = keptAdapterOf(line);
+    return open(line);
+}
+
+Result<void> LineAtWork::openOtherAdapter(const LinePlan &line)
+{
+    if (m_wanted)
+        m_wanted->takeOther();
+    else
+        m_wanted = keptAdapterOf(line);
+    return open(line);
+}
+
+// A port has many paths, and its adapter may be plugged in elsewhere now than when it was opened.
+bool LineAtWork::holds(const QString &path) const
+{
+    if (m_port == nullptr)
+        return false;
+    const auto held = m_port->adapter();
+    const auto &wanted = m_wanted->adapter();
+    return isSamePort(m_port->name(), path) ||
+           (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
+}
+
+Result<void> LineAtWork::open(const LinePlan &line)
+{
+    const auto there = m_wanted->find(m_ports());
+    if (!there)
+        return tl::unexpected(there.error());
+    const LineSettings &wish = line.wish;
+    auto link = std::make_unique<SerialPortLink>(*m_wanted, m_ports);
+    const SerialPortLink *port = link.get();
+    if (holds(*there))
+        close();
+    auto session = makeSession(std::move(link), wish);
+    if (auto opened = openByThread(*session, wish); !opened)
+        return opened;
+    for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
+        (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
+    replace(std::move(session), nullptr, port);
+    m_openedWith = wish;
+    tellByteOrder();
+    return {};
+}
+
+// Of the project's encoders, and of what undo made of them; those of the training line are none of these.
+void LineAtWork::tellByteOrder()
+{
+    if (!m_session || m_training)
+        return;
+    for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
+        m_session->setSwapsWarningBytes(encoder.place(), encoder.swapsWarningBytes);
+}
+
+LinePlan LineAtWork::asOpened(LinePlan line) const
+{
+    if (m_port == nullptr)
+        return line;
+    line.adapter = lineAdapter(m_port->adapter());
+    if (const QString path = m_port->name(); path != portPath(line.wish.port))
+        line.wish.port = path;
+    return line;
+}
+
+LinePlan LineAtWork::opened() const
+{
+    LinePlan line;
+    if (m_port == nullptr)
+        return line;
+    line.wish = m_openedWith;
+    return asOpened(std::move(line));
+}
+
+void LineAtWork::close()
+{
+    if (m_session)
+        replace(nullptr, nullptr, nullptr);
+}
+
+} // namespace codewheel

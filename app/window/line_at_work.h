@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/bus_at_work.h"
+#include "esc_line/line_session.h"
+#include "esc_line/line_settings.h"
+#include "links/serial_port_link.h"
+#include "project/line_plan.h"
+#include "simulator/simulated_line.h"
+
+#include <memory>
+
+namespace codewheel {
+
+// A serial line of the program: the simulated one of the training bus, or one at a port.
+class LineAtWork final : public BusAtWork
+{
+    Q_OBJECT
+
+public:
+    LineAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);
+    ~LineAtWork() override;
+
+    QString kind() const override;
+    EncoderBus *bus() const override { return m_session.get(); }
+    LineSession *session() const { return m_session.get(); }     // null: none is open
+    SimulatedLine *training() const { return m_training.get(); } // null: it is no training line
+
+    // Each ends the line there was. The training line begins in Operate.
+    void openTraining() override;
+    // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
+    // plugged in. Refused as ByteLink::open(): then the line there was goes on, unless it was at the same
+    // port.
+    Result<void> openPort(const LinePlan &line);
+    // The same once more, with the adapter that it refused (portOfOther) in place of that of the line.
+    Result<void> openOtherAdapter(const LinePlan &line);
+    // With the port and the adapter that are open: it may be plugged in elsewhere, or another one be meant
+    // meanwhile.
+    LinePlan asOpened(LinePlan line) const;
+    // The port that is open, without its encoders, and how it was opened; as the factory has it where none
+    // is.
+    LinePlan opened() const;
+    // In place of those of this computer.
+    void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
+    std::vector<PortInfo> ports() const { return m_ports(); }
+    void close();
+
+private:
+    void tellByteOrder();
+    std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineSettings &wish);
+    Result<void> open(const LinePlan &line); // at m_wanted
+    bool holds(const QString &path) const;
+    void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
+                 const SerialPortLink *port);
+
+    std::shared_ptr<SimulatedLine> m_training;
+    std::unique_ptr<LineSession> m_session;
+    const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
+    LineSettings m_openedWith;              // the port
+    std::optional<KeptAdapter> m_wanted;    // when a port was to be opened last
+    SerialPortLink::PortList m_ports = serialPorts;
+};
+
+} // namespace codewheel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/bus_work.h"
+#include "bus/wall_time.h"
+#include "encoder/event.h"
+#include "encoder/message.h"
+#include "esc_line/line_scan.h"
+
+#include <variant>
+
+namespace codewheel {
+
+struct ScanProgress
+{
+    int asked = 0;
+    int total = 0;
+    std::vector<FoundEncoder> found;
+};
+struct ScanEnded
+{
+    std::vector<FoundEncoder> found;
+    int requests = 0;
+    bool cancelled = false;
+};
+// How a request that was typed ended. Sent no times: it was refused or dropped.
+struct TypedAnswered
+{
+    esc::Request request;
+    esc::ExchangeResult result;
+};
+
+// What the line thread tells the window.
+struct LineEvent
+{
+    std::size_t device = 0; // of an Event; meaningless for the rest
+    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, Slept, LinkOpened>
+        what;
+    Instant at{};
+
+    bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // of the terminal
+};
+
+} // namespace codewheel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "esc_line/line_permission.h"
+
+#include "encoder/place.h"
+
+namespace codewheel {
+namespace {
+
+tl::unexpected<Refusal> notNow(RefusalId why, LineAddress place)
+{
+    return refuse(RefusalKind::busy, why, {placeOnLine(place).toString()});
+}
+
+tl::unexpected<Refusal> portLost(const QString &link)
+{
+    return refuse(RefusalKind::link, RefusalId::portLost, {link});
+}
+
+} // namespace
+
+Result<void> mayStart(const LineState &line, const Job &job, LineAddress place, const QString &link)
+{
+    if (!line.connected)
+        return portLost(link);
+    if (!line.polling)
+        return notNow(RefusalId::notRunning, place);
+    if (!line.operate && !std::holds_alternative<ReadParameters>(job))
+        return notNow(RefusalId::watchOnly, place);
+    return {};
+}
+
+Result<void> maySend(const LineState &line, const esc::Request &request, const QString &link)
+{
+    if (!line.connected)
+        return portLost(link);
+    if (!line.operate && esc::shapeOf(request.command).writes)
+        return notNow(RefusalId::watchOnly, request.to);
+    return {};
+}
+
+} // namespace codewheel

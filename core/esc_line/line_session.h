@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/encoder_bus.h"
+#include "encoder/sleep_watch.h"
+#include "esc/esc_explain.h"
+#include "esc_line/byte_link.h"
+#include "esc_line/line_command.h"
+#include "esc_line/line_event.h"
+#include "esc_line/line_snapshot.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace codewheel {
+
+class LineEncoderSession;
+
+// A connected serial line as the window and the command line see it: owns link, runner, thread and encoder
+// sessions. All of it lives in the caller's thread; the line thread is hidden behind pump().
+//
+// In Watch only reads are sent: positions are polled, values may be read. Writing needs Operate.
+class LineSession final : public EncoderBus
+{
+    Q_OBJECT
+
+public:
+    // Null for a device that cannot be driven; the description outlives the driver.
+    using DriverFactory =
+        std::function<std::unique_ptr<RequestDriver>(const DeviceDescription &, LineAddress)>;
+
+    // The catalog must outlive the session. `begin` is the date and time that the line's Instant 0 stands
+    // for.
+    LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
+                DriverFactory makeDriver, QObject *parent = nullptr, BusId id = firstLine);
+    ~LineSession() override;
+
+    // Opens the line; it is polled from then on. Encoders and sessions of a connection before end; those that
+    // are added while its thread is opening it are asked once it is open.
+    Result<void> open(const SerialSettings &settings, const esc::Timing &timing, Start start, Drive drive,
+                      SleepWatch::Slept slept = SleepWatch::ofThisComputer);
+    void close() override;
+
+    void advance(Instant duration) override;
+    void pump() override;
+
+    BusState state() const override;
+    bool isSimulated() const override;
+    QString linkName() const;
+    const SerialSettings &settings() const;
+
+    // Takes an encoder at this address into the polling. Refused for an address out of range or taken, and
+    // for a device that is not on a serial line.
+    Result<void> add(LineAddress address, const QString &deviceKey);
+    Result<void> remove(Place place);
+    const BusOutline &outline() const override;
+    std::vector<Place> places() const override;
+
+    const Catalog &catalog() const override;
+    std::optional<Participant> found(Place place) const override;
+    // No address of a line depends on another: those where nothing is polled.
+    std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
+    std::optional<Refusal> isOther(Place place, const QString &deviceKey,
+                                   const QString &serialNumber) const override;
+    // An encoder for serial lines.
+    Result<void> canBe(Place place, const DeviceDescription &device) const override;
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
+
+    const LineSnapshot &latest() const;
+    const LineSnapshot::Device *shown(Place place) const; // null: no such device
+    bool isOperating() const override;
+    bool isPolling() const;
+    bool isRunning() const override;
+    Instant now() const override { return latest().at; }
+
+    // The adapter that otherAdapterFound() told of is meant: it is used from now on.
+    void takeOtherAdapter();
+    // "Determine from device": reads what tells the format of its scaling factor; ends with
+    // fractionBitsDetermined(). Sets nothing.
+    Result<void> determineFractionBits(Place place);
+    // Of the scaling factor, for all encoders, those that are added later too; by them what a job will send
+    // is told beforehand.
+    void setFractionBits(int bits);
+    int fractionBits() const;
+    // Whether the warnings of this encoder come with their two bytes in the other order (the manual's example
+    // of E reads 0098 as 9800h). Nothing without such an encoder.
+    void setSwapsWarningBytes(Place place, bool on);
+    // By which requests and answers on this line are told in words.
+    esc::ExplainOptions explainOptions() const;
+
+    void setRunning(bool on) override; // polls, or not
+    void setOperate(bool on) override;
+    // Ends all jobs, drops what was typed and not sent yet, ends a scan.
+    void alarmStop() override;
+    void scan(const ScanWish &wish);
+    void cancelScan();
+    // Sends what was typed, once, in its turn; ends with typedAnswered, and where it is refused in a message
+    // too.
+    void send(const esc::Request &request);
+
+Q_SIGNALS:
+    void explainOptionsChanged();
+    // The port is gone, and what is plugged in is not known to be its adapter (portOfOther): it is not used
+    // unasked.
+    void otherAdapterFound(const codewheel::Refusal &which);
+    void fractionBitsDetermined(codewheel::Place place, const codewheel::Result<int> &bits);
+    void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
+    void passed(const codewheel::esc::LineRow &row); // what went over the line
+    void typedAnswered(const codewheel::TypedAnswered &answer);
+    void scanProgressed(const codewheel::ScanProgress &progress);
+    void scanEnded(const codewheel::ScanEnded &result);
+
+private:
+    friend class LineEncoderSession;
+    template <class Runner, class Session>
+    friend class BusEngine;
+    EncoderSession *encoderAt(NodeId node) const override;
+    LineEncoderSession &take(LineAddress address, const DeviceDescription &device); // into the polling
+    std::unique_ptr<LineEncoderSession> leave(std::size_t index);                   // out of it
+    std::vector<TypedWrite> writesOf(const esc::Request &request) const;
+    void tellEnd(const TypedAnswered &answered);
+    void post(LineCommand command);
+    void dispatch(const LineEvent &event);
+    void dispatch(const Message &message);
+    void linkOpened();
+    void showLatest();
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace codewheel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/line_address.h"
+#include "encoder/reading.h"
+#include "esc_line/byte_link.h"
+#include "esc_line/line_figures.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// What decides whether anything may be sent.
+struct LineState
+{
+    bool connected = false;    // false: the port is gone
+    bool otherAdapter = false; // there is one, and it is not known to be that of this line
+    LowLatency lowLatency = LowLatency::notApplicable;
+    bool polling = false;
+    bool operate = false; // writing is allowed
+
+    friend bool operator==(const LineState &, const LineState &) = default;
+};
+
+// The line as it stood after one exchange.
+struct LineSnapshot : LineState
+{
+    struct Device
+    {
+        LineAddress address;
+        Reading reading;
+        bool hasJob = false;
+        bool present = true; // false: it was removed
+        LineFigures figures;
+    };
+
+    Instant at{};
+    Instant awakeSince{}; // the computer slept until then; 0: not since the line was opened
+    bool scanning = false;
+    LineFigures figures;
+    std::uint64_t droppedRows = 0; // terminal rows lost because nobody took them
+    std::vector<Device> devices;
+
+    void giveWayTo(const LineSnapshot &newer) { *this = newer; }
+};
+
+} // namespace codewheel

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/hex_code.h"
+#include "ring/ring_session_private.h"
+#include "ring/ring_strangers.h"
+#include "ring/send_permission.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace codewheel {
+namespace {
+
+constexpr Instant cycleByHand = std::chrono::milliseconds(1);
+
+} // namespace
+
+command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingFound &found)
+{
+    retireAll();
+    endRetired();
+    structure = found.structure;
+    sessions.resize(structure.size());
+    renamings.assign(structure.size(), 0);
+    command::UseRing use{structure, found.out, {}};
+    for (std::size_t i = 0; i < structure.size(); ++i) {
+        const Participant &participant = structure[i];
+        channels.push_back(makeChannel(bus, participant));
+        use.drivers.push_back(
+            {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
+    }
+    return use;
+}
+
+std::unique_ptr<WordChannel> RingSession::Private::makeChannel(RingSession &bus,
+                                                               const Participant &participant)
+{
+    return std::make_unique<WordChannel>(
+        bus, bus.placeOf(participant.number), participant.inWords, participant.outWords,
+        [&bus](const WordChannel &channel, Word word) { return bus.write(channel, word); });
+}
+
+std::unique_ptr<CyclicDriver> RingSession::Private::makeSession(RingSession &bus, std::size_t place,
+                                                                const DeviceDescription *description)
+{
+    sessions[place].reset();
+    if (!description)
+        return nullptr;
+    const DeviceDescription &own = descriptions.emplace_back(*description);
+    auto driver = driverFor(own);
+    if (driver)
+        sessions[place] = std::make_unique<RingEncoderSession>(
+            bus, place, bus.placeOf(structure[place].number), own, link->boundsWordsToCycles());
+    return driver;
+}
+
+// Of what was told by the driver from before the device was named.
+void RingSession::Private::keepEepromWrites(const RingEvent &event)
+{
+    const auto *told = std::get_if<Event>(&event.what);
+    const auto *change = told ? std::get_if<KnowledgeChanged>(told) : nullptr;
+    if (change == nullptr || change->eepromWrites == 0)
+        return;
+    engine.waiting().push_back(event);
+    engine.waiting().back().what =
+        Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
+}
+
+std::size_t RingSession::Private::indexOf(NodeId node) const
+{
+    const auto found = std::ranges::find(structure, node, &Participant::number);
+    return static_cast<std::size_t>(found - structure.begin());
+}
+
+RingSession::RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
+                         QObject *parent, DriverFactory makeDriver, BusId id)
+    : EncoderBus(id, std::move(begin), parent)
+    , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
+{}
+
+RingSession::~RingSession() = default;
+
+Result<void> RingSession::open(Start start, std::optional<Pacing> pacing)
+{
+    close();
+    d->start = start;
+    d->generation = 0;
+    d->readingIn = false;
+    d->crcHistory.clear();
+    return d->engine.open(std::make_unique<RingRunner>(*d->link), std::move(pacing));
+}
+
+void RingSession::close()
+{
+    if (!d->engine.close())
+        return;
+    auto closed = std::make_shared<Snapshot>(d->latest());
+    closed->state = MasterState::ready;
+    closed->operate = false;
+    d->engine.setLatest(std::move(closed));
+    showLatest();
+}
+
+void RingSession::startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept)
+{
+    d->engine.startThread({period, std::move(slept)});
+}
+
+void RingSession::advance(int cycles)
+{
+    advance(cycles * cycleByHand);
+}
+
+void RingSession::advance(Instant duration)
+{
+    d->endRetired();
+    d->engine.advance(duration, cycleByHand);
+}
+
+void RingSession::pump()
+{
+    d->endRetired();
+    d->engine.pump();
+}
+
+// Who is told that one of them ends finds none any more. One of them may be telling right now.
+void RingSession::Private::retireAll()
+{
+    std::ranges::move(std::exchange(sessions, {}), std::back_inserter(retired));
+    std::ranges::move(std::exchange(channels, {}), std::back_inserter(retiredChannels));
+    retiredDescriptions.push_back(std::exchange(descriptions, {}));
+}
+
+void RingSession::Private::endRetired()
+{
+    if (engine.isPumping())
+        return;
+    retired.clear();
+    retiredChannels.clear();
+    retiredDescriptions.clear();
+}
+
+// What shows already in the next picture.
+bool RingSession::takeAtOnce(const RingEvent &event)
+{
+    const bool isOfRing = event.generation == d->generation;
+    if (const auto *written = std::get_if<WordWritten>(&event.what)) {
+        if (isOfRing)
+            d->channels[event.device]->wasWritten(written->word, event.at);
+        return true;
+    }
+    if (std::holds_alternative<DriverTaken>(event.what)) {
+        if (isOfRing)
+            --d->renamings[event.device];
+        return true;
+    }
+    if (!isOfRing || !std::holds_alternative<Event>(event.what) || !d->isStale(event.device))
+        return false;
+    d->keepEepromWrites(event);
+    return true;
+}
+
+bool RingSession::isOfNow(const Snapshot &snapshot) const
+{
+    return snapshot.generation == d->generation && d->generation > 0;
+}
+
+void RingSession::showLatest()
+{
+    const auto shown = d->engine.latest();
+    if (shown->master)
+        d->crcHistory.note(*shown->master, shown->at);
+    for (std::size_t i = 0; i < shown->devices.size(); ++i)
+        showDevice(i);
+    tellState(std::exchange(d->toldState, shown->state) != shown->state);
+}
+
+void RingSession::showDevice(std::size_t place)
+{
+    const auto shown = d->engine.latest();
+    const Snapshot::Device &device = shown->devices[place];
+    const Freshness::Circumstances circumstances{.isConnected = isOpen(),
+                                                 .isLinkThere = shown->connected,
+                                                 .isRunning = isRunning(),
+                                                 .isInRing = device.inRing,
+                                                 .awakeSince = shown->awakeSince,
+                                                 .now = shown->at};
+    const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
+    d->channels[place]->show({device.in, device.out, device.inEdges, device.outEdges, device.heldByJob},
+                             {seen, circumstances}, shown->at);
+    if (d->sessions[place] && !d->isStale(place))
+        d->sessions[place]->show(device.reading, circumstances);
+}
+
+// Of a ring before, the end of each job was told already.
+void RingSession::dispatch(const RingEvent &event)
+{
+    const bool isOfRing = event.generation == d->generation && event.device < d->sessions.size();
+    RingEncoderSession *session = isOfRing ? d->sessions[event.device].get() : nullptr;
+    if (const auto *row = std::get_if<Exchange>(&event.what)) {
+        if (session)
+            Q_EMIT session->exchanged(*row);
+    } else if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
+        if (session)
+            session->take(*ofDriver, event.at);
+    } else if (const auto *ofMaster = std::get_if<MasterEvent>(&event.what)) {
+        takeOfMaster(*ofMaster);
+    } else if (const auto *slept = std::get_if<Slept>(&event.what)) {
+        takeSleep(*slept, event.at);
+    } else if (const auto *found = std::get_if<RingFound>(&event.what)) {
+        if (isOpen() && d->generation > 0)
+            useOtherRing(*found);
+        else if (isOpen())
+            useFirstRing(*found);
+    } else if (const auto *message = std::get_if<Message>(&event.what)) {
+        dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);
+    }
+}
+
+void RingSession::dispatch(Message message, std::optional<std::size_t> device)
+{
+    if (message.place)
+        message.place->bus = id();
+    RingEncoderSession *session = device ? d->sessions[*device].get() : nullptr;
+    const bool isFault = session && message.id == MessageId::deviceFault;
+    if (isFault)
+        message.refusal = session->nameOf(message);
+    Q_EMIT messaged(message);
+    if (isFault)
+        session->takeFault(message);
+    else if (device && message.place && message.refusal)
+        Q_EMIT d->channels[*device]->refused(*message.refusal);
+}
+
+// At the place of a channel may be another by now.
+Result<void> RingSession::write(const WordChannel &channel, Word word)
+{
+    const std::size_t device = d->indexOf(channel.place().node);
+    if (device >= d->channels.size() || d->channels[device].get() != &channel)
+        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.place().toString()});
+    const Participant &participant = d->structure[device];
+    if (participant.outWords == 0)
+        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
+                      {participant.number.toString()});
+    const auto &session = d->sessions[device];
+    if (auto allowed = maySend(d->latest(), device, participant.number, RefusalId::wordHeldByJob); !allowed)
+        return allowed;
+    if (session && session->runningJob()) // started, and not shown by a snapshot yet
+        return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
+    if (session)
+        Q_EMIT session->wordAboutToBeSent(word);
+    post(command::SetOut{device, word});
+    return {};
+}
+
+Result<void> RingSession::canBe(Place place, const DeviceDescription &device) const
+{
+    const std::size_t i = d->indexOf(place.node);
+    const unsigned there = i < d->structure.size() ? d->structure[i].deviceCode : 0;
+    if (device.deviceCode == 0)
+        return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
+    if (device.deviceCode == there)
+        return {};
+    return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
+                  {place.shown(), hexCode(there, 4), device.fullName(), hexCode(device.deviceCode, 4)});
+}
+
+Result<void> RingSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
+{
+    const std::size_t i = d->indexOf(place.node);
+    if (!isOpen() || i >= d->structure.size())
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {place.toString()});
+    Participant &participant = d->structure[i];
+    const DeviceDescription *wanted = d->catalog.find(deviceKey);
+    if (auto may = mayName(place, wanted); !may)
+        return may;
+
+    participant.deviceKey = wanted ? deviceKey : QString();
+    std::optional<DeviceDescription> described;
+    if (const auto *found = d->catalog.find(participant.deviceKey, participant.deviceCode))
+        described = found->labelled(turns, stepsPerTurn);
+    const int writes = d->sessions[i] ? d->sessions[i]->eepromWrites() : 0;
+    d->retired.push_back(std::move(d->sessions[i]));
+    auto driver = d->makeSession(*this, i, described ? &*described : nullptr);
+    if (d->sessions[i])
+        d->sessions[i]->countEepromWrites(writes);
+    ++d->renamings[i];
+    for (const RingEvent &event : std::exchange(d->engine.waiting(), {}))
+        if (event.device == i && std::holds_alternative<Event>(event.what))
+            d->keepEepromWrites(event);
+        else
+            d->engine.waiting().push_back(event);
+    post(command::SetDriver{i, std::move(driver), described ? described->fullName() : place.toString()});
+    Q_EMIT named(place);
+    Q_EMIT nodesChanged();
+    d->endRetired();
+    return {};
+}
+
+const Catalog &RingSession::catalog() const
+{
+    return d->catalog;
+}
+
+void RingSession::post(Command command)
+{
+    d->engine.post(std::move(command));
+}
+
+const BusOutline &RingSession::outline() const
+{
+    return d->outline;
+}
+
+BusState RingSession::state() const
+{
+    const bool isLost = d->engine.state() == BusState::open && d->generation > 0 && !d->latest().connected;
+    return isLost ? BusState::lost : d->engine.state();
+}
+
+bool RingSession::isSimulated() const
+{
+    return d->link->isSimulated();
+}
+
+const RingStructure &RingSession::structure() const
+{
+    return d->structure;
+}
+
+std::optional<Participant> RingSession::found(Place place) const
+{
+    const auto there = std::ranges::find(d->structure, place.node, &Participant::number);
+    return place.bus == id() && there != d->structure.end() ? std::optional(*there) : std::nullopt;
+}
+
+Refusal RingSession::whyNotThere(Place place) const
+{
+    return {RefusalKind::link, RefusalId::notInRing, {place.toString()}};
+}
+
+std::map<NodeId, Refusal> RingSession::strangers(const std::vector<Participant> &planned) const
+{
+    return strangersInRing(planned, d->structure, d->catalog);
+}
+
+std::vector<Place> RingSession::places() const
+{
+    std::vector<Place> places;
+    for (const Participant &participant : d->structure)
+        places.push_back(placeOf(participant.number));
+    return places;
+}
+
+EncoderSession *RingSession::encoderAt(NodeId node) const
+{
+    const std::size_t i = d->indexOf(node);
+    return i < d->sessions.size() ? d->sessions[i].get() : nullptr;
+}
+
+WordChannel *RingSession::channelAt(NodeId node) const
+{
+    const std::size_t i = d->indexOf(node);
+    return i < d->channels.size() ? d->channels[i].get() : nullptr;
+}
+
+const Snapshot &RingSession::latest() const
+{
+    return d->latest();
+}
+
+bool RingSession::isOperating() const
+{
+    return d->latest().operate;
+}
+
+bool RingSession::isRunning() const
+{
+    return d->latest().state == MasterState::run;
+}
+
+void RingSession::setRunning(bool on)
+{
+    if (on)
+        post(command::StartBus{});
+    else
+        post(command::StopBus{});
+}
+
+void RingSession::setOperate(bool on)
+{
+    post(command::SetOperate{on});
+}
+
+void RingSession::alarmStop()
+{
+    post(command::AlarmStop{});
+}
+
+} // namespace codewheel

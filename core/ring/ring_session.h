@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/bus_thread.h"
+#include "bus/encoder_bus.h"
+#include "drivers/cyclic_driver.h"
+#include "ring/command.h"
+#include "ring/master_link.h"
+#include "ring/participant.h"
+#include "ring/process_data_link.h"
+#include "ring/ring_event.h"
+#include "ring/snapshot.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+class Catalog;
+class CrcHistory;
+
+// A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
+// word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
+//
+// A link that is lost is tried again each second. Once it is back the bus is in Watch; a ring that is another
+// by then is taken over: structureChanged. A device of the same number, device code and name keeps its
+// session, its channel, and what is known of it then; those of all others are gone at the next pump().
+class RingSession final : public EncoderBus
+{
+    Q_OBJECT
+
+public:
+    // Null for a device that cannot be driven; the description outlives the driver.
+    using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
+
+    // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for. No
+    // factory: the drivers of the program (drivers/make_driver.h).
+    RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
+                QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
+    ~RingSession() override;
+
+    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
+    // nothing. Ends sessions and channels of a connection before. With a pacing a thread does it, and the
+    // bus is `opening` until pump() tells the end; without one it is done at once, and the first cycle comes
+    // with startThread() or advance().
+    Result<void> open(Start start, std::optional<Pacing> pacing = {});
+    void close() override;
+
+    // Cycles by a thread of its own, on absolute deadlines ...
+    void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
+    // ... or by hand: each cycle is 1 ms later than the one before. Pumps afterwards.
+    void advance(int cycles);
+    void advance(Instant duration) override;
+    void pump() override;
+
+    BusState state() const override;
+    bool isSimulated() const override;
+    const RingStructure &structure() const;
+    const BusOutline &outline() const override;
+    std::vector<Place> places() const override;
+
+    const Snapshot &latest() const;
+    // What the ring's master says; null where the link reaches none.
+    const MasterStatus *master() const;
+    const CrcHistory &crcHistory() const;
+    bool isOperating() const override;
+    bool isRunning() const override;
+    Instant now() const override { return latest().at; }
+
+    void setRunning(bool on) override;
+    void setOperate(bool on) override;
+    void alarmStop() override;
+
+    // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
+    //
+    // Reads in the ring: stops it, has the master find the devices (readInProgressed), and lets it run again.
+    // A ring that is another than before is taken over: structureChanged.
+    void readIn();
+    bool isReadingIn() const;
+    // Takes a segment out of the data cycles with all that hangs behind it, or puts it back.
+    void switchSegment(int segment, bool on);
+    void confirmDiagnostics();
+    // The master keeps this configuration from now on, and activates it when it is started the next time.
+    void keepConfiguration(const KeptConfiguration &configuration);
+    void askKeptConfiguration(); // answered by keptConfigurationTold
+
+    // Where no description has the key, the device is "make not known" again.
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
+    // By its device code.
+    Result<void> canBe(Place place, const DeviceDescription &device) const override;
+    const Catalog &catalog() const override;
+    std::optional<Participant> found(Place place) const override;
+    Refusal whyNotThere(Place place) const override;
+    std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
+
+Q_SIGNALS:
+    void readInProgressed(int devices); // found so far
+    void readInEnded();                 // structure() is what was found
+    void readInFailed(const codewheel::Refusal &why);
+    void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
+
+private:
+    friend class RingEncoderSession;
+    template <class Runner, class Session>
+    friend class BusEngine;
+    EncoderSession *encoderAt(NodeId node) const override;
+    WordChannel *channelAt(NodeId node) const override; // null: no such device
+    Result<void> write(const WordChannel &channel, Word word);
+    void showDevice(std::size_t place);
+    void post(Command command);
+    void linkOpened() {} // the ring is told next
+    bool takeAtOnce(const RingEvent &event);
+    bool isOfNow(const Snapshot &snapshot) const;
+    void showLatest();
+    void dispatch(const RingEvent &event);
+    void dispatch(Message message, std::optional<std::size_t> device);
+    void takeOfMaster(const MasterEvent &event);
+    void useFirstRing(const RingFound &found);
+    void useOtherRing(const RingFound &found);
+    void endJobsOfBefore();
+    void showNewRing(const RingFound &found, const RingState &state);
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace codewheel

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way of the main job below the window: session, runner, driver, simulated encoder.
+#include "bus/word_channel.h"
+#include "catalog/catalog.h"
+#include "ring/ring_session.h"
+#include "simulator/training_bus.h"
+#include "tests/support/places.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+const Place fraba = "1.0"_ring;
+
+// A computer that sleeps once, right after somebody began to watch it.
+SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
+{
+    return [duration, isWatched = false]() mutable {
+        return std::exchange(isWatched, true) ? duration : std::chrono::milliseconds(0);
+    };
+}
+
+class TrainingRingSession : public testing::Test
+{
+protected:
+    TrainingRingSession()
+    {
+        EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
+        QObject::connect(m_bus.encoder(fraba), &EncoderSession::finished, &m_bus,
+                         [this](const Outcome &outcome) { m_outcome = outcome; });
+        encoder().tell(Parameter::startUpMode, 1); // position mode
+        m_bus.advance(10);
+    }
+    EncoderSession &encoder() { return *m_bus.encoder(fraba); }
+    // At most 5 s of bus time.
+    void finish(const Job &job)
+    {
+        m_outcome.reset();
+        ASSERT_TRUE(encoder().start(job));
+        for (int i = 0; i < 500 && !m_outcome; ++i)
+            m_bus.advance(10);
+        ASSERT_TRUE(m_outcome);
+    }
+
+    const Catalog m_catalog = Catalog::builtIn();
+    TrainingBus m_training = makeTrainingBus(m_catalog);
+    RingSession m_bus{std::move(m_training.link), m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    std::optional<Outcome> m_outcome;
+};
+
+TEST_F(TrainingRingSession, Sets255StepsAndReadsThemBack)
+{
+    finish(WriteParameters{.values = {{Parameter::steps, 255},
+                                      {Parameter::revolutions, 1},
+                                      {Parameter::direction, 3},
+                                      {Parameter::preset, 0}},
+                           .onlyWhatDiffers = false,
+                           .previous = {},
+                           .initialisePreset = true});
+    EXPECT_TRUE(m_outcome->result);
+    EXPECT_EQ(encoder().latest().position, 0);
+    EXPECT_EQ(encoder().eepromWrites(), m_outcome->eepromWrites);
+    EXPECT_EQ(devicesWithOut(m_bus).size(), 0u);
+
+    finish(ReadParameters{{Parameter::steps}});
+    EXPECT_EQ(valueOf(m_outcome->read, Parameter::steps), 255);
+    ASSERT_TRUE(encoder().known(Parameter::steps));
+    EXPECT_EQ(encoder().known(Parameter::steps)->value, 255);
+    EXPECT_EQ(encoder().known(Parameter::steps)->evidence, Evidence::read);
+}
+
+TEST_F(TrainingRingSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
+{
+    finish(ReadParameters{{Parameter::steps}});
+    ASSERT_TRUE(encoder().known(Parameter::steps));
+    m_training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    m_bus.advance(10);
+    EXPECT_EQ(encoder().latest().state, EncoderState::error);
+    EXPECT_FALSE(encoder().known(Parameter::steps));
+}
+
+TEST_F(TrainingRingSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
+{
+    ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
+    m_bus.advance(3);
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
+    m_bus.alarmStop();
+    m_bus.advance(1);
+    EXPECT_TRUE(devicesWithOut(m_bus).empty());
+    ASSERT_TRUE(m_outcome);
+    EXPECT_EQ(m_outcome->result.error().id, RefusalId::alarmStop);
+}
+
+TEST_F(TrainingRingSession, WhatIsShownIsOldOnceTheBusStops)
+{
+    std::vector<Freshness::Reason> told;
+    QObject::connect(&encoder(), &EncoderSession::freshnessChanged, &m_bus,
+                     [&] { told.push_back(encoder().freshness().reason()); });
+    EXPECT_TRUE(encoder().freshness().isLive());
+    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isLive());
+    const Instant last = m_bus.now();
+    m_bus.alarmStop();
+    m_bus.advance(2000);
+    EXPECT_TRUE(encoder().freshness().isOld());
+    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isOld());
+    EXPECT_EQ(encoder().freshness().seen(), last);
+    m_bus.setRunning(true);
+    m_bus.advance(10);
+    EXPECT_TRUE(encoder().freshness().isLive());
+    m_bus.close();
+    EXPECT_TRUE(encoder().freshness().isOld());
+    EXPECT_EQ(told, (std::vector{Freshness::Reason::stopped, Freshness::Reason::none,
+                                 Freshness::Reason::stopped, Freshness::Reason::disconnected}));
+}
+
+TEST_F(TrainingRingSession, WhatIsBehindASwitchedOffSegmentIsOld)
+{
+    const Place behind = m_bus.places().back();
+    m_bus.switchSegment(DeviceNumber::of(behind.node).segment, false);
+    m_bus.advance(10);
+    EXPECT_EQ(m_bus.channel(behind)->freshness().reason(), Freshness::Reason::notInRing);
+    EXPECT_TRUE(encoder().freshness().isLive());
+}
+
+// It was pressed, and the lid was closed before the next cycle.
+TEST_F(TrainingRingSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
+{
+    bool hasSlept = false;
+    QObject::connect(&m_bus, &RingSession::messaged, &m_bus, [&](const Message &message) {
+        hasSlept = hasSlept || message.id == MessageId::computerSlept;
+    });
+    m_bus.channel(fraba)->stage(0x0200'00FF);
+    ASSERT_TRUE(m_bus.channel(fraba)->write());
+    m_bus.advance(3);
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
+    m_bus.alarmStop();
+    m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
+    while (!hasSlept || m_bus.isOperating())
+        m_bus.pump();
+    EXPECT_EQ(m_bus.latest().state, MasterState::ready);
+    EXPECT_TRUE(devicesWithOut(m_bus).empty());
+}
+
+// Closing the lid in the midst of a handshake.
+TEST_F(TrainingRingSession, AfterTheComputerSleptNothingMoreIsSent)
+{
+    std::vector<Message> messages;
+    QObject::connect(&m_bus, &RingSession::messaged, &m_bus,
+                     [&](const Message &message) { messages.push_back(message); });
+    const auto said = [&](MessageId id) {
+        return std::ranges::find(messages, id, &Message::id) != messages.end();
+    };
+    ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
+    m_bus.advance(3);
+    ASSERT_NE(m_bus.channel(fraba)->out(), 0U);
+    const QDateTime before = m_bus.dateTime(m_bus.now());
+    m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
+    while (!said(MessageId::computerSlept) || m_bus.isOperating())
+        m_bus.pump();
+    ASSERT_TRUE(m_outcome);
+    EXPECT_EQ(m_outcome->result.error().id, RefusalId::computerSlept);
+    EXPECT_FALSE(m_bus.isOperating());
+    EXPECT_TRUE(m_bus.isRunning());
+    EXPECT_GE(before.secsTo(m_bus.dateTime(m_bus.now())), 7200);
+    const auto told = std::ranges::find(messages, MessageId::computerSlept, &Message::id);
+    EXPECT_EQ(told->arguments, (std::vector<RefusalArgument>{std::int64_t{7200}}));
+    EXPECT_EQ(encoder().start(SendWords{{0x020000FF}}).error().id, RefusalId::watchOnly);
+    while (!encoder().freshness().isLive())
+        m_bus.pump();
+}
+
+} // namespace
+} // namespace codewheel

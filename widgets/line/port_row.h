@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "esc_line/line_settings.h"
+
+namespace codewheel {
+
+// A serial port that there is, as the list shows it.
+struct PortRow
+{
+    QString name; // what it is opened by
+    QString description;
+    QString serialNumber; // of the adapter; empty: it has none
+
+    friend bool operator==(const PortRow &, const PortRow &) = default;
+};
+
+} // namespace codewheel
