@@ -172,14 +172,6 @@
     </message>
 </context>
 <context>
-    <name>CamFiles</name>
-    <message>
-        <source>%1 was not saved: %2</source>
-        <comment>file, reason</comment>
-        <translation>%1 wurde nicht gesichert: %2</translation>
-    </message>
-</context>
-<context>
     <name>CamTexts</name>
     <message>
         <source>What the encoder has is not known.</source>
@@ -1038,26 +1030,6 @@
     <message>
         <source>no well-formed answer</source>
         <translation>keine wohlgeformte Antwort</translation>
-    </message>
-    <message>
-        <source>sent</source>
-        <translation>gesendet</translation>
-    </message>
-    <message>
-        <source>answer</source>
-        <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>echo</source>
-        <translation>Echo</translation>
-    </message>
-    <message>
-        <source>garbage</source>
-        <translation>Störung</translation>
-    </message>
-    <message>
-        <source>late</source>
-        <translation>verspätet</translation>
     </message>
     <message>
         <source>what was sent, echoed by the adapter: dropped</source>
@@ -2233,6 +2205,13 @@
     </message>
 </context>
 <context>
+    <name>Protocol</name>
+    <message>
+        <source>service 6</source>
+        <translation>Dienst 6</translation>
+    </message>
+</context>
+<context>
     <name>Refusal</name>
     <message>
         <source>%1 = %2 is out of range. Give a value from %3 to %4.</source>
@@ -3010,6 +2989,29 @@
         <source>%1: not taken yet</source>
         <comment>parameter = value</comment>
         <translation>%1: noch nicht übernommen</translation>
+    </message>
+</context>
+<context>
+    <name>Traffic</name>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>garbage</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>verspätet</translation>
     </message>
 </context>
 <context>
@@ -3838,6 +3840,11 @@
     <message>
         <source>Program %1 differs in: %2.</source>
         <translation>Programm %1 weicht ab in: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gesichert: %2</translation>
     </message>
 </context>
 <context>
@@ -6268,10 +6275,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Die Verbindung führt zu keinem Bus dieser Art: %1.</translation>
     </message>
     <message>
-        <source>The link leads to several buses. Name one with --bus: %1.</source>
-        <translation>Die Verbindung führt zu mehreren Bussen. Einen mit --bus nennen: %1.</translation>
-    </message>
-    <message>
         <source>on this bus, as the project calls it, where there are several</source>
         <translation>an diesem Bus, wie das Projekt ihn nennt, wo es mehrere gibt</translation>
     </message>
@@ -6326,6 +6329,38 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>&quot;%1&quot; is no bus of this kind: %2. There is: %3.</source>
         <translation>&quot;%1&quot; ist kein Bus dieser Art: %2. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not spoken at %2. What protocol= can name there: %3.</source>
+        <translation>&quot;%1&quot; wird an %2 nicht gesprochen. Dort kann protocol= nennen: %3.</translation>
+    </message>
+    <message>
+        <source>The link leads to several buses. Name one with %1: %2.</source>
+        <translation>Die Verbindung führt zu mehreren Bussen. Einen mit %1 nennen: %2.</translation>
+    </message>
+    <message>
+        <source>the ring of the fault plan, as the project calls it, where there are several</source>
+        <translation>der Ring des Fehlerplans, wie ihn das Projekt nennt, wo es mehrere gibt</translation>
+    </message>
+    <message>
+        <source>The link %1 has no settings. Leave &quot;%2&quot; out.</source>
+        <translation>Die Verbindung %1 hat keine Einstellungen. &quot;%2&quot; weglassen.</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>%1 is for a bus that the link does not lead to: %2. Leave it out.</source>
+        <translation>%1 ist für einen Bus, zu dem die Verbindung nicht führt: %2. Weglassen.</translation>
     </message>
 </context>
 <context>
@@ -6565,14 +6600,6 @@ Sendet nichts an einen Ring.</translation>
         <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel &quot;%1&quot;.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command that writes a value.</source>
-        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert schreibt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no command that reads a value.</source>
-        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert liest.</translation>
-    </message>
-    <message>
         <source>A bit is one of the answer to a command read, and there is none.</source>
         <translation>Ein Bit gehört zur Antwort auf einen Befehl read, und den gibt es hier nicht.</translation>
     </message>
@@ -6695,6 +6722,14 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>A value that is written must be between %1 and %2.</source>
         <translation>Ein Wert, der geschrieben wird, muss zwischen %1 und %2 liegen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command that writes a value.</source>
+        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert schreibt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command that reads a value.</source>
+        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert liest.</translation>
     </message>
 </context>
 <context>
@@ -7124,32 +7159,9 @@ Sendet nichts an einen Ring.</translation>
         <source>Starts what was asked for</source>
         <translation>Beginnt, was verlangt wurde</translation>
     </message>
-</context>
-<context>
-    <name>codewheel::EepromGates</name>
-    <message>
-        <source>Write &amp;nevertheless</source>
-        <translation>&amp;Trotzdem schreiben</translation>
-    </message>
-    <message>
-        <source>The EEPROM was written as often as the manual speaks of</source>
-        <translation>Das EEPROM wurde so oft beschrieben, wie das Handbuch angibt</translation>
-    </message>
-    <message>
-        <source>Places of the encoders</source>
-        <translation>Plätze der Geber</translation>
-    </message>
-    <message>
-        <source>The places of these encoders, so that nothing is written beyond the limit by accident</source>
-        <translation>Die Plätze dieser Geber, damit über die Grenze hinaus nichts aus Versehen geschrieben wird</translation>
-    </message>
     <message>
         <source>Other encoders as well: %1.</source>
         <translation>Auch andere Geber: %1.</translation>
-    </message>
-    <message>
-        <source>Type %1 to write nevertheless</source>
-        <translation>%1 eintippen, um trotzdem zu schreiben</translation>
     </message>
 </context>
 <context>
@@ -7185,14 +7197,6 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>&amp;Velocity mode (now: %1)</source>
         <translation>&amp;Drehzahlbetrieb (jetzt: %1)</translation>
-    </message>
-    <message>
-        <source>EEPROM writes: 1; by this program so far: %1.</source>
-        <translation>EEPROM-Schreibvorgänge: 1; von diesem Programm bisher: %1.</translation>
-    </message>
-    <message>
-        <source>The manual states about %1 in all.</source>
-        <translation>Das Handbuch nennt insgesamt etwa %1.</translation>
     </message>
     <message>
         <source>Lost are: %1.</source>
@@ -7870,6 +7874,30 @@ Sendet nichts an einen Ring.</translation>
         <source>Step %1 of %2: %3</source>
         <translation>Schritt %1 von %2: %3</translation>
     </message>
+    <message>
+        <source>Encoders done</source>
+        <translation>Erledigte Geber</translation>
+    </message>
+    <message>
+        <source>Encoders done, of all that were chosen</source>
+        <translation>Erledigte Geber von allen gewählten</translation>
+    </message>
+    <message>
+        <source>Steps of the running job</source>
+        <translation>Schritte des laufenden Auftrags</translation>
+    </message>
+    <message>
+        <source>Ends the job, after asking how to leave the encoder; the others are not begun</source>
+        <translation>Beendet den Auftrag, nach der Frage, wie der Geber zurückbleiben soll; die anderen werden nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Encoder %1 of %2: %3.</source>
+        <translation>Geber %1 von %2: %3.</translation>
+    </message>
+    <message>
+        <source>No other is begun.</source>
+        <translation>Kein weiterer wird begonnen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Journal</name>
@@ -8103,9 +8131,6 @@ Sendet nichts an einen Ring.</translation>
         <source>Reading sends requests, which change nothing.</source>
         <translation>Auslesen sendet Anfragen, die nichts ändern.</translation>
     </message>
-</context>
-<context>
-    <name>codewheel::KnownTable</name>
     <message>
         <source>Parameter</source>
         <translation>Parameter</translation>
@@ -8194,6 +8219,81 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineActions</name>
+    <message>
+        <source>Serial &amp;line</source>
+        <translation>Serielle &amp;Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Port and settings...</source>
+        <translation>&amp;Anschluss und Einstellungen...</translation>
+    </message>
+    <message>
+        <source>Connects a serial port; nothing is written</source>
+        <translation>Verbindet einen seriellen Anschluss; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Search for encoders...</source>
+        <translation>Geber &amp;suchen...</translation>
+    </message>
+    <message>
+        <source>Asks one address after the other; nothing is written</source>
+        <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Terminal</source>
+        <translation>&amp;Terminal</translation>
+    </message>
+    <message>
+        <source>Shows what passes on the line, and sends what you type</source>
+        <translation>Zeigt, was über die Leitung geht, und sendet, was Sie eintippen</translation>
+    </message>
+    <message>
+        <source>&amp;Figures of the line</source>
+        <translation>&amp;Zahlen der Leitung</translation>
+    </message>
+    <message>
+        <source>Port, state, answers and time-outs of the line</source>
+        <translation>Anschluss, Zustand, Antworten und Zeitüberschreitungen der Leitung</translation>
+    </message>
+    <message>
+        <source>T&amp;raining line</source>
+        <translation>Ü&amp;bungsleitung</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders, in place of a port</source>
+        <translation>Drei simulierte Geber anstelle eines Anschlusses</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect the line</source>
+        <translation>Leitung t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Closes the serial line</source>
+        <translation>Schließt die serielle Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Swap warning bytes</source>
+        <translation>Warnungs&amp;bytes tauschen</translation>
+    </message>
+    <message>
+        <source>Remove from the serial &amp;line</source>
+        <translation>Aus der seriellen &amp;Leitung nehmen</translation>
+    </message>
+    <message>
+        <source>For encoders on the serial line</source>
+        <translation>Für Geber an der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>For an encoder that sends the low byte of its warnings first; nothing is sent</source>
+        <translation>Für einen Geber, der das niederwertige Byte seiner Warnungen zuerst sendet; gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>The encoder is not asked any more; what it has stays as it is</source>
+        <translation>Der Geber wird nicht mehr abgefragt; was er hat, bleibt, wie es ist</translation>
     </message>
 </context>
 <context>
@@ -8794,34 +8894,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::LineRowModel</name>
-    <message>
-        <source>%1, typed</source>
-        <comment>sent, answer ...</comment>
-        <translation>%1, getippt</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Hex</source>
-        <translation>Hex</translation>
-    </message>
-    <message>
-        <source>Meaning</source>
-        <translation>Bedeutung</translation>
-    </message>
-</context>
-<context>
     <name>codewheel::LineRowOptions</name>
     <message>
         <source>Leaves out the position requests of the polling and their answers. They are kept, and shown again when this is cleared.</source>
@@ -9276,28 +9348,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Texts (*.txt)</source>
         <translation>Texte (*.txt)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rows</source>
-        <translation>
-            <numerusform>%n Zeile</numerusform>
-            <numerusform>%n Zeilen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 shown</source>
-        <translation>%1 gezeigt</translation>
-    </message>
-    <message numerus="yes">
-        <source>paused, %n new</source>
-        <translation>
-            <numerusform>angehalten, %n neue</numerusform>
-            <numerusform>angehalten, %n neue</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 oldest dropped</source>
-        <translation>%1 älteste verworfen</translation>
     </message>
     <message>
         <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
@@ -10549,12 +10599,8 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
 <context>
     <name>codewheel::PositionToSet</name>
     <message>
-        <source>Sends GP with this position; it holds at once, and costs an EEPROM write.</source>
-        <translation>Sendet GP mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
-        <source>Sends service 6 with this position; it holds at once, and costs an EEPROM write.</source>
-        <translation>Sendet Service 6 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
+        <source>Sends %1 with this position; it holds at once, and costs an EEPROM write.</source>
+        <translation>Sendet %1 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
 </context>
 <context>
@@ -10752,6 +10798,10 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
         <translation>Der Name eines Busses enthält kein &quot;/&quot;: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+    </message>
+    <message>
+        <source>A bus needs a name, such as &quot;Ring&quot;.</source>
+        <translation>Ein Bus braucht einen Namen, etwa &quot;Ring&quot;.</translation>
     </message>
 </context>
 <context>
@@ -11585,6 +11635,15 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
+    <message>
+        <source>Not compared with connected ones: %1.</source>
+        <translation>Nicht mit angeschlossenen verglichen: %1.</translation>
+    </message>
+    <message>
+        <source>%1; not compared: %2</source>
+        <comment>result, names of buses</comment>
+        <translation>%1; nicht verglichen: %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RequestField</name>
@@ -11698,6 +11757,57 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>What happens</source>
         <translation>Was geschieht</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingActions</name>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Connects to the ring; nothing is sent</source>
+        <translation>Verbindet mit dem Ring; es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Leaves the ring: work goes on offline</source>
+        <translation>Verlässt den Ring: Weiter geht es offline</translation>
+    </message>
+    <message>
+        <source>&amp;Read in the ring</source>
+        <translation>&amp;Ring einlesen</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring anew; data cycles stop meanwhile. Needs Operate.</source>
+        <translation>Der Master sucht die Geräte des Rings neu; die Datenzyklen stehen so lange still. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm diagnostics</source>
+        <translation>Diagnose &amp;quittieren</translation>
+    </message>
+    <message>
+        <source>Confirms peripheral faults; one whose cause is still there comes back. Needs Operate.</source>
+        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>Switch se&amp;gment off or on</source>
+        <translation>Se&amp;gment ab- oder zuschalten</translation>
+    </message>
+    <message>
+        <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, after asking, or puts it back. Needs Operate.</source>
+        <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>The ring is not connected.</source>
+        <translation>Der Ring ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>No device with a segment of this ring is chosen.</source>
+        <translation>Kein Gerät mit einem Segment dieses Rings ist gewählt.</translation>
     </message>
 </context>
 <context>
@@ -12971,10 +13081,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Das Dienst-Bit zurücknehmen</translation>
     </message>
     <message>
-        <source>Send %1</source>
-        <translation>%1 senden</translation>
-    </message>
-    <message>
         <source>Request</source>
         <translation>Anfrage</translation>
     </message>
@@ -13000,11 +13106,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Insert a device</source>
         <translation>Gerät einfügen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, key</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Insert...</source>
@@ -13198,29 +13299,6 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::TraceModel</name>
-    <message>
-        <source>Since last, ms</source>
-        <translation>Seit letzter, ms</translation>
-    </message>
-    <message>
-        <source>Cycle</source>
-        <translation>Zyklus</translation>
-    </message>
-    <message>
-        <source>Meaning</source>
-        <translation>Bedeutung</translation>
-    </message>
-    <message>
-        <source>Remark</source>
-        <translation>Bemerkung</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-</context>
-<context>
     <name>codewheel::TraceView</name>
     <message>
         <source>No encoder is selected</source>
@@ -13274,24 +13352,6 @@ Worte: IN %3, OUT %4</translation>
         <source>Remove all rows of this encoder</source>
         <translation>Alle Zeilen dieses Gebers entfernen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n rows</source>
-        <translation>
-            <numerusform>%n Zeile</numerusform>
-            <numerusform>%n Zeilen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>paused, %n new</source>
-        <translation>
-            <numerusform>angehalten, %n neue</numerusform>
-            <numerusform>angehalten, %n neue</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 oldest dropped</source>
-        <translation>%1 älteste verworfen</translation>
-    </message>
     <message>
         <source>Export the trace</source>
         <translation>Handshake-Protokoll exportieren</translation>
@@ -13328,6 +13388,68 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Show the rows again that Clear removed</source>
         <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrafficModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>%1, typed</source>
+        <comment>sent, answer ...</comment>
+        <translation>%1, getippt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation>
+            <numerusform>%n Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 shown</source>
+        <translation>%1 gezeigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>paused, %n new</source>
+        <translation>
+            <numerusform>angehalten, %n neue</numerusform>
+            <numerusform>angehalten, %n neue</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 oldest dropped</source>
+        <translation>%1 älteste verworfen</translation>
+    </message>
+    <message>
+        <source>Since last, ms</source>
+        <translation>Seit letzter, ms</translation>
     </message>
 </context>
 <context>
@@ -13780,41 +13902,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Not connected: nothing can be sent.</source>
         <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::TransferProgress</name>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abb&amp;rechen</translation>
-    </message>
-    <message>
-        <source>Encoders done</source>
-        <translation>Erledigte Geber</translation>
-    </message>
-    <message>
-        <source>Encoders done, of all that were chosen</source>
-        <translation>Erledigte Geber von allen gewählten</translation>
-    </message>
-    <message>
-        <source>Steps of this encoder</source>
-        <translation>Schritte dieses Gebers</translation>
-    </message>
-    <message>
-        <source>Steps of the running handshake</source>
-        <translation>Schritte des laufenden Handshakes</translation>
-    </message>
-    <message>
-        <source>Ends the running handshake, after asking how to leave the encoder; the others are not begun.</source>
-        <translation>Beendet den laufenden Handshake, nachdem gefragt wurde, wie der Geber verlassen werden soll; die anderen werden nicht begonnen.</translation>
-    </message>
-    <message>
-        <source>Encoder %1 of %2: %3, step %4 of %5</source>
-        <translation>Geber %1 von %2: %3, Schritt %4 von %5</translation>
-    </message>
-    <message>
-        <source>No other is begun.</source>
-        <translation>Kein weiterer wird begonnen.</translation>
     </message>
 </context>
 <context>
@@ -14437,34 +14524,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Bearbeitet den geplanten Bus</translation>
     </message>
     <message>
-        <source>&amp;Connect</source>
-        <translation>&amp;Verbinden</translation>
-    </message>
-    <message>
-        <source>Connects to the ring; nothing is sent</source>
-        <translation>Verbindet mit dem Ring; es wird nichts gesendet</translation>
-    </message>
-    <message>
-        <source>&amp;Disconnect</source>
-        <translation>&amp;Trennen</translation>
-    </message>
-    <message>
-        <source>Leaves the ring: work goes on offline</source>
-        <translation>Verlässt den Ring: Weiter geht es offline</translation>
-    </message>
-    <message>
-        <source>&amp;Read in the ring</source>
-        <translation>&amp;Ring einlesen</translation>
-    </message>
-    <message>
-        <source>&amp;Confirm diagnostics</source>
-        <translation>Diagnose &amp;quittieren</translation>
-    </message>
-    <message>
-        <source>Switch se&amp;gment off or on</source>
-        <translation>Se&amp;gment ab- oder zuschalten</translation>
-    </message>
-    <message>
         <source>&amp;Commissioning report...</source>
         <translation>&amp;Inbetriebnahmebericht...</translation>
     </message>
@@ -14505,90 +14564,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Titel, Notiz und Verbindung des Projekts</translation>
     </message>
     <message>
-        <source>The master finds the devices of the ring anew; data cycles stop meanwhile. Needs Operate.</source>
-        <translation>Der Master sucht die Geräte des Rings neu; die Datenzyklen stehen so lange still. Braucht Bedienen.</translation>
-    </message>
-    <message>
-        <source>Confirms peripheral faults; one whose cause is still there comes back. Needs Operate.</source>
-        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder. Braucht Bedienen.</translation>
-    </message>
-    <message>
-        <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, after asking, or puts it back. Needs Operate.</source>
-        <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
-    </message>
-    <message>
-        <source>Serial &amp;line</source>
-        <translation>Serielle &amp;Leitung</translation>
-    </message>
-    <message>
-        <source>&amp;Port and settings...</source>
-        <translation>&amp;Anschluss und Einstellungen...</translation>
-    </message>
-    <message>
-        <source>Connects a serial port; nothing is written</source>
-        <translation>Verbindet einen seriellen Anschluss; nichts wird geschrieben</translation>
-    </message>
-    <message>
-        <source>&amp;Search for encoders...</source>
-        <translation>Geber &amp;suchen...</translation>
-    </message>
-    <message>
-        <source>Asks one address after the other; nothing is written</source>
-        <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
-    </message>
-    <message>
-        <source>&amp;Terminal</source>
-        <translation>&amp;Terminal</translation>
-    </message>
-    <message>
-        <source>Shows what passes on the line, and sends what you type</source>
-        <translation>Zeigt, was über die Leitung geht, und sendet, was Sie eintippen</translation>
-    </message>
-    <message>
-        <source>&amp;Figures of the line</source>
-        <translation>&amp;Zahlen der Leitung</translation>
-    </message>
-    <message>
-        <source>Port, state, answers and time-outs of the line</source>
-        <translation>Anschluss, Zustand, Antworten und Zeitüberschreitungen der Leitung</translation>
-    </message>
-    <message>
-        <source>T&amp;raining line</source>
-        <translation>Ü&amp;bungsleitung</translation>
-    </message>
-    <message>
-        <source>Three simulated encoders, in place of a port</source>
-        <translation>Drei simulierte Geber anstelle eines Anschlusses</translation>
-    </message>
-    <message>
-        <source>&amp;Disconnect the line</source>
-        <translation>Leitung t&amp;rennen</translation>
-    </message>
-    <message>
-        <source>Closes the serial line</source>
-        <translation>Schließt die serielle Leitung</translation>
-    </message>
-    <message>
-        <source>Remove from the serial &amp;line</source>
-        <translation>Aus der seriellen &amp;Leitung nehmen</translation>
-    </message>
-    <message>
-        <source>The encoder is not asked any more; what it has stays as it is</source>
-        <translation>Der Geber wird nicht mehr abgefragt; was er hat, bleibt, wie es ist</translation>
-    </message>
-    <message>
-        <source>For encoders on the serial line</source>
-        <translation>Für Geber an der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>For an encoder that sends the low byte of its warnings first; nothing is sent</source>
-        <translation>Für einen Geber, der das niederwertige Byte seiner Warnungen zuerst sendet; gesendet wird nichts</translation>
-    </message>
-    <message>
-        <source>&amp;Swap warning bytes</source>
-        <translation>Warnungs&amp;bytes tauschen</translation>
-    </message>
-    <message>
         <source>&amp;ALARM STOP</source>
         <translation>&amp;ALARM-STOPP</translation>
     </message>
@@ -14615,6 +14590,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Shows what is configured for the chosen bus beside what is connected</source>
         <translation>Zeigt, was für den gewählten Bus projektiert ist, neben dem, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>No connected device with an OUT word is chosen.</source>
+        <translation>Kein verbundenes Gerät mit einem OUT-Wort ist gewählt.</translation>
+    </message>
+    <message>
+        <source>No connected encoder with a handshake trace is chosen.</source>
+        <translation>Kein verbundener Geber mit Handshake-Protokoll ist gewählt.</translation>
     </message>
 </context>
 <context>

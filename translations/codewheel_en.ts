@@ -83,23 +83,6 @@
     </message>
 </context>
 <context>
-    <name>codewheel::LineTerminal</name>
-    <message numerus="yes">
-        <source>%n rows</source>
-        <translation>
-            <numerusform>%n row</numerusform>
-            <numerusform>%n rows</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>paused, %n new</source>
-        <translation>
-            <numerusform>paused, %n new</numerusform>
-            <numerusform>paused, %n new</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>codewheel::MasterPanel</name>
     <message numerus="yes">
         <source>%n devices found</source>
@@ -232,7 +215,7 @@
     </message>
 </context>
 <context>
-    <name>codewheel::TraceView</name>
+    <name>codewheel::TrafficModel</name>
     <message numerus="yes">
         <source>%n rows</source>
         <translation>

@@ -15,15 +15,17 @@ bool looksLikeOption(const QString &word)
     return word.size() > 1 && word[0] == u'-' && !word[1].isDigit();
 }
 
+QString nameOf(const Option &option)
+{
+    return QString::fromLatin1(option.name);
+}
+
 tl::unexpected<Complaint> unknownOption(const QString &name, std::span<const Option> options,
                                         const QString &who)
 {
-    QStringList names;
-    for (const Option &option : options)
-        names << QString::fromLatin1(option.name);
     return badInput(QStringLiteral("unknownOption"),
                     CommandLine::tr("There is no option \"%1\" of %2. Its options are: %3."),
-                    {name, who, names.join(QStringLiteral(", "))});
+                    {name, who, listed(options, nameOf)});
 }
 
 class Parser

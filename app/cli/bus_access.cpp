@@ -20,21 +20,16 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-using namespace std::chrono_literals;
-
-QJsonValue textOrNull(const QString &text)
-{
-    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
-}
-
-} // namespace
 
 BusAccess::BusAccess(EncoderBus &bus, QString kind)
     : m_bus(bus)
     , m_kind(std::move(kind))
-{}
+{
+    QObject::connect(&bus, &EncoderBus::messaged, &m_scope, [this](const Message &message) {
+        if (message.refusal && message.refusal->kind == RefusalKind::link)
+            m_lost = *message.refusal;
+    });
+}
 
 BusAccess::~BusAccess() = default;
 
@@ -76,10 +71,7 @@ Complaint BusAccess::notAPlace(const QString &typed) const
 
 QString BusAccess::somePlaces() const
 {
-    QStringList places;
-    for (const Place place : m_bus.places())
-        places << place.toString();
-    return places.join(QStringLiteral(", "));
+    return listed(m_bus.places(), &Place::toString);
 }
 
 Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool namesIt)
@@ -107,20 +99,25 @@ Checked<void> BusAccess::contact(const Call &, const ProjectDevice &)
     return {};
 }
 
-Instant BusAccess::lookInterval() const
+bool BusAccess::isConnected() const
 {
-    return 10ms;
+    return m_bus.state() == BusState::open;
+}
+
+Complaint BusAccess::linkLost() const
+{
+    return complaintAbout(m_lost.value_or(whatIsLost()));
+}
+
+Refusal BusAccess::whatIsLost() const
+{
+    return {RefusalKind::link, RefusalId::notConnected, {name()}};
 }
 
 bool BusAccess::advance(Instant duration)
 {
     m_bus.advance(duration);
-    return m_bus.isOpen();
-}
-
-Complaint BusAccess::complaint(const Refusal &why) const
-{
-    return complaintAbout(why);
+    return isConnected();
 }
 
 std::unique_ptr<JobTrace> BusAccess::trace(const std::vector<const EncoderSession *> &)
@@ -153,8 +150,8 @@ Checked<Answer> BusAccess::scan(const Call &)
     for (const BusNode &node : m_bus.outline().nodes()) {
         table.add({node.node.toString(), node.code, node.profile, node.name});
         devices.append(QJsonObject{{QStringLiteral("place"), node.node.toString()},
-                                   {QStringLiteral("code"), textOrNull(node.code)},
-                                   {QStringLiteral("device"), textOrNull(node.name)}});
+                                   {QStringLiteral("code"), textJson(node.code)},
+                                   {QStringLiteral("device"), textJson(node.name)}});
     }
     return Answer{table.toString(), {{QStringLiteral("devices"), devices}}};
 }

@@ -9,6 +9,7 @@
 #include "encoder/parameter.h"
 
 #include <QJsonObject>
+#include <QObject>
 #include <QString>
 
 #include <memory>
@@ -52,7 +53,9 @@ public:
     // Why the command does not work on this kind of bus at all; nothing: it does.
     virtual std::optional<Complaint> whyNot(const Subcommand &) const { return std::nullopt; }
 
+    // Whether faults can befall it by a plan; from now on they do.
     virtual bool followsFaultPlan() const { return false; }
+    virtual Checked<void> followFaultPlan(const QString &) { return {}; }
 
     // The place that is typed so, whether a device stands there or not; nothing: no place is written so.
     virtual std::optional<NodeId> placeTyped(const QString &text) const;
@@ -72,10 +75,12 @@ public:
     virtual void useProject(const Call &, const Project &) {}
 
     // How much time passes between two looks at it.
-    virtual Instant lookInterval() const;
-    virtual bool advance(Instant duration); // false: its link is gone
+    virtual Instant lookInterval() const { return std::chrono::milliseconds(10); }
+    bool advance(Instant duration); // false: its link is gone
+    bool isConnected() const;
+    Complaint linkLost() const; // why it is gone
     // About a job that was refused, and about the link where that is gone.
-    virtual Complaint complaint(const Refusal &why) const;
+    virtual Complaint complaint(const Refusal &why) const { return complaintAbout(why); }
 
     virtual void prepare(const Job &) {}              // before it is started
     virtual void lookAgain(const EncoderSession &) {} // after it: the position is one of then
@@ -106,7 +111,11 @@ public:
     virtual void keepFound(const Call &call, Project &project) const;
 
 private:
+    virtual Refusal whatIsLost() const; // where the link did not say it
+
     EncoderBus &m_bus;
+    QObject m_scope;
+    std::optional<Refusal> m_lost; // what the link said
     QString m_kind;
     QString m_name;
     std::unique_ptr<LedgerKeeper> m_ledger;

@@ -2,6 +2,7 @@
 #include "cli/cam_text.h"
 
 #include "cli/json.h"
+#include "cli/keys.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
@@ -14,20 +15,12 @@ namespace {
 
 using Align = TextTable::Align;
 
-const char *keyOf(CamValue value)
-{
-    switch (value) {
-    case CamValue::start:
-        return "start";
-    case CamValue::stop:
-        return "stop";
-    case CamValue::activeCams:
-        break;
-    case CamValue::shift:
-        return "shift";
-    }
-    return "active";
-}
+constexpr NamedValue<CamValue> camValueKeys[] = {
+    {"active", CamValue::activeCams},
+    {"start", CamValue::start},
+    {"stop", CamValue::stop},
+    {"shift", CamValue::shift},
+};
 
 bool isOfOneCam(CamField field)
 {
@@ -101,7 +94,7 @@ QString differenceTable(const std::vector<CamDifference> &differences)
     for (const CamDifference &one : differences)
         table.add({QString::number(one.program),
                    isOfOneCam(one.field) ? QString::number(one.field.cam) : QStringLiteral("-"),
-                   QString::fromLatin1(keyOf(one.field.value)), valueText(one.field, one.encoder),
+                   keyOf(camValueKeys, one.field.value), valueText(one.field, one.encoder),
                    valueText(one.field, one.wanted), hexWord(settingWord(one.field, one.wanted))});
     return table.toString(2);
 }
@@ -133,7 +126,7 @@ QJsonArray differencesJson(const std::vector<CamDifference> &differences)
             QJsonObject{{QStringLiteral("program"), static_cast<int>(one.program)},
                         {QStringLiteral("cam"),
                          isOfOneCam(one.field) ? QJsonValue(static_cast<int>(one.field.cam)) : QJsonValue()},
-                        {QStringLiteral("value"), QString::fromLatin1(keyOf(one.field.value))},
+                        {QStringLiteral("value"), keyOf(camValueKeys, one.field.value)},
                         {QStringLiteral("encoder"), qint64{one.encoder}},
                         {QStringLiteral("file"), qint64{one.wanted}},
                         {QStringLiteral("word"), wordJson(settingWord(one.field, one.wanted))}});

@@ -19,8 +19,6 @@
 #include "encoder/sentence.h"
 #include "project/file_access.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 #include <array>
 
@@ -42,8 +40,7 @@ constexpr std::array camsOptions{
     Option{"--yes", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking, also where the budget of the "
                                                        "EEPROM is used; replace FILE when reading")},
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    traceOption,
 };
 
 // One call on its way: what it is about, and what it has to say so far.
@@ -139,16 +136,10 @@ Checked<void> checkCamFile(const Arguments &arguments)
 {
     if (arguments.rest.size() < 3)
         return {};
-    const QString &name = arguments.rest[2];
-    if (!arguments.has("--yes") && QFileInfo::exists(name))
-        return badInput(
-            QStringLiteral("fileExists"),
-            CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
-                            "replace it."),
-            {name});
-    if (const auto can = checkReplaceable(name); !can)
-        return tl::unexpected(complaintAbout(can.error()));
-    return {};
+    return checkTargetFile(
+        arguments, arguments.rest[2],
+        CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
+                        "replace it."));
 }
 
 std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
@@ -251,13 +242,11 @@ void writeCams(CamCall &cams, const AllowedJob &job)
         cams.answer.complaint = outcome.error();
         return;
     }
-    QStringList numbers;
-    for (const CamProgram &program : outcome->camsWritten)
-        numbers << QString::number(program.number);
-    cams.answer.text +=
-        sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
-                 {numbers.join(QStringLiteral(", ")), QString::number(outcome->eepromWrites)}) +
-        u'\n';
+    const QString numbers = listed(outcome->camsWritten,
+                                   [](const CamProgram &program) { return QString::number(program.number); });
+    cams.answer.text += sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
+                                 {numbers, QString::number(outcome->eepromWrites)}) +
+                        u'\n';
     cams.answer.json.insert(QStringLiteral("written"), camsJson(outcome->camsWritten));
     cams.answer.json.insert(QStringLiteral("eepromWrites"), outcome->eepromWrites);
 }

@@ -21,7 +21,7 @@ constexpr std::array cloneOptions{
     transferDryRun,
     transferStop,
     transferReport,
-    transferTrace,
+    traceOption,
     transferYes,
     beyondLimitOption,
     ledgerOption,

@@ -9,7 +9,6 @@
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
 #include "project/plan_rules.h"
-#include "project/project_file.h"
 
 namespace codewheel {
 namespace {
@@ -67,10 +66,7 @@ QString notCompared(const Call &call, const Project &project)
 Checked<Answer> runCompare(const Call &call)
 {
     const QString &name = call.arguments.rest.front();
-    const auto project = loadProject(name);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-    const std::vector<ProjectDevice> planned = devicesOfLink(call, *project);
+    const std::vector<ProjectDevice> planned = devicesOfLink(call, *call.named);
     if (planned.empty() && call.buses.open().empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
     if (const auto looked = contactAll(call, planned, &BusAccess::lookFor); !looked)
@@ -78,9 +74,9 @@ Checked<Answer> runCompare(const Call &call)
     Compared all;
     for (const BusAccess *bus : call.links)
         if (bus->bus().isOpen())
-            compareBus(call, *project, *bus, all);
+            compareBus(call, *call.named, *bus, all);
     Answer answer{all.text, {{QStringLiteral("lines"), all.lines}}};
-    if (const QString others = notCompared(call, *project); all.differences == 0 && !others.isEmpty())
+    if (const QString others = notCompared(call, *call.named); all.differences == 0 && !others.isEmpty())
         answer.complaint =
             Complaint{ExitCode::refused,
                       QStringLiteral("notAllCompared"),

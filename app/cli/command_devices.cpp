@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "catalog/explain_word.h"
 #include "catalog/hex_code.h"
 #include "catalog/value_text.h"
 #include "cli/commands.h"
 #include "cli/device_label.h"
 #include "cli/device_tables_text.h"
-#include "cli/device_text.h"
 #include "cli/json.h"
 #include "cli/link_kind.h"
+#include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -38,7 +39,7 @@ Answer listOf(const Catalog &catalog)
                CommandLine::tr("read-out"), CommandLine::tr("encoder")});
     QJsonArray devices;
     for (const DeviceDescription &device : catalog.devices()) {
-        const bool onBus = device.profile != Profile::esc;
+        const bool onBus = device.hasWords();
         table.add({device.key, profileName(device.profile),
                    onBus ? hexCode(device.deviceCode, 4) : QStringLiteral("-"),
                    yesNo(device.capabilities.reads), device.fullName()});
@@ -58,27 +59,23 @@ QString optionalText(const std::optional<unsigned> &number)
     return number ? QString::number(*number) : QStringLiteral("-");
 }
 
-QString lettersOf(esc::Command command)
-{
-    const std::string_view letters = esc::shapeOf(command).letters;
-    return QString::fromLatin1(letters.data(), static_cast<qsizetype>(letters.size()));
-}
-
 // On a serial line a value is written and read by commands; a preset is set by one of its own.
 QString writtenBy(const ParameterDescription &parameter)
 {
-    return parameter.writeCommand ? lettersOf(*parameter.writeCommand) : optionalText(parameter.number);
+    return parameter.writeCommand.isEmpty() ? optionalText(parameter.number)
+                                            : QString::fromLatin1(parameter.writeCommand);
 }
 QString readBy(const ParameterDescription &parameter)
 {
-    return parameter.readCommand ? lettersOf(*parameter.readCommand) : optionalText(parameter.readOut);
+    return parameter.readCommand.isEmpty() ? optionalText(parameter.readOut)
+                                           : QString::fromLatin1(parameter.readCommand);
 }
 
 QString parameterLines(const DeviceDescription &device)
 {
     using enum TextTable::Align;
     TextTable table({left, right, right});
-    const bool onLine = device.profile == Profile::esc;
+    const bool onLine = !device.hasWords();
     table.add({CommandLine::tr("parameter"),
                onLine ? CommandLine::tr("written by") : CommandLine::tr("number"),
                onLine ? CommandLine::tr("read by") : CommandLine::tr("read-out"), CommandLine::tr("factory"),
@@ -97,8 +94,8 @@ QJsonObject parameterJson(const ParameterDescription &parameter)
         choices.append(QJsonObject{{QStringLiteral("value"), static_cast<qint64>(choice.value)},
                                    {QStringLiteral("choice"), choice.key}});
     const auto code = [](const std::optional<unsigned> &number) { return numberJson(number); };
-    const auto letters = [](const std::optional<esc::Command> &command) {
-        return command ? QJsonValue(lettersOf(*command)) : QJsonValue();
+    const auto letters = [](const QByteArray &command) {
+        return command.isEmpty() ? QJsonValue() : QJsonValue(QString::fromLatin1(command));
     };
     return {{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
             {QStringLiteral("number"), code(parameter.number)},

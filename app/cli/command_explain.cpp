@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "catalog/explain_word.h"
+#include "catalog/json_object.h"
 #include "catalog/label_key.h"
 #include "cli/commands.h"
-#include "cli/device_text.h"
 #include "cli/json.h"
 #include "cli/link_kind.h"
 #include "cli/parameter_arguments.h"
@@ -42,29 +43,22 @@ constexpr std::array explainOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "how positions are coded: 1 to 6, or its name")},
 };
 
-template <typename T>
-struct Named
-{
-    const char *key;
-    T value;
-};
-constexpr std::array directions{Named<WordDirection>{"in", WordDirection::in},
-                                Named<WordDirection>{"out", WordDirection::out}};
-constexpr std::array modes{Named<Mode>{"position", Mode::position}, Named<Mode>{"cam", Mode::cam},
-                           Named<Mode>{"velocity", Mode::velocity}};
+constexpr NamedValue<WordDirection> directions[] = {{"in", WordDirection::in}, {"out", WordDirection::out}};
+constexpr NamedValue<Mode> modes[] = {
+    {"position", Mode::position}, {"cam", Mode::cam}, {"velocity", Mode::velocity}};
 
 // One of a few keys; nothing where the option is not given.
 template <typename T, std::size_t n>
-Checked<std::optional<T>> keyword(const Call &call, const char *option, const std::array<Named<T>, n> &names)
+Checked<std::optional<T>> keyword(const Call &call, const char *option, const NamedValue<T> (&names)[n])
 {
     const auto given = call.arguments.value(option);
     if (!given)
         return std::optional<T>();
     QStringList keys;
-    for (const Named<T> &name : names) {
-        if (*given == QLatin1String(name.key))
+    for (const NamedValue<T> &name : names) {
+        if (*given == QLatin1String(name.name))
             return std::optional(name.value);
-        keys << QString::fromLatin1(name.key);
+        keys << QString::fromLatin1(name.name);
     }
     return badInput(QStringLiteral("optionNotAllowed"),
                     CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
@@ -77,14 +71,6 @@ Checked<QString> required(const Call &call, const char *option, const QString &v
         return *given;
     return badInput(QStringLiteral("missingOption"), CommandLine::tr("%1 is missing. Give one of: %2."),
                     {QString::fromLatin1(option), values});
-}
-
-QString deviceKeys(const Catalog &catalog)
-{
-    QStringList keys;
-    for (const DeviceDescription &device : catalog.devices())
-        keys << device.key;
-    return keys.join(QStringLiteral(", "));
 }
 
 // With the turns and steps of its label, where that is given. The key may name the device too.
@@ -115,7 +101,7 @@ Checked<DeviceDescription> deviceMeant(const Call &call)
             return tl::unexpected(known.error());
     if (const auto label = call.arguments.value("--label"))
         return labelledDevice(call, *label, name);
-    const auto key = required(call, "--device", deviceKeys(call.catalog));
+    const auto key = required(call, "--device", listed(call.catalog.devices(), &DeviceDescription::key));
     if (!key)
         return tl::unexpected(key.error());
     return **deviceNamed(call.catalog, *key);

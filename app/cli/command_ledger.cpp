@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/consent.h"
 #include "cli/json.h"
-#include "cli/target_file.h"
+#include "cli/keys.h"
+#include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -41,22 +43,16 @@ QString countedByName(CountedBy by)
     }
 }
 
-QString shownCountedBy(CountedBy by)
-{
-    switch (by) {
-    case CountedBy::serialNumber:
-        return QStringLiteral("serialNumber");
-    case CountedBy::labelSerialNumber:
-        return QStringLiteral("label");
-    default:
-        return QStringLiteral("place");
-    }
-}
+constexpr NamedValue<CountedBy> countedByKeys[] = {
+    {"place", CountedBy::place},
+    {"serialNumber", CountedBy::serialNumber},
+    {"label", CountedBy::labelSerialNumber},
+};
 
 QJsonObject toJson(const Ledger::Account &account)
 {
     return {{QStringLiteral("identity"), account.identity},
-            {QStringLiteral("countedBy"), shownCountedBy(account.count.by)},
+            {QStringLiteral("countedBy"), keyOf(countedByKeys, account.count.by)},
             {QStringLiteral("bus"), account.place.bus.number},
             {QStringLiteral("place"), account.place.toString()},
             {QStringLiteral("device"), account.device},
@@ -97,6 +93,10 @@ Checked<Answer> listAccounts(const Call &call)
     TextTable table({left, left, right, right});
     table.add({CommandLine::tr("since"), CommandLine::tr("last at"), CommandLine::tr("writes"),
                CommandLine::tr("perhaps"), CommandLine::tr("counted by"), CommandLine::tr("encoder")});
+    std::set<BusId> buses;
+    for (const Ledger::Account &account : accounts)
+        buses.insert(account.place.bus);
+    BusNames::tellApart(call, buses);
     QJsonArray json;
     for (const Ledger::Account &account : accounts) {
         const QDateTime since = account.count.since.toLocalTime();

@@ -8,16 +8,15 @@
 #include "cli/json.h"
 #include "cli/ledger_account.h"
 #include "cli/link_kind.h"
+#include "cli/places.h"
 #include "cli/project_of_call.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "journal_files.h"
-#include "project/project_file.h"
 #include "user_devices.h"
 
-#include <QFileInfo>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -27,10 +26,8 @@ namespace {
 
 QString commandNames()
 {
-    QStringList names;
-    for (const Subcommand *command : allCommands())
-        names << QString::fromLatin1(command->name);
-    return names.join(QStringLiteral(", "));
+    return listed(allCommands(),
+                  [](const Subcommand *command) { return QString::fromLatin1(command->name); });
 }
 
 QString jsonText(const QJsonObject &json, const QString &command)
@@ -126,43 +123,13 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
     return command.needsBus || (command.busOption != nullptr && arguments.has(command.busOption));
 }
 
-// Of --project, else that of its first argument. One call has one project.
-Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments)
-{
-    if (!command.namesProject || arguments.rest.isEmpty())
-        return projectNamed(arguments);
-    const QString &file = arguments.rest.front();
-    if (const auto other = arguments.value("--project");
-        other && QFileInfo(*other).canonicalFilePath() != QFileInfo(file).canonicalFilePath())
-        return badInput(QStringLiteral("twoProjects"),
-                        CommandLine::tr("The call names two projects: %1 and %2. Leave --project out."),
-                        {file, *other});
-    auto project = loadProject(file);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-    return *std::move(project);
-}
-
-// Before anything is opened.
-Checked<std::vector<MakeLink>> checkLink(const Subcommand &command, const Arguments &arguments)
-{
-    const QString typed = arguments.value("--link").value_or(QStringLiteral("training"));
-    const auto project = needsBus(command, arguments) || needsProject(typed)
-                             ? projectOf(command, arguments)
-                             : Checked<std::optional<Project>>(std::nullopt);
-    if (!project)
-        return tl::unexpected(project.error());
-    return linksMeant(typed, *project ? &**project : nullptr);
-}
-
 using Links = std::vector<std::unique_ptr<BusAccess>>;
 
-Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog,
-                         const Arguments &arguments)
+Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog)
 {
     Links links;
     for (const MakeLink &one : make) {
-        auto link = one(catalog, arguments);
+        auto link = one(catalog);
         if (!link)
             return tl::unexpected(link.error());
         links.push_back(*std::move(link));
@@ -170,32 +137,34 @@ Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catal
     return links;
 }
 
-// What makes no sense with the link.
-Checked<void> checkCommand(const Subcommand &command, const Arguments &arguments, const Links &links)
+// Whether it makes sense with one of the links.
+Checked<void> checkCommand(const Subcommand &command, const Links &links)
 {
-    const auto whyNot = [&](const auto &link) { return link->whyNot(command); };
-    if (std::ranges::all_of(links, [&](const auto &link) { return whyNot(link).has_value(); }))
-        return tl::unexpected(*whyNot(links.front()));
-    if (arguments.has("--fault-plan") &&
-        std::ranges::none_of(links, [](const auto &link) { return link->followsFaultPlan(); }))
-        return badInput(
-            QStringLiteral("faultPlanOnLine"),
-            CommandLine::tr("A fault plan is for the ring of the training bus. Leave --fault-plan "
-                            "out."));
-    return {};
+    for (const auto &link : links)
+        if (!link->whyNot(command))
+            return {};
+    return tl::unexpected(*links.front()->whyNot(command));
 }
 
-int runOnLinks(const Subcommand &command, const Arguments &arguments, const std::vector<MakeLink> &make,
-               const Terminal &terminal)
+Checked<void> startFaultPlan(const Call &call)
+{
+    const auto file = call.arguments.value("--fault-plan");
+    if (!file || call.links.empty())
+        return {};
+    return ringOfFaults(call).and_then([&](BusAccess *ring) { return ring->followFaultPlan(*file); });
+}
+
+int runOnLinks(const Subcommand &command, const Arguments &arguments, const Project *project,
+               const std::vector<MakeLink> &make, const Terminal &terminal)
 {
     Catalog catalog = Catalog::builtIn();
     for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
         terminal.complain(
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
     if (!needsBus(command, arguments))
-        return runCommand(command, arguments, catalog, {}, terminal);
-    auto links = makeLinks(make, catalog, arguments);
-    if (const auto checked = links ? checkCommand(command, arguments, *links) : Checked<void>(); !checked)
+        return runCommand(command, arguments, project, catalog, {}, terminal);
+    auto links = makeLinks(make, catalog);
+    if (const auto checked = links ? checkCommand(command, *links) : Checked<void>(); !checked)
         links = tl::unexpected(checked.error());
     if (!links)
         return fail(links.error(), QString::fromLatin1(command.name), arguments.has("--json"), {}, terminal);
@@ -205,7 +174,7 @@ int runOnLinks(const Subcommand &command, const Arguments &arguments, const std:
         accesses.push_back(link.get());
     }
     complainAboutLedger(*accesses.front()->ledger(), terminal);
-    return runCommand(command, arguments, catalog, accesses, terminal);
+    return runCommand(command, arguments, project, catalog, accesses, terminal);
 }
 
 // What is told without a bus: help and version. `command`: whose; empty of the program itself.
@@ -241,21 +210,27 @@ int withoutCommand(const QStringList &words, const Terminal &terminal)
 
 } // namespace
 
-int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
-               const std::vector<BusAccess *> &links, const Terminal &terminal)
+int runCommand(const Subcommand &command, const Arguments &arguments, const Project *project,
+               const Catalog &catalog, const std::vector<BusAccess *> &links, const Terminal &terminal)
 {
     const QString name = QString::fromLatin1(command.name);
     const bool asJson = arguments.has("--json");
-    const auto project = projectNamed(arguments);
-    if (!project)
-        return fail(project.error(), name, asJson, {}, terminal);
     Buses buses;
     for (const BusAccess *link : links)
         buses.add(link->bus());
-    const Call call{command, arguments, catalog, terminal, links, buses, *project ? &**project : nullptr};
+    const Call call{command,
+                    arguments,
+                    catalog,
+                    terminal,
+                    links,
+                    buses,
+                    arguments.has("--project") ? project : nullptr,
+                    command.namesProject ? project : nullptr};
     const BusNames names(call);
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));
+    if (const auto follows = startFaultPlan(call); !follows)
+        return fail(follows.error(), name, asJson, {}, terminal);
     const LedgerAccount account(links, terminal);
     auto answer = command.run(call);
     if (!answer)
@@ -305,12 +280,16 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return printed(versionAnswer(), *arguments, name, terminal);
     if (asksForHelp(*arguments))
         return printed({helpOf(*command), helpJsonOf(*command)}, *arguments, name, terminal);
-    const auto links = checkLink(*command, *arguments);
+    const auto project = projectOf(*command, *arguments);
+    if (!project)
+        return fail(project.error(), name, words, terminal);
+    const Project *its = *project ? &**project : nullptr;
+    const auto links = linksMeant(arguments->value("--link").value_or(QStringLiteral("training")), its);
     if (!links)
         return fail(links.error(), name, words, terminal);
     if (const auto checked = checkCount(*command, *arguments); !checked)
         return fail(checked.error(), name, words, terminal);
-    return runOnLinks(*command, *arguments, *links, terminal);
+    return runOnLinks(*command, *arguments, its, *links, terminal);
 }
 
 } // namespace codewheel

@@ -9,6 +9,7 @@ namespace codewheel {
 
 class BusAccess;
 class Catalog;
+struct Project;
 struct Subcommand;
 struct Arguments;
 struct Terminal;
@@ -20,8 +21,8 @@ int runCommandLine(const QStringList &words, const Terminal &terminal);
 // Whether this call may write a PDF: that needs fonts, and so a QGuiApplication.
 bool makesPdf(const QStringList &words);
 
-// One command on these buses.
-int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
-               const std::vector<BusAccess *> &links, const Terminal &terminal);
+// One command on these buses, with the project that the call names; null: it names none.
+int runCommand(const Subcommand &command, const Arguments &arguments, const Project *project,
+               const Catalog &catalog, const std::vector<BusAccess *> &links, const Terminal &terminal);
 
 } // namespace codewheel

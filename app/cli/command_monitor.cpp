@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/encoder_bus.h"
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "cli/places.h"
+#include "cli/stop_signals.h"
+#include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
-#include "cli/watch_readings.h"
+#include "encoder/hex.h"
 
 #include <array>
 
@@ -26,26 +29,90 @@ constexpr std::array monitorOptions{
     Option{"--every", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how often to look (100)")},
 };
 
-// One row for each sample that differs from the one before.
-Answer watchWords(const Call &call, const EncoderSession &encoder, Instant duration, Instant interval)
+struct WatchTime
 {
-    BusAccess &bus = call.busOf(encoder.place());
-    std::vector<Exchange> rows{*bus.currentRow(encoder)};
-    for (Instant passed = interval; passed <= duration; passed += interval) {
-        bus.advance(interval);
-        const Exchange row = *bus.currentRow(encoder);
-        if (row.in != rows.back().in || row.out != rows.back().out)
-            rows.push_back(row);
+    Instant duration;
+    Instant interval; // from look to look
+};
+
+// Ends before its time with Ctrl+C, where the link is gone, and where nobody reads any more.
+template <typename Look>
+void watch(const Call &call, BusAccess &bus, const WatchTime &time, Look look)
+{
+    StopSignals stop;
+    look();
+    bool isConnected = true;
+    const auto goesOn = [&] { return isConnected && call.terminal.canPrint() && !stop.came(); };
+    for (Instant passed = time.interval; passed <= time.duration && goesOn(); passed += time.interval) {
+        isConnected = bus.advance(time.interval);
+        look();
     }
+}
+
+// One row for each sample that differs from the one before.
+Answer watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
+{
+    std::vector<Exchange> rows;
+    watch(call, bus, time, [&] {
+        const Exchange row = *bus.currentRow(encoder);
+        if (rows.empty() || row.in != rows.back().in || row.out != rows.back().out)
+            rows.push_back(row);
+    });
     return {traceText(encoder.device(), rows, rodScale(encoder)),
             {{QStringLiteral("samples"), traceJson(encoder.device(), rows, rodScale(encoder))}}};
 }
 
-Checked<Answer> runMonitor(const Call &call)
+QString readingRow(const QString &time, const QString &hex, const QString &position, const QString &more)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
+    constexpr int timeWidth = 9;
+    constexpr int positionWidth = 8;
+    const QString gap = QStringLiteral("  ");
+    return time.rightJustified(timeWidth) + gap + hex.leftJustified(positionWidth) + gap +
+           position.rightJustified(positionWidth) + (more.isEmpty() ? QString() : gap + more) + u'\n';
+}
+
+QString readingText(const BusAccess &bus, Instant at, const Reading &reading)
+{
+    const QString hex = reading.position ? hexWord(static_cast<Word>(*reading.position)) : QString();
+    const QString position = reading.position ? QString::number(*reading.position) : QStringLiteral("-");
+    return readingRow(rowTime(at), hex, position, bus.remarks(reading).join(QStringLiteral(", ")));
+}
+
+QJsonObject readingJson(const BusAccess &bus, Instant at, const Reading &reading)
+{
+    QJsonObject json = bus.remarksJson(reading);
+    json.insert(QStringLiteral("microseconds"), static_cast<qint64>(at.count()));
+    json.insert(QStringLiteral("state"), stateKey(reading.state));
+    json.insert(QStringLiteral("position"), numberJson(reading.position));
+    json.insert(QStringLiteral("suspect"), reading.suspect);
+    return json;
+}
+
+// What says the same as the one before is no row, whenever it came.
+Answer watchReadings(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
+{
+    const Instant begin = bus.bus().now();
+    const bool isShown = !call.arguments.has("--json");
+    QString shownBefore;
+    QJsonObject toldBefore;
+    QJsonArray samples;
+    if (isShown)
+        call.terminal.print(readingRow(QStringLiteral("ms"), QStringLiteral("hex"),
+                                       CommandLine::tr("position"), CommandLine::tr("alarms and warnings")));
+    watch(call, bus, time, [&] {
+        const Reading &reading = encoder.latest();
+        const Instant at = bus.bus().now() - begin;
+        if (const QJsonObject told = readingJson(bus, {}, reading); std::exchange(toldBefore, told) != told)
+            samples.append(readingJson(bus, at, reading));
+        if (const QString shown = readingText(bus, {}, reading);
+            isShown && std::exchange(shownBefore, shown) != shown)
+            call.terminal.print(readingText(bus, at, reading));
+    });
+    return {.json = {{QStringLiteral("samples"), samples}}};
+}
+
+Checked<Answer> runMonitor(const Call &call, EncoderSession &encoder)
+{
     const auto seconds = call.arguments.number("--for", usualTime, 1, longestWatch);
     if (!seconds)
         return tl::unexpected(seconds.error());
@@ -53,11 +120,13 @@ Checked<Answer> runMonitor(const Call &call)
     if (!interval)
         return tl::unexpected(interval.error());
 
-    const auto watch = call.busOf((*encoder)->place()).currentRow(**encoder) ? watchWords : watchReadings;
+    BusAccess &bus = call.busOf(encoder.place());
+    const auto watched = bus.currentRow(encoder) ? watchWords : watchReadings;
     Answer answer =
-        watch(call, **encoder, std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval));
-    addPlace(answer.json, call, (*encoder)->place());
-    answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
+        watched(call, bus, encoder, {std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval)});
+    bus.addFigures(call, encoder, answer);
+    if (!bus.isConnected())
+        answer.complaint = bus.linkLost();
     return answer;
 }
 
@@ -82,7 +151,7 @@ const Subcommand monitorCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .run = runMonitor,
+    .run = atPlace<runMonitor>,
 };
 
 } // namespace codewheel

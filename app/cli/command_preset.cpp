@@ -29,8 +29,7 @@ constexpr std::array presetOptions{
     budgetYesOption,
     beyondLimitOption,
     ledgerOption,
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    traceOption,
 };
 
 Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
@@ -61,45 +60,36 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     return job;
 }
 
-Checked<Answer> runPreset(const Call &call)
+Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
-    const DeviceDescription &device = (*encoder)->device();
+    const DeviceDescription &device = encoder.device();
     const auto preset = presetJob(call, device);
     if (!preset)
         return tl::unexpected(preset.error());
 
-    tellMode(**encoder, call.arguments);
-    const auto allowed = eepromConsent(call, **encoder, *preset, AsksAnyway::no);
+    tellMode(encoder, call.arguments);
+    const auto allowed = eepromConsent(call, encoder, *preset, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
-    const Reading before = (*encoder)->latest();
+    const Reading before = encoder.latest();
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.json = {{QStringLiteral("device"), device.key},
-                   {QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
+    answer.json = {{QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
-    addPlace(answer.json, call, (*encoder)->place());
-    addTrace(call, (*encoder)->place(), *job.trace, answer);
+    addTrace(call, encoder.place(), *job.trace, answer);
     if (!job.outcome.result) {
-        answer.complaint = complaintAboutJob(call, (*encoder)->place(), job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
         return answer;
     }
-    answer.text +=
-        sentence(CommandLine::tr("Position before: %1"),
-                 {positionText(job.outcome.positionBefore, before, rodScale(**encoder))}) +
-        u'\n' +
-        sentence(CommandLine::tr("Position after:  %1"),
-                 {positionText(job.outcome.positionAfter, (*encoder)->latest(), rodScale(**encoder))}) +
-        u'\n' +
-        sentence(CommandLine::tr("EEPROM writes:   %1"),
-                 argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
-        u'\n';
+    answer.text += sentence(CommandLine::tr("Position before: %1"),
+                            {positionText(job.outcome.positionBefore, before, rodScale(encoder))}) +
+                   u'\n' +
+                   sentence(CommandLine::tr("Position after:  %1"),
+                            {positionText(job.outcome.positionAfter, encoder.latest(), rodScale(encoder))}) +
+                   u'\n' + eepromWritesLine(job.outcome.eepromWrites);
     if (job.outcome.leftIn == EncoderState::error)
-        answer.text += whereItWasLeft((*encoder)->latest()) + u'\n';
+        answer.text += whereItWasLeft(encoder.latest()) + u'\n';
     return answer;
 }
 
@@ -123,7 +113,7 @@ const Subcommand presetCommand{
     .maximumArguments = 2,
     .needsBus = true,
     .textIsAccount = true,
-    .run = runPreset,
+    .run = atPlace<runPreset>,
 };
 
 } // namespace codewheel

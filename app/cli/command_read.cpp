@@ -23,8 +23,7 @@ constexpr const char *readExamples[] = {"read 1.0", "read 1.0 steps revolutions 
 
 constexpr std::array readOptions{
     deviceOption,
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    traceOption,
 };
 
 // The encoder cannot be read: what is known of it from what was written here.
@@ -85,7 +84,7 @@ Checked<NamedValues> namedValues(const DeviceDescription &device, bool tellsVers
 QJsonObject versionJson(const QString &version)
 {
     return {{QStringLiteral("parameter"), versionName},
-            {QStringLiteral("value"), version.isEmpty() ? QJsonValue() : QJsonValue(version)},
+            {QStringLiteral("value"), textJson(version)},
             {QStringLiteral("unit"), unitKey(Unit::none)}};
 }
 
@@ -125,25 +124,20 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     return answer;
 }
 
-Checked<Answer> runRead(const Call &call)
+Checked<Answer> runRead(const Call &call, EncoderSession &encoder)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
-    const DeviceDescription &device = (*encoder)->device();
+    const DeviceDescription &device = encoder.device();
     Answer answer;
     if (!device.capabilities.reads) {
-        answer = whatIsKnown(**encoder);
+        answer = whatIsKnown(encoder);
     } else {
-        auto named = namedValues(device, call.busOf((*encoder)->place()).tellsVersion(),
-                                 call.arguments.rest.sliced(1));
+        auto named =
+            namedValues(device, call.busOf(encoder.place()).tellsVersion(), call.arguments.rest.sliced(1));
         if (!named)
             return tl::unexpected(named.error());
-        answer = named->parameters.empty() ? versionOf(call, **encoder)
-                                           : readFrom(call, **encoder, *std::move(named));
+        answer =
+            named->parameters.empty() ? versionOf(call, encoder) : readFrom(call, encoder, *std::move(named));
     }
-    addPlace(answer.json, call, (*encoder)->place());
-    answer.json.insert(QStringLiteral("device"), device.key);
     return answer;
 }
 
@@ -164,7 +158,7 @@ const Subcommand readCommand{
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .run = runRead,
+    .run = atPlace<runRead>,
 };
 
 } // namespace codewheel

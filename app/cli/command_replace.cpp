@@ -4,6 +4,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/places.h"
 #include "cli/project_of_call.h"
 #include "cli/texts.h"
@@ -40,7 +41,7 @@ constexpr std::array replaceOptions{
                              "set the position to this, in steps; \"last\" is the one the project knows")},
     transferDryRun,
     transferReport,
-    transferTrace,
+    traceOption,
     transferYes,
     beyondLimitOption,
     ledgerOption,

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/save_report.h"
 #include "cli/commands.h"
+#include "cli/consent.h"
 #include "cli/eeprom_consent.h"
 #include "cli/jobs.h"
 #include "cli/project_of_call.h"
-#include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/ledger.h"
 #include "journal_files.h"
-#include "project/project_file.h"
 #include "report/deviations.h"
 #include "report/kept_counts.h"
 #include "report/live_encoders.h"
@@ -159,11 +158,7 @@ Checked<Answer> runReport(const Call &call)
     const auto target = reportTargetOf(call.arguments);
     if (!target)
         return tl::unexpected(target.error());
-    auto project = loadProject(name);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-
-    ReportInput input{.project = *std::move(project),
+    ReportInput input{.project = *call.named,
                       .file = QFileInfo(name).fileName(),
                       .version = QStringLiteral(CODEWHEEL_VERSION),
                       .now = QDateTime::currentDateTime()};

@@ -24,8 +24,7 @@ constexpr std::array resetOptions{
     beyondLimitOption,
     ledgerOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset without asking")},
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    traceOption,
 };
 
 // What is lost, and what it costs.
@@ -82,10 +81,7 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     answer.text +=
         (device.capabilities.reads ? CommandLine::tr("Read back:")
                                    : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
-        u'\n' + valueLines(encoder, values) +
-        sentence(CommandLine::tr("EEPROM writes:   %1"),
-                 argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
-        u'\n' +
+        u'\n' + valueLines(encoder, values) + eepromWritesLine(job.outcome.eepromWrites) +
         sentence(CommandLine::tr("Position after:  %1"),
                  {positionText(encoder.latest().position, encoder.latest())}) +
         u'\n';
@@ -93,27 +89,22 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
 }
 
-Checked<Answer> runReset(const Call &call)
+Checked<Answer> runReset(const Call &call, EncoderSession &encoder)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
-    const DeviceDescription &device = (*encoder)->device();
-    if (!(*encoder)->can().resets)
+    const DeviceDescription &device = encoder.device();
+    if (!encoder.can().resets)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::resetNotSupported, {device.fullName()}}));
     if (!call.arguments.has("--json"))
-        call.terminal.print(warningText(**encoder));
+        call.terminal.print(warningText(encoder));
     Answer answer;
-    answer.json = {{QStringLiteral("device"), device.key}};
-    addPlace(answer.json, call, (*encoder)->place());
-    const auto allowed = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes);
+    const auto allowed = eepromConsent(call, encoder, ResetToDefault{}, AsksAnyway::yes);
     if (!allowed) {
         answer.complaint = allowed.error();
         return answer;
     }
     const auto agreed =
-        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->place().shown()}),
+        consent(call, sentence(CommandLine::tr("Reset %1?"), {encoder.place().shown()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
     if (agreed)
         carryOutReset(call, *allowed, answer);
@@ -142,7 +133,7 @@ const Subcommand resetCommand{
     .maximumArguments = 1,
     .needsBus = true,
     .textIsAccount = true,
-    .run = runReset,
+    .run = atPlace<runReset>,
 };
 
 } // namespace codewheel

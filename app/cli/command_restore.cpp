@@ -6,6 +6,7 @@
 #include "cli/jobs.h"
 #include "cli/parameter_text.h"
 #include "cli/places.h"
+#include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -35,7 +36,7 @@ constexpr std::array restoreOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what there is, and write nothing")},
     transferDryRun,
     transferReport,
-    transferTrace,
+    traceOption,
     transferYes,
     beyondLimitOption,
     ledgerOption,
@@ -111,25 +112,29 @@ QString localTime(const ValuesBefore &before, const QDateTime &now)
 
 QString assignments(const DeviceDescription &device, const ParameterValues &values)
 {
-    QStringList texts;
-    for (const ParameterValue &value : values) {
-        const ParameterDescription *parameter = device.find(value.parameter);
-        texts << parameterKey(value.parameter) + u'=' +
-                     (parameter ? typedValue(*parameter, value.value) : QString::number(value.value));
-    }
-    return texts.join(QStringLiteral(", "));
+    return listed(values, [&](const ParameterValue &value) {
+        return QString(parameterKey(value.parameter) + u'=' + typedValue(&device, value));
+    });
 }
 
 Answer listedValues(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
 {
     const QDateTime now = call.buses.now(encoder.place());
+    std::set<BusId> buses;
+    for (const ValuesBefore &before : all)
+        buses.insert(before.writtenAt.bus);
+    BusNames::tellApart(call, buses);
     TextTable table;
     QJsonArray json;
     for (const ValuesBefore &before : all) {
-        table.add({localTime(before, now), assignments(encoder.device(), before.values)});
-        json.append(QJsonObject{{QStringLiteral("at"), before.at.toUTC().toString(Qt::ISODateWithMs)},
-                                {QStringLiteral("device"), before.deviceKey},
-                                {QStringLiteral("values"), valuesJson(encoder, before.values)}});
+        QStringList cells{localTime(before, now), assignments(encoder.device(), before.values)};
+        if (buses.size() > 1)
+            cells.insert(1, before.writtenAt.shown());
+        table.add(cells);
+        json.append(placeJson(call, before.writtenAt,
+                              {{QStringLiteral("at"), before.at.toUTC().toString(Qt::ISODateWithMs)},
+                               {QStringLiteral("device"), before.deviceKey},
+                               {QStringLiteral("values"), valuesJson(encoder, before.values)}}));
     }
     Answer answer{.text = table.toString(), .json = {{QStringLiteral("valuesBefore"), json}}};
     addPlace(answer.json, call, encoder.place());

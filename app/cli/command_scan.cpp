@@ -3,6 +3,8 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/link_kind.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
@@ -13,6 +15,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -24,6 +27,22 @@ constexpr std::array scanOptions{
     Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
 };
+
+// An option of a kind of bus does nothing where the link leads to none of it.
+Checked<void> checkOptionsOfKinds(const Call &call)
+{
+    for (const LinkKind *kind : linkKinds()) {
+        if (std::ranges::count(call.links, kind->bus(), &BusAccess::kind) > 0)
+            continue;
+        for (const Option &option : kind->scanOptions())
+            if (call.arguments.has(option.name))
+                return badInput(QStringLiteral("optionOfOtherBus"),
+                                CommandLine::tr("%1 is for a bus that the link does not lead to: %2. "
+                                                "Leave it out."),
+                                {QString::fromLatin1(option.name), busKind(kind->bus())->title()});
+    }
+    return {};
+}
 
 // What is in a file is not lost by a scan.
 Checked<void> checkProjectIsFree(const Arguments &arguments)
@@ -77,11 +96,10 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
 
 // Of several buses each has its heading. "buses" has what each of them tells, and what only one of them tells
 // stands by itself as well.
-void addBus(const Call &call, const BusAccess &bus, const Answer &found, QJsonArray &buses, Answer &answer)
+void addFound(const Call &call, const BusAccess &bus, const Answer &found, QJsonArray &buses, Answer &answer)
 {
     QJsonObject json = found.json;
-    json.insert(QStringLiteral("bus"), bus.bus().id().number);
-    json.insert(QStringLiteral("busName"), bus.name());
+    addBus(json, bus);
     json.insert(QStringLiteral("kind"), bus.kind());
     if (found.complaint)
         json.insert(QStringLiteral("error"), errorJson(*found.complaint));
@@ -106,6 +124,8 @@ bool wasCancelled(const Answer &answer)
 // What one bus refuses does not keep the others from being looked at.
 Checked<Answer> runScan(const Call &call)
 {
+    if (const auto checked = checkOptionsOfKinds(call); !checked)
+        return tl::unexpected(checked.error());
     if (const auto isFree = checkProjectIsFree(call.arguments); !isFree)
         return tl::unexpected(isFree.error());
     Answer answer;
@@ -119,8 +139,9 @@ Checked<Answer> runScan(const Call &call)
             return tl::unexpected(its.error());
         if (its)
             found.push_back(bus);
-        addBus(call, *bus, its.value_or(Answer{.complaint = its ? std::nullopt : std::optional(its.error())}),
-               buses, answer);
+        addFound(call, *bus,
+                 its.value_or(Answer{.complaint = its ? std::nullopt : std::optional(its.error())}), buses,
+                 answer);
     }
     answer.json.insert(QStringLiteral("buses"), buses);
     if (!wasCancelled(answer)) // what was not looked for any more is not gone

@@ -32,7 +32,7 @@ constexpr std::array storeOptions{
     budgetYesOption,
     beyondLimitOption,
     ledgerOption,
-    transferTrace,
+    traceOption,
 };
 
 struct Meant
@@ -68,21 +68,16 @@ std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevi
     return all;
 }
 
-QString valueLine(const DeviceDescription &device, const StoredValue &stored)
-{
-    const ParameterDescription *parameter = device.find(stored.parameter);
-    return parameter ? typedValue(*parameter, stored.value) : QString::number(stored.value);
-}
-
 void showStored(const Call &call, const EncoderSession &encoder, const ProjectDevice &device, Answer &answer,
                 QJsonArray &json)
 {
     TextTable table;
     QJsonArray values;
     for (const StoredValue &stored : device.stored) {
-        table.add({parameterKey(stored.parameter),
-                   QStringLiteral("= %1").arg(valueLine(encoder.device(), stored)),
-                   evidenceText(stored.evidence)});
+        table.add(
+            {parameterKey(stored.parameter),
+             QStringLiteral("= %1").arg(typedValue(&encoder.device(), {stored.parameter, stored.value})),
+             evidenceText(stored.evidence)});
         values.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(stored.parameter)},
                                   {QStringLiteral("value"), numberJson(stored.value)},
                                   {QStringLiteral("evidence"), evidenceKey(stored.evidence)},
@@ -124,14 +119,10 @@ void complain(const Call &call, const std::vector<EncoderResult> &results, const
 Checked<Answer> runStore(const Call &call)
 {
     const QString &file = call.arguments.rest.front();
-    auto project = loadProject(file);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-    const QByteArray mark = projectMark(*project);
-    const auto devices = devicesMeant(call, *project, file);
+    const auto devices = devicesMeant(call, *call.named, file);
     if (!devices)
         return tl::unexpected(devices.error());
-    const Meant meant = sorted(call, *project, *devices);
+    const Meant meant = sorted(call, *call.named, *devices);
     const auto allowed = eepromConsent(call, jobsFor(call, meant.encoders), AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
@@ -139,20 +130,19 @@ Checked<Answer> runStore(const Call &call)
     Answer answer;
     QJsonArray encoders;
     addTrace(call, round, answer);
+    Project project = *call.named;
     for (const ProjectDevice &device : meant.encoders) {
-        const Place place = device.place();
-        const EncoderSession &encoder = *call.buses.encoder(place);
-        const auto kept = std::ranges::find_if(
-            project->devices, [&](const ProjectDevice &each) { return each.place() == place; });
-        *kept = withStored(*kept, encoder);
-        showStored(call, encoder, *kept, answer, encoders);
+        const EncoderSession &encoder = *call.buses.encoder(device.place());
+        ProjectDevice &kept = *findDevice(project, device.place());
+        kept = withStored(kept, encoder);
+        showStored(call, encoder, kept, answer, encoders);
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
     showOthers(call, meant, answer);
     complain(call, round.results, meant, answer);
     if (meant.encoders.empty())
         return answer;
-    if (const auto saved = saveUnlessChanged(*project, file, mark); !saved)
+    if (const auto saved = saveUnlessChanged(project, file, projectMark(*call.named)); !saved)
         answer.complaint = saved.error();
     else
         answer.text += sentence(CommandLine::tr("Saved in %1."), {file}) + u'\n';

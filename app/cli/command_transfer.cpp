@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/transfer_call.h"
-#include "project/project_file.h"
 #include "transfer/project_places.h"
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr std::array transferOptions{
     transferDryRun,
     transferStop,
     transferReport,
-    transferTrace,
+    traceOption,
     transferYes,
     beyondLimitOption,
     ledgerOption,
@@ -31,14 +31,11 @@ constexpr std::array transferOptions{
 Checked<Answer> runTransfer(const Call &call)
 {
     const QString &file = call.arguments.rest.front();
-    const auto project = loadProject(file);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-    const auto devices = devicesMeant(call, *project, file);
+    const auto devices = devicesMeant(call, *call.named, file);
     if (!devices)
         return tl::unexpected(devices.error());
     const bool all = call.arguments.rest.size() == 1;
-    const ProjectPlaces places(*project, call.buses);
+    const ProjectPlaces places(*call.named, call.buses);
     std::vector<TransferWish> wishes;
     for (const ProjectDevice &device : *devices) {
         TransferWish wish =

@@ -19,13 +19,7 @@ constexpr const char *velocityExamples[] = {"velocity 1.0 on", "velocity 1.0 off
                                             "velocity 1.0 on --in-position-mode"};
 
 constexpr std::array velocityOptions{
-    deviceOption,
-    inPositionModeOption,
-    budgetYesOption,
-    beyondLimitOption,
-    ledgerOption,
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    deviceOption, inPositionModeOption, budgetYesOption, beyondLimitOption, ledgerOption, traceOption,
 };
 
 Checked<SwitchMode> modeJob(const QString &wanted)
@@ -44,30 +38,24 @@ QString readingText(const Reading &reading)
     return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
 }
 
-Checked<Answer> runVelocity(const Call &call)
+Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
     const auto wanted = modeJob(call.arguments.rest[1]);
     if (!wanted)
         return tl::unexpected(wanted.error());
 
-    tellMode(**encoder, call.arguments);
-    const auto allowed = eepromConsent(call, **encoder, *wanted, AsksAnyway::no);
+    tellMode(encoder, call.arguments);
+    const auto allowed = eepromConsent(call, encoder, *wanted, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
-    const DeviceDescription &device = (*encoder)->device();
-    const Reading &reading = (*encoder)->latest();
+    const Reading &reading = encoder.latest();
     Answer answer;
-    answer.json = {{QStringLiteral("device"), device.key},
-                   {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
+    answer.json = {{QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("mode"), modeJson(reading.mode)},
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
-    addPlace(answer.json, call, (*encoder)->place());
-    addTrace(call, (*encoder)->place(), *job.trace, answer);
+    addTrace(call, encoder.place(), *job.trace, answer);
     if (job.outcome.result)
         answer.text += readingText(reading);
     else
@@ -95,7 +83,7 @@ const Subcommand velocityCommand{
     .maximumArguments = 2,
     .needsBus = true,
     .textIsAccount = true,
-    .run = runVelocity,
+    .run = atPlace<runVelocity>,
 };
 
 } // namespace codewheel

@@ -84,10 +84,7 @@ Checked<Answer> runWords(const Call &call)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.text = job.trace->text((*encoder)->place()) + u'\n' +
-                  sentence(CommandLine::tr("EEPROM writes:   %1"),
-                           argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
-                  u'\n';
+    answer.text = job.trace->text((*encoder)->place()) + u'\n' + eepromWritesLine(job.outcome.eepromWrites);
     answer.json = {{QStringLiteral("device"), (*encoder)->device().key},
                    {QStringLiteral("trace"), job.trace->json((*encoder)->place())},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},

@@ -37,8 +37,7 @@ constexpr std::array writeOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and send nothing")},
     Option{"--all", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "write also what the encoder already has")},
-    Option{"--trace", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+    traceOption,
 };
 
 // How the encoder stood before the job and after it: a rod may have another scale afterwards.
@@ -67,9 +66,7 @@ bool showsPosition(const Reading &reading)
 
 QString accountText(const Outcome &outcome, const Stand &before, const Stand &after)
 {
-    QString text = sentence(CommandLine::tr("EEPROM writes:   %1"),
-                            argumentTexts({std::int64_t{outcome.eepromWrites}})) +
-                   u'\n';
+    QString text = eepromWritesLine(outcome.eepromWrites);
     if (showsPosition(before.reading))
         text += sentence(CommandLine::tr("Position before: %1"),
                          {positionText(before.reading.position, before.reading, before.scale)}) +
@@ -88,9 +85,7 @@ QJsonArray writtenJson(const EncoderSession &encoder, const ParameterValues &val
     QJsonArray json;
     for (const ParameterValue &value : values) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        const auto known = encoder.known(value.parameter);
-        object.insert(QStringLiteral("evidence"),
-                      known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+        object.insert(QStringLiteral("evidence"), evidenceJson(encoder.known(value.parameter)));
         json.append(object);
     }
     return json;
@@ -132,40 +127,35 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     }
 }
 
-Checked<Answer> runWrite(const Call &call)
+Checked<Answer> runWrite(const Call &call, EncoderSession &encoder)
 {
-    const auto encoder = encoderAt(call);
-    if (!encoder)
-        return tl::unexpected(encoder.error());
-    const DeviceDescription &device = (*encoder)->device();
+    const DeviceDescription &device = encoder.device();
     if (!device.capabilities.writes)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::writingNotSupported, {device.fullName()}}));
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());
-    if (const auto ready = call.busOf((*encoder)->place()).prepareWrite(call, **encoder, *values); !ready)
+    if (const auto ready = call.busOf(encoder.place()).prepareWrite(call, encoder, *values); !ready)
         return tl::unexpected(ready.error());
     const WritePlan plan = planWrite(
-        **encoder, {.wanted = *values, .writeAll = call.arguments.has("--all"), .inOrderGiven = true});
+        encoder, {.wanted = *values, .writeAll = call.arguments.has("--all"), .inOrderGiven = true});
     if (plan.refusal)
         return tl::unexpected(complaintAbout(*plan.refusal));
 
     if (!call.arguments.has("--json"))
-        call.terminal.print(writePlanText(**encoder, plan));
+        call.terminal.print(writePlanText(encoder, plan));
     Answer answer;
-    answer.json = {{QStringLiteral("device"), device.key},
-                   {QStringLiteral("plan"), writePlanJson(**encoder, plan)},
+    answer.json = {{QStringLiteral("plan"), writePlanJson(encoder, plan)},
                    {QStringLiteral("notes"), valueNotesJson(plan.notes)}};
-    addPlace(answer.json, call, (*encoder)->place());
     if (call.arguments.has("--dry-run") || plan.rows.empty())
         return answer;
-    const auto allowed = eepromConsent(call, **encoder, plan.job, AsksAnyway::yes);
+    const auto allowed = eepromConsent(call, encoder, plan.job, AsksAnyway::yes);
     if (!allowed) {
         answer.complaint = allowed.error();
         return answer;
     }
-    const QString question = sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->place().shown()});
+    const QString question = sentence(CommandLine::tr("Write this to %1?"), {encoder.place().shown()});
     const auto agreed = consent(call, question,
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));
@@ -203,7 +193,7 @@ const Subcommand writeCommand{
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .textIsAccount = true,
-    .run = runWrite,
+    .run = atPlace<runWrite>,
 };
 
 } // namespace codewheel

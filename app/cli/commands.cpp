@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 
 #include "cli/link_kind.h"
+#include "cli/places.h"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +11,11 @@ namespace codewheel {
 namespace {
 
 // In the order of the help; those of the kinds of buses come between.
-constexpr std::array first{
+constexpr std::array firstCommands{
     &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
     &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,
     &transferCommand, &cloneCommand,  &replaceCommand,  &restoreCommand, &reportCommand, &monitorCommand};
-constexpr std::array last{&messagesCommand, &ledgerCommand};
+constexpr std::array lastCommands{&messagesCommand, &ledgerCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
@@ -30,6 +31,7 @@ constexpr std::array common{
     Option{"--fault-plan", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "faults that befall the training bus, with their times and places")},
+    faultBusOption,
     Option{"--help", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "explain this and stop; also -h")},
     Option{"-h", nullptr, nullptr},
     Option{"--version", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the version and stop")},
@@ -39,10 +41,10 @@ constexpr std::array common{
 
 std::vector<const Subcommand *> allCommands()
 {
-    std::vector<const Subcommand *> all(first.begin(), first.end());
+    std::vector<const Subcommand *> all(firstCommands.begin(), firstCommands.end());
     for (const LinkKind *kind : linkKinds())
         all.insert(all.end(), kind->commands().begin(), kind->commands().end());
-    all.insert(all.end(), last.begin(), last.end());
+    all.insert(all.end(), lastCommands.begin(), lastCommands.end());
     return all;
 }
 

@@ -2,6 +2,9 @@
 #include "cli/consent.h"
 
 #include "cli/texts.h"
+#include "project/file_access.h"
+
+#include <QFileInfo>
 
 namespace codewheel {
 
@@ -24,6 +27,22 @@ Checked<void> consent(const Call &call, const QString &question, const QString &
         return badInput(QStringLiteral("noConsent"), howWithoutAsking);
     if (!call.terminal.confirms(question))
         return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+    return {};
+}
+
+QString nothingSaved()
+{
+    return CommandLine::tr("%1 is there already. Nothing was saved. Name another file, or add --yes "
+                           "to replace it.");
+}
+
+Checked<void> checkTargetFile(const Arguments &arguments, const QString &path, const QString &whereThere)
+{
+    // What is in a file is not lost.
+    if (!arguments.has("--yes") && QFileInfo::exists(path))
+        return badInput(QStringLiteral("fileExists"), whereThere, {path});
+    if (const auto can = checkReplaceable(path); !can)
+        return tl::unexpected(complaintAbout(can.error()));
     return {};
 }
 

@@ -12,4 +12,10 @@ Checked<void> checkWasShown(const Call &call);
 // answer, or where the answer is for a program; `howWithoutAsking` tells what is needed then.
 Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking);
 
+QString nothingSaved();
+// Before anything is done: whether the file can be made that the call is to leave behind. One that is there
+// already is replaced with --yes only; `whereThere` says so, with %1 for the file.
+Checked<void> checkTargetFile(const Arguments &arguments, const QString &path,
+                              const QString &whereThere = nothingSaved());
+
 } // namespace codewheel

@@ -4,6 +4,8 @@
 #include "cli/bus_access.h"
 #include "cli/stop_signals.h"
 #include "cli/subcommand.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
 
 namespace codewheel {
 namespace {
@@ -69,6 +71,11 @@ void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answ
         return;
     answer.text += trace.text(place) + u'\n';
     answer.json.insert(QStringLiteral("trace"), trace.json(place));
+}
+
+QString eepromWritesLine(int writes)
+{
+    return sentence(CommandLine::tr("EEPROM writes:   %1"), argumentTexts({std::int64_t{writes}})) + u'\n';
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)

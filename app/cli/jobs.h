@@ -15,6 +15,10 @@ namespace codewheel {
 struct Answer;
 struct Call;
 
+inline constexpr Option traceOption{
+    "--trace", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")};
+
 // How a job ended.
 struct FinishedJob
 {
@@ -31,6 +35,7 @@ Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 // With --trace: the words or requests that went over the bus, before what the answer says already.
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
+QString eepromWritesLine(int writes); // "EEPROM writes:   1"
 // About a job that was refused, and about its link, where that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
 

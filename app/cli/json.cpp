@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/json.h"
 
+#include "cli/keys.h"
 #include "encoder/hex.h"
 #include "encoder/meaning_text.h"
 
 namespace codewheel {
 namespace {
+
+constexpr NamedValue<Unit> unitKeys[] = {
+    {"none", Unit::none},
+    {"steps", Unit::steps},
+    {"revolutions", Unit::revolutions},
+    {"ten-minutes", Unit::tenMinutes},
+    {"tenth-degree-celsius", Unit::tenthDegreeCelsius},
+    {"micrometres", Unit::micrometres},
+    {"tenth-hours", Unit::tenthHours},
+};
+constexpr NamedValue<Mode> modeKeys[] = {
+    {"position", Mode::position},
+    {"velocity", Mode::velocity},
+    {"cam", Mode::cam},
+};
+constexpr NamedValue<EncoderState> stateKeys[] = {
+    {"unknown", EncoderState::unknown},     {"notSeen", EncoderState::notSeen},
+    {"operation", EncoderState::operation}, {"parameterization", EncoderState::parameterization},
+    {"readOut", EncoderState::readOut},     {"service", EncoderState::service},
+    {"error", EncoderState::error},         {"silent", EncoderState::silent},
+};
 
 struct ArgumentJson
 {
@@ -55,14 +77,13 @@ QJsonValue participantJson(const Participant *participant)
 {
     if (participant == nullptr)
         return {};
-    const QString &key = participant->deviceKey;
     return QJsonObject{{QStringLiteral("place"), participant->number.toString()},
                        {QStringLiteral("idCode"), static_cast<int>(participant->idCode)},
                        {QStringLiteral("deviceCode"), static_cast<int>(participant->deviceCode)},
                        {QStringLiteral("inWords"), participant->inWords},
                        {QStringLiteral("outWords"), participant->outWords},
                        {QStringLiteral("level"), participant->level},
-                       {QStringLiteral("device"), key.isEmpty() ? QJsonValue() : QJsonValue(key)}};
+                       {QStringLiteral("device"), textJson(participant->deviceKey)}};
 }
 
 QJsonObject errorJson(const Complaint &complaint)
@@ -89,6 +110,22 @@ QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value)
     return json;
 }
 
+QJsonValue textJson(const QString &text)
+{
+    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
+}
+
+QJsonValue evidenceJson(const std::optional<Known> &known)
+{
+    return known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue();
+}
+
+void addKnown(QJsonObject &json, const std::optional<Known> &known)
+{
+    json.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
+    json.insert(QStringLiteral("evidence"), evidenceJson(known));
+}
+
 void merge(QJsonObject &into, const QJsonObject &more)
 {
     for (auto one = more.begin(); one != more.end(); ++one)
@@ -97,74 +134,22 @@ void merge(QJsonObject &into, const QJsonObject &more)
 
 QString unitKey(Unit unit)
 {
-    switch (unit) {
-    case Unit::none:
-        break;
-    case Unit::steps:
-        return QStringLiteral("steps");
-    case Unit::revolutions:
-        return QStringLiteral("revolutions");
-    case Unit::tenMinutes:
-        return QStringLiteral("ten-minutes");
-    case Unit::tenthDegreeCelsius:
-        return QStringLiteral("tenth-degree-celsius");
-    case Unit::micrometres:
-        return QStringLiteral("micrometres");
-    case Unit::tenthHours:
-        return QStringLiteral("tenth-hours");
-    }
-    return QStringLiteral("none");
+    return keyOf(unitKeys, unit);
 }
 
 QString evidenceKey(Evidence evidence)
 {
-    switch (evidence) {
-    case Evidence::read:
-        return QStringLiteral("read");
-    case Evidence::echoed:
-        return QStringLiteral("echoed");
-    case Evidence::told:
-        break;
-    }
-    return QStringLiteral("told");
+    return keyOf(project_keys::evidences, evidence);
 }
 
 QJsonValue modeJson(std::optional<Mode> mode)
 {
-    if (!mode)
-        return {};
-    switch (*mode) {
-    case Mode::velocity:
-        return QStringLiteral("velocity");
-    case Mode::cam:
-        return QStringLiteral("cam");
-    case Mode::position:
-        break;
-    }
-    return QStringLiteral("position");
+    return mode ? QJsonValue(keyOf(modeKeys, *mode)) : QJsonValue();
 }
 
 QString stateKey(EncoderState state)
 {
-    switch (state) {
-    case EncoderState::notSeen:
-        return QStringLiteral("notSeen");
-    case EncoderState::operation:
-        return QStringLiteral("operation");
-    case EncoderState::parameterization:
-        return QStringLiteral("parameterization");
-    case EncoderState::readOut:
-        return QStringLiteral("readOut");
-    case EncoderState::service:
-        return QStringLiteral("service");
-    case EncoderState::error:
-        return QStringLiteral("error");
-    case EncoderState::silent:
-        return QStringLiteral("silent");
-    case EncoderState::unknown:
-        break;
-    }
-    return QStringLiteral("unknown");
+    return keyOf(stateKeys, state);
 }
 
 } // namespace codewheel

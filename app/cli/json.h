@@ -30,6 +30,10 @@ QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only where the value has a name.
 QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value);
 
+// "known" and "evidence", null where nothing is known.
+void addKnown(QJsonObject &json, const std::optional<Known> &known);
+QJsonValue evidenceJson(const std::optional<Known> &known);
+QJsonValue textJson(const QString &text); // null where it is empty
 // What `more` has stands in `into` from now on.
 void merge(QJsonObject &into, const QJsonObject &more);
 

@@ -21,8 +21,8 @@ const QString protocolSetting = QStringLiteral("protocol");
 std::vector<std::unique_ptr<const LinkKind>> kindsOfTheProgram()
 {
     std::vector<std::unique_ptr<const LinkKind>> kinds;
-    kinds.push_back(std::make_unique<RingLinkKind>());
-    kinds.push_back(std::make_unique<LineLinkKind>());
+    kinds.push_back(ringLinkKind());
+    kinds.push_back(lineLinkKind());
     return kinds;
 }
 
@@ -48,14 +48,6 @@ tl::unexpected<Complaint> unknownLink(const QString &typed)
                     CommandLine::tr("There is no link \"%1\". The links are: %2."), {typed, linksThereAre()});
 }
 
-QString keysOf(const std::vector<const LinkKind *> &those)
-{
-    QStringList keys;
-    for (const LinkKind *kind : those)
-        keys << kind->bus();
-    return keys.join(QStringLiteral(", "));
-}
-
 Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
 {
     std::vector<const LinkKind *> those;
@@ -70,9 +62,28 @@ Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
     const auto found = std::ranges::find(those, protocol.value_or(QString()), &LinkKind::bus);
     if (found != those.end())
         return *found;
-    return badInput(QStringLiteral("protocolMissing"),
-                    CommandLine::tr("Say with protocol= what is spoken at %1. There is: %2."),
-                    {text.scheme + u':' + text.where, keysOf(those)});
+    const QString where = text.scheme + u':' + text.where;
+    if (!protocol)
+        return badInput(QStringLiteral("protocolMissing"),
+                        CommandLine::tr("Say with protocol= what is spoken at %1. There is: %2."),
+                        {where, listed(those, &LinkKind::bus)});
+    return badInput(QStringLiteral("unknownProtocol"),
+                    CommandLine::tr("\"%1\" is not spoken at %2. What protocol= can name there: %3."),
+                    {*protocol, where, listed(those, &LinkKind::bus)});
+}
+
+// The last one would win, and nobody would know.
+Checked<void> checkEachOnce(const QStringList &settings)
+{
+    QStringList keys;
+    for (const QString &setting : settings) {
+        const QString key = setting.section(u'=', 0, 0);
+        if (!key.isEmpty() && keys.contains(key))
+            return badInput(QStringLiteral("linkSettingGivenTwice"),
+                            CommandLine::tr("%1 is given twice. Give it once."), {key});
+        keys << key;
+    }
+    return {};
 }
 
 std::vector<MakeLink> trainingLinks(const Project *project)
@@ -160,12 +171,6 @@ BusId numberOf(const LinkKind &kind, const Project *project, std::optional<BusId
     return std::ranges::count(planned, training) > 0 ? training : freeNumber(*project, its);
 }
 
-bool needsProject(const QString &link)
-{
-    const auto text = LinkText::parse(link);
-    return link == projectLink || (text && text->where == projectLink);
-}
-
 Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *project)
 {
     if (typed == trainingLink)
@@ -175,10 +180,9 @@ Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *p
     auto text = LinkText::parse(typed);
     if (!text)
         return unknownLink(typed);
-    const auto kind = kindMeant(*text, typed);
-    if (!kind)
-        return tl::unexpected(kind.error());
-    return (*kind)->links(*text, project);
+    return checkEachOnce(text->settings)
+        .and_then([&] { return kindMeant(*text, typed); })
+        .and_then([&](const LinkKind *kind) { return kind->links(*text, project); });
 }
 
 } // namespace codewheel

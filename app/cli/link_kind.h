@@ -22,7 +22,7 @@ struct LinkText
 };
 
 // Makes a bus of the call; the catalog outlives it.
-using MakeLink = std::function<Checked<std::unique_ptr<BusAccess>>(const Catalog &, const Arguments &)>;
+using MakeLink = std::function<Checked<std::unique_ptr<BusAccess>>(const Catalog &)>;
 
 // A kind of bus at the command line: by which links it is reached, and what it brings along.
 class LinkKind
@@ -64,6 +64,5 @@ BusId numberOf(const LinkKind &kind, const Project *project, std::optional<BusId
 // SCHEME:WHERE of the kind that has this scheme, or, where several have it, of the one that protocol= names.
 // Refused where there is no such link, and where it means something with a project only and there is none.
 Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *project);
-bool needsProject(const QString &link); // to know what is meant
 
 } // namespace codewheel

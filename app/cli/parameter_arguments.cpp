@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/parameter_arguments.h"
 
+#include "catalog/catalog.h"
 #include "cli/parameter_text.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
@@ -140,6 +141,15 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
         values.push_back({(*parameter)->parameter, *value});
     }
     return values;
+}
+
+Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key)
+{
+    if (const DeviceDescription *device = catalog.find(key))
+        return device;
+    return badInput(QStringLiteral("unknownDeviceName"),
+                    CommandLine::tr("There is no device named \"%1\". The names are: %2."),
+                    {key, listed(catalog.devices(), &DeviceDescription::key)});
 }
 
 } // namespace codewheel

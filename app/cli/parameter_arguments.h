@@ -8,6 +8,8 @@
 
 namespace codewheel {
 
+class Catalog;
+
 // The parameters named, checked against what can be read from the device; each once.
 Checked<std::vector<Parameter>> parametersToRead(const DeviceDescription &device, const QStringList &names);
 
@@ -17,6 +19,8 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
 // A value as the user types it: a number, or the key of a choice.
 Checked<std::int64_t> valueFrom(const ParameterDescription &parameter, const QString &text);
 
+// The device of this key, or the keys there are.
+Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key);
 // A process-data word: up to eight hexadecimal digits, as the manuals print them.
 Checked<Word> wordFrom(const QString &text);
 

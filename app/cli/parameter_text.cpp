@@ -15,6 +15,12 @@ QString typedValue(const ParameterDescription &parameter, std::int64_t value,
                : valueText(parameter, value, options);
 }
 
+QString typedValue(const DeviceDescription *device, const ParameterValue &value)
+{
+    const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
+    return parameter ? typedValue(*parameter, value.value) : QString::number(value.value);
+}
+
 // Millimetres, or hexadecimal digits.
 static bool isShownOtherwise(const ParameterDescription &parameter)
 {
@@ -29,10 +35,8 @@ QString rangeText(const ParameterDescription &parameter)
                                             valueText(parameter, parameter.maximum));
     if (parameter.choices.empty())
         return QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum);
-    QStringList texts;
-    for (const Choice &choice : parameter.choices)
-        texts << typedValue(parameter, choice.value);
-    return texts.join(QStringLiteral(", "));
+    return listed(parameter.choices,
+                  [&](const Choice &choice) { return typedValue(parameter, choice.value); });
 }
 
 QString evidenceText(Evidence evidence)

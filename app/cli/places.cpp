@@ -2,11 +2,12 @@
 #include "cli/places.h"
 
 #include "bus/encoder_bus.h"
+#include "catalog/catalog.h"
 #include "catalog/device_description.h"
 #include "catalog/label_key.h"
 #include "cli/bus_access.h"
-#include "cli/device_text.h"
 #include "cli/link_kind.h"
+#include "cli/parameter_arguments.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
@@ -50,18 +51,14 @@ QString named(const Call &call, Place place)
 // With the numbers of their buses.
 QString numbers(const std::vector<Place> &places)
 {
-    QStringList texts;
-    for (const Place place : places)
-        texts << QStringLiteral("%1/%2").arg(place.bus.number).arg(place.toString());
-    return texts.join(QStringLiteral(", "));
+    return listed(places, [](Place place) {
+        return QStringLiteral("%1/%2").arg(place.bus.number).arg(place.toString());
+    });
 }
 
 QString list(const Call &call, const std::vector<Place> &places)
 {
-    QStringList texts;
-    for (const Place place : places)
-        texts << named(call, place);
-    return texts.join(QStringLiteral(", "));
+    return listed(places, [&](Place place) { return named(call, place); });
 }
 
 Checked<Place> onlyOne(const Call &call, const std::vector<Place> &places, const QString &typed)
@@ -125,14 +122,6 @@ tl::unexpected<Complaint> notThere(const Call &call, const std::vector<BusAccess
     return tl::unexpected((meant == buses.end() ? buses.front() : *meant)->notAPlace(typed));
 }
 
-QString busNames(const std::vector<BusAccess *> &buses)
-{
-    QStringList names;
-    for (const BusAccess *bus : buses)
-        names << bus->name();
-    return names.join(QStringLiteral(", "));
-}
-
 Checked<Place> placeOn(const Call &call, const std::vector<BusAccess *> &buses, const Project *project,
                        const QString &typed)
 {
@@ -151,7 +140,7 @@ tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
 {
     return badInput(QStringLiteral("unknownBus"),
                     CommandLine::tr("The link leads to no bus \"%1\". The buses are: %2."),
-                    {name, busNames(call.links)});
+                    {name, listed(call.links, &BusAccess::name)});
 }
 
 // By its name, else by its number.
@@ -168,6 +157,24 @@ Checked<BusAccess *> findBus(const Call &call, const QString &name)
     return badInput(QStringLiteral("busNotUnique"),
                     CommandLine::tr("\"%1\" is the name of one bus and the number of another. Rename it."),
                     {name});
+}
+
+// Of these buses of one kind the one that the option names.
+Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &buses, const Option &option)
+{
+    const auto name = call.arguments.value(option.name);
+    if (!name && buses.size() == 1)
+        return buses.front();
+    if (!name)
+        return badInput(QStringLiteral("busNotUnique"),
+                        CommandLine::tr("The link leads to several buses. Name one with %1: %2."),
+                        {QString::fromLatin1(option.name), listed(buses, &BusAccess::name)});
+    auto bus = findBus(call, *name);
+    if (!bus || std::ranges::count(buses, *bus) > 0)
+        return bus;
+    return badInput(QStringLiteral("noSuchBus"),
+                    CommandLine::tr("\"%1\" is no bus of this kind: %2. There is: %3."),
+                    {*name, busKind(buses.front()->kind())->title(), listed(buses, &BusAccess::name)});
 }
 
 // Why it is not the encoder that the project has there; --device says what to take it for.
@@ -267,19 +274,19 @@ Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
         return badInput(QStringLiteral("noSuchBus"),
                         CommandLine::tr("The link leads to no bus of this kind: %1."),
                         {busKind(kind)->title()});
-    if (const auto name = call.arguments.value("--bus")) {
-        auto bus = findBus(call, *name);
-        if (!bus || (*bus)->kind() == kind)
-            return bus;
-        return badInput(QStringLiteral("noSuchBus"),
-                        CommandLine::tr("\"%1\" is no bus of this kind: %2. There is: %3."),
-                        {*name, busKind(kind)->title(), busNames(buses)});
-    }
-    if (buses.size() == 1)
-        return buses.front();
-    return badInput(QStringLiteral("busNotUnique"),
-                    CommandLine::tr("The link leads to several buses. Name one with --bus: %1."),
-                    {busNames(buses)});
+    return oneOf(call, buses, busOption);
+}
+
+Checked<BusAccess *> ringOfFaults(const Call &call)
+{
+    std::vector<BusAccess *> rings;
+    std::ranges::copy_if(call.links, std::back_inserter(rings), &BusAccess::followsFaultPlan);
+    if (rings.empty())
+        return badInput(
+            QStringLiteral("faultPlanOnLine"),
+            CommandLine::tr("A fault plan is for the ring of the training bus. Leave --fault-plan "
+                            "out."));
+    return oneOf(call, rings, faultBusOption);
 }
 
 QJsonObject placeJson(const Call &call, Place place, QJsonObject more)
@@ -294,6 +301,12 @@ void addPlace(QJsonObject &json, const Call &call, Place place)
         json.insert(QStringLiteral("busName"), bus->name());
     json.insert(QStringLiteral("bus"), place.bus.number);
     json.insert(QStringLiteral("place"), place.toString());
+}
+
+void addBus(QJsonObject &json, const BusAccess &bus)
+{
+    json.insert(QStringLiteral("busName"), bus.name());
+    json.insert(QStringLiteral("bus"), bus.bus().id().number);
 }
 
 } // namespace codewheel

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/device_description.h"
 #include "cli/arguments.h"
 #include "cli/subcommand.h"
+#include "encoder/encoder_session.h"
 #include "project/project.h"
 
 #include <QtGlobal>
 
 namespace codewheel {
-
-class EncoderSession;
 
 // --device of the commands that work on a PLACE.
 inline constexpr Option deviceOption{
@@ -26,12 +26,29 @@ Checked<Place> placeMeant(const Call &call, const Project *project, const QStrin
 // "bus", its number, "busName" and "place", of what is told to programs.
 QJsonObject placeJson(const Call &call, Place place, QJsonObject more = {});
 void addPlace(QJsonObject &json, const Call &call, Place place);
+void addBus(QJsonObject &json, const BusAccess &bus); // "bus" and "busName"
 
 // The encoder at the PLACE the call names, so far that it shows where it stands. With --device it is named
 // first, for this call.
 Checked<EncoderSession *> encoderAt(const Call &call);
 // The same at what is typed, whatever --device says.
 Checked<EncoderSession *> encoderAt(const Call &call, const QString &typed);
+
+// Of a command on one encoder: carried out on the one that encoderAt() finds; its answer tells place and
+// device.
+template <Checked<Answer> (*command)(const Call &, EncoderSession &)>
+Checked<Answer> atPlace(const Call &call)
+{
+    return encoderAt(call).and_then([&](EncoderSession *encoder) {
+        const Place place = encoder->place(); // that was meant
+        auto answer = command(call, *encoder);
+        if (answer) {
+            addPlace(answer->json, call, place);
+            answer->json.insert(QStringLiteral("device"), encoder->device().key);
+        }
+        return answer;
+    });
+}
 
 // What a name of the catalog, or the key on a label, means at a place of the bus. 0: the key does not tell.
 struct NamedDevice
@@ -47,6 +64,12 @@ Checked<void> nameDevice(const Call &call, Place place);
 // The bus of this kind that --bus names; without it the only one of the link. Refused where it leads to none,
 // or to several.
 Checked<BusAccess *> busMeant(const Call &call, const QString &kind);
+// The ring of --fault-plan, which --fault-bus names where there are several.
+Checked<BusAccess *> ringOfFaults(const Call &call);
+inline constexpr Option faultBusOption{
+    "--fault-bus", "BUS",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "the ring of the fault plan, as the project calls it, where there are several")};
 inline constexpr Option busOption{
     "--bus", "BUS",
     QT_TRANSLATE_NOOP("codewheel::CommandLine",

@@ -3,6 +3,8 @@
 
 #include "bus/encoder_bus.h"
 #include "cli/bus_access.h"
+#include "cli/texts.h"
+#include "encoder/bus_names.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
 #include "transfer/project_places.h"
@@ -25,15 +27,20 @@ void nameBuses(const Call &call, const Project &project)
 
 } // namespace
 
-Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
+Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments)
 {
-    const auto file = arguments.value("--project");
-    if (!file)
+    const auto option = arguments.value("--project");
+    const bool isNamed = command.namesProject && !arguments.rest.isEmpty();
+    if (!isNamed && !option)
         return std::nullopt;
-    auto project = loadProject(*file);
-    if (!project)
-        return tl::unexpected(complaintAbout(project.error()));
-    return *std::move(project);
+    const QString file = isNamed ? arguments.rest.front() : *option;
+    if (option && QFileInfo(*option).canonicalFilePath() != QFileInfo(file).canonicalFilePath())
+        return badInput(QStringLiteral("twoProjects"),
+                        CommandLine::tr("The call names two projects: %1 and %2. Leave --project out."),
+                        {file, *option});
+    return loadProject(file).map_error(complaintAbout).map([](Project &&project) {
+        return std::optional(std::move(project));
+    });
 }
 
 Checked<void> saveUnlessChanged(const Project &project, const QString &file, const QByteArray &mark)
@@ -72,10 +79,22 @@ BusNames::~BusNames()
 
 void BusNames::tell(const Call &call)
 {
-    std::map<BusId, QString> names;
+    std::vector<NamedBus> buses;
     for (const BusAccess *bus : call.links)
-        if (std::ranges::count(call.links, bus->kind(), &BusAccess::kind) > 1)
-            names[bus->bus().id()] = bus->name();
+        buses.push_back({bus->bus().id(), bus->kind(), bus->name()});
+    setBusNames(namesOfSeveral(buses));
+}
+
+void BusNames::tellApart(const Call &call, const std::set<BusId> &buses)
+{
+    std::map<BusId, QString> names;
+    for (const BusId bus : buses.size() > 1 ? buses : std::set<BusId>()) {
+        const BusAccess *access = call.findBus(bus);
+        const PlannedBus *planned = call.project != nullptr ? findBus(*call.project, bus) : nullptr;
+        names[bus] = access != nullptr    ? access->name()
+                     : planned != nullptr ? planned->name
+                                          : QString::number(bus.number);
+    }
     setBusNames(std::move(names));
 }
 

@@ -4,10 +4,13 @@
 #include "cli/subcommand.h"
 #include "project/project.h"
 
+#include <set>
+
 namespace codewheel {
 
-// Of --project; nothing without it.
-Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
+// Of the first argument, else of --project; nothing without either. One call has one project, and reads it
+// once.
+Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments);
 
 // Buses and encoders are called as the project has them. Told where a bus differs from it.
 void useProject(const Call &call, const Project &project, const QString &file);
@@ -25,6 +28,9 @@ public:
     Q_DISABLE_COPY_MOVE(BusNames)
 
     static void tell(const Call &call);
+    // Of a list of places: each with its bus, where they are on several; one that nobody has named has its
+    // number.
+    static void tellApart(const Call &call, const std::set<BusId> &buses);
 };
 
 } // namespace codewheel

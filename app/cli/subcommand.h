@@ -29,6 +29,7 @@ struct Call
     std::vector<BusAccess *> links; // the buses that the link leads to; of a command that needs none, none
     const Buses &buses;             // of them, as far as they are open
     const Project *project;         // of --project; null without it
+    const Project *named;           // the first argument; null of commands that name none
 
     BusAccess *findBus(BusId bus) const; // null: the link does not lead there
     BusAccess &busOf(Place place) const; // of an encoder of the call

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QStringList>
+
+#include <functional>
 
 namespace codewheel {
 
@@ -11,5 +14,15 @@ struct CommandLine
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::CommandLine)
 };
+
+// "1.0, 2.0": what `text` makes of each.
+template <typename Range, typename Text>
+QString listed(const Range &range, Text text)
+{
+    QStringList texts;
+    for (const auto &one : range)
+        texts << std::invoke(text, one);
+    return texts.join(QStringLiteral(", "));
+}
 
 } // namespace codewheel

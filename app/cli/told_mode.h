@@ -14,6 +14,11 @@ inline constexpr Option inPositionModeOption{
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "say that the encoder is not in cam mode, where the same word sets a cam")};
 // The user says so with that option. Asked for only where the mode is not known.
-void tellMode(EncoderSession &encoder, const Arguments &arguments);
+inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
+{
+    constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
+    if (arguments.has(inPositionModeOption.name) && !encoder.latest().mode)
+        encoder.tell(Parameter::startUpMode, startsUpAsK3);
+}
 
 } // namespace codewheel

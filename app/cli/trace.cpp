@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/trace.h"
 
-#include "catalog/explain_word.h"
+#include "catalog/explain_exchange.h"
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -11,21 +11,9 @@
 namespace codewheel {
 namespace {
 
-Explanation outMeaning(const DeviceDescription &device, const Exchange &row)
+ExplainedExchange meanings(const DeviceDescription &device, const std::vector<Exchange> &rows, std::size_t i)
 {
-    return explainWord(
-        device, row.out,
-        {.direction = WordDirection::out, .mode = row.mode, .coding = row.coding, .counterpart = row.in});
-}
-
-Explanation inMeaning(const DeviceDescription &device, const std::vector<Exchange> &rows, std::size_t i)
-{
-    const Exchange &row = rows[i];
-    return explainWord(device, row.in,
-                       {.direction = WordDirection::in,
-                        .mode = row.mode,
-                        .coding = row.coding,
-                        .counterpart = askedWord(row, i > 0 ? &rows[i - 1] : nullptr)});
+    return explainExchange(device, rows[i], askedWord(rows[i], i > 0 ? &rows[i - 1] : nullptr));
 }
 
 // The position of a rod that stands in IN.
@@ -55,16 +43,16 @@ QString traceText(const DeviceDescription &device, const std::vector<Exchange> &
         table.add({CommandLine::tr("cycle"), QStringLiteral("IN"), CommandLine::tr("IN means")});
         for (std::size_t i = 0; i < rows.size(); ++i)
             table.add({QString::number(rows[i].cycle), hexWord(rows[i].in),
-                       explanationText(device, inMeaning(device, rows, i))});
+                       explanationText(device, meanings(device, rows, i).in)});
         return table.toString();
     }
     table.add({CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
                CommandLine::tr("OUT means"), CommandLine::tr("IN means")});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Exchange &row = rows[i];
+        const auto [out, in] = meanings(device, rows, i);
         table.add({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                   explanationText(device, outMeaning(device, row)),
-                   inText(device, inMeaning(device, rows, i), scale)});
+                   explanationText(device, out), inText(device, in, scale)});
     }
     return table.toString();
 }
@@ -75,12 +63,12 @@ QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange
     QJsonArray json;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Exchange &row = rows[i];
-        const Explanation in = inMeaning(device, rows, i);
+        const auto [out, in] = meanings(device, rows, i);
         QJsonObject object{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
                            {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
                            {QStringLiteral("out"), wordJson(row.out)},
                            {QStringLiteral("in"), wordJson(row.in)},
-                           {QStringLiteral("outMeanings"), meaningsJson(outMeaning(device, row))},
+                           {QStringLiteral("outMeanings"), meaningsJson(out)},
                            {QStringLiteral("inMeanings"), meaningsJson(in)}};
         if (device.profile == Profile::la66)
             object.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));

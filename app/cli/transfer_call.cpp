@@ -10,7 +10,6 @@
 #include "cli/places.h"
 #include "cli/project_of_call.h"
 #include "cli/stop_signals.h"
-#include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/transfer_text.h"
 #include "encoder/sentence.h"
@@ -106,11 +105,9 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
 
 Complaint noSuchDevice(const QString &typed, const std::vector<ProjectDevice> &devices)
 {
-    QStringList places;
-    for (const ProjectDevice &device : devices)
-        places << device.place().shown();
-    return complaintAbout(
-        {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, places.join(QStringLiteral(", "))}});
+    const QString places =
+        listed(devices, [](const ProjectDevice &device) { return device.place().shown(); });
+    return complaintAbout({RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, places}});
 }
 
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project)
@@ -221,10 +218,12 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
                 const std::function<Checked<void>()> &agreed)
 {
     Answer answer;
-    if (const auto can = checkReport(call.arguments); !can) {
-        answer.complaint = can.error();
+    const auto endingWith = [&](const Complaint &complaint) {
+        answer.complaint = complaint;
         return answer;
-    }
+    };
+    if (const auto can = checkReport(call.arguments); !can)
+        return endingWith(can.error());
     answer.json.insert(QStringLiteral("plan"), planJson(call, plan));
     if (!call.arguments.has("--json"))
         call.terminal.print(planText(call, plan));
@@ -232,10 +231,8 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
     if (call.arguments.has("--dry-run"))
         return answer;
     const auto allowed = eepromConsent(call, jobs, AsksAnyway::yes);
-    if (!allowed) {
-        answer.complaint = allowed.error();
-        return answer;
-    }
+    if (!allowed)
+        return endingWith(allowed.error());
     if (!jobs.empty()) {
         const auto agrees =
             consent(call,
@@ -244,15 +241,11 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
                              {QString::number(jobs.size()), QString::number(eepromWritesOf(plan))}),
                     CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or "
                                     "--dry-run to look only."));
-        if (!agrees) {
-            answer.complaint = agrees.error();
-            return answer;
-        }
+        if (!agrees)
+            return endingWith(agrees.error());
     }
-    if (const auto mayGoOn = agreed ? agreed() : Checked<void>(); !mayGoOn) {
-        answer.complaint = mayGoOn.error();
-        return answer;
-    }
+    if (const auto mayGoOn = agreed ? agreed() : Checked<void>(); !mayGoOn)
+        return endingWith(mayGoOn.error());
     const FinishedRound round =
         runToEnd(call, *allowed,
                  call.arguments.has("--stop") ? JobRound::AfterRefusal::stop : JobRound::AfterRefusal::goOn);

@@ -82,8 +82,5 @@ inline constexpr Option transferReport{
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "save what was written where: HTML where the name ends in .html, else text; a "
                       "FILE that is there is replaced with --yes only")};
-inline constexpr Option transferTrace{
-    "--trace", nullptr,
-    QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")};
 
 } // namespace codewheel

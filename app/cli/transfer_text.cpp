@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "cli/cam_text.h"
 #include "cli/json.h"
+#include "cli/keys.h"
 #include "cli/parameter_text.h"
 #include "cli/places.h"
 #include "cli/text_table.h"
@@ -16,22 +17,34 @@
 namespace codewheel {
 namespace {
 
+constexpr NamedValue<Became> becameKeys[] = {
+    {"notDone", Became::notDone},   {"written", Became::written},     {"alreadyThere", Became::alreadyThere},
+    {"restored", Became::restored}, {"confirmed", Became::confirmed},
+};
+
 const DeviceDescription *deviceAt(const Buses &buses, Place place)
 {
     const EncoderSession *encoder = buses.encoder(place);
     return encoder ? &encoder->device() : nullptr;
 }
 
-QString typed(const DeviceDescription *device, const ParameterValue &value)
+QString evidenceWord(Evidence evidence)
 {
-    const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
-    return parameter ? typedValue(*parameter, value.value) : QString::number(value.value);
+    switch (evidence) {
+    case Evidence::read:
+        return CommandLine::tr("read");
+    case Evidence::echoed:
+        return CommandLine::tr("confirmed");
+    case Evidence::told:
+        break;
+    }
+    return CommandLine::tr("told");
 }
 
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
 {
-    return known ? QStringLiteral("%1 (%2)").arg(typed(device, {parameter, known->value}),
-                                                 evidenceKey(known->evidence))
+    return known ? QStringLiteral("%1 (%2)").arg(typedValue(device, {parameter, known->value}),
+                                                 evidenceWord(known->evidence))
                  : CommandLine::tr("unknown");
 }
 
@@ -57,7 +70,7 @@ QString tableOf(const Call &call, const EncoderPlan &plan)
     TextTable table;
     for (const TransferRow &row : plan.rows)
         table.add({parameterKey(row.wanted.parameter), known(device, row.wanted.parameter, row.known),
-                   typed(device, row.wanted),
+                   typedValue(device, row.wanted),
                    row.isThere ? CommandLine::tr("left out: already there")
                    : row.step  ? sentText(*row.step)
                                : QString()});
@@ -78,12 +91,6 @@ QJsonObject valueJsonOf(const DeviceDescription *device, const ParameterValue &v
             {QStringLiteral("value"), numberJson(value.value)}};
 }
 
-void addKnown(QJsonObject &json, const std::optional<Known> &known)
-{
-    json.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
-    json.insert(QStringLiteral("evidence"), known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
-}
-
 // A word, or the command of a serial encoder.
 void addSent(QJsonObject &json, const std::optional<Step> &step)
 {
@@ -91,23 +98,6 @@ void addSent(QJsonObject &json, const std::optional<Step> &step)
     json.insert(QStringLiteral("word"), step && !isRequest ? wordJson(step->out) : QJsonValue());
     if (isRequest)
         json.insert(QStringLiteral("command"), sentText(*step));
-}
-
-QString becameKey(Became became)
-{
-    switch (became) {
-    case Became::written:
-        return QStringLiteral("written");
-    case Became::alreadyThere:
-        return QStringLiteral("alreadyThere");
-    case Became::restored:
-        return QStringLiteral("restored");
-    case Became::confirmed:
-        return QStringLiteral("confirmed");
-    case Became::notDone:
-        break;
-    }
-    return QStringLiteral("notDone");
 }
 
 QString positionLine(const EncoderAccount &encoder)
@@ -178,7 +168,8 @@ QString accountText(const Call &call, const TransferAccount &account)
         TextTable table;
         for (const AccountRow &row : encoder.rows)
             table.add({parameterKey(row.wanted.parameter),
-                       QStringLiteral("= %1").arg(typed(device, row.wanted)), transfer_words::became(row)});
+                       QStringLiteral("= %1").arg(typedValue(device, row.wanted)),
+                       transfer_words::became(row)});
         for (const AccountCamRow &row : encoder.cams)
             table.add({programName(row.program), {}, transfer_words::became(row)});
         text += heading(encoder) + table.toString(2) + positionLine(encoder) + QStringLiteral("  ") +
@@ -207,13 +198,13 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
         for (const AccountRow &row : encoder.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);
             addKnown(json, row.after);
-            json.insert(QStringLiteral("became"), becameKey(row.became));
+            json.insert(QStringLiteral("became"), keyOf(becameKeys, row.became));
             rows.append(json);
         }
         QJsonArray cams;
         for (const AccountCamRow &row : encoder.cams)
             cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.program)},
-                                    {QStringLiteral("became"), becameKey(row.became)}});
+                                    {QStringLiteral("became"), keyOf(becameKeys, row.became)}});
         encoders.append(placeJson(call, encoder.place,
                                   {{QStringLiteral("begun"), encoder.isBegun},
                                    {QStringLiteral("why"), refusalJson(encoder.why)},

@@ -5,7 +5,8 @@
 #include "cli/json.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
-#include "esc/esc_bits.h"
+
+#include <QtEndian>
 
 namespace codewheel {
 
@@ -37,8 +38,7 @@ QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &valu
     for (const ParameterValue &value : values) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
         if (options && options->swapsWarningBytes && value.parameter == Parameter::warnings)
-            object.insert(QStringLiteral("asSent"),
-                          esc::swappedBytes(static_cast<std::uint16_t>(value.value)));
+            object.insert(QStringLiteral("asSent"), qbswap(static_cast<std::uint16_t>(value.value)));
         json.append(object);
     }
     return json;

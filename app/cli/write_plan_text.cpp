@@ -72,9 +72,7 @@ QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
     const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
                          const QJsonValue &sent) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        object.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
-        object.insert(QStringLiteral("evidence"),
-                      known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+        addKnown(object, known);
         object.insert(carrier, sent);
         object.insert(QStringLiteral("leftOut"), sent.isNull());
         json.append(object);

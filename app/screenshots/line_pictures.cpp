@@ -80,7 +80,7 @@ QWidget *settingsAtWork(TrainingWindow &shown)
         {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R USB UART"), QStringLiteral("A50285BI")}});
     LineSettings wish;
     wish.port = QStringLiteral("/dev/ttyUSB0"); // whatever ports this computer has
-    form->setWish(wish);
+    form->setSettings(wish);
     shown.advance(whileMilliseconds);
     return form;
 }

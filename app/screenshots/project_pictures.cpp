@@ -2,6 +2,7 @@
 #include "app/screenshots/project_pictures.h"
 
 #include "app/screenshots/scene.h"
+#include "app/window/ring_actions.h"
 #include "ring/id_code.h"
 #include "ring/ring_edit.h"
 #include "widgets/master/ring_comparison.h"
@@ -90,7 +91,7 @@ QWidget *comparisonAtWork(TrainingWindow &shown)
 QWidget *offlineWindow(TrainingWindow &shown)
 {
     structureEditorAtWork(shown);
-    shown.window().actions().disconnectBus->trigger();
+    shown.window().findChild<RingActions *>()->disconnectBus->trigger();
     shown.advance(40);
     return &shown.window();
 }

@@ -3,6 +3,7 @@
 
 #include "bus/encoder_bus.h"
 
+#include <any>
 #include <functional>
 #include <memory>
 
@@ -11,7 +12,6 @@ namespace codewheel {
 class Catalog;
 class LedgerKeeper;
 class ProjectDocument;
-struct TrainingBus;
 
 // One bus of the program, connected or not, with the account of the EEPROM writes of its encoders. Outlives
 // the window, which is made anew in another language.
@@ -30,7 +30,8 @@ public:
         QString dataFolder;   // of the ledger
         bool byThread = true; // else by hand: simulated buses keep virtual time
         Clock clock;
-        TrainingBus (*trainingRing)(const Catalog &) = nullptr; // in place of the usual one
+        // What a kind puts in place of its usual training bus, of a type of its own; empty: nothing.
+        std::any training{};
     };
 
     BusAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);

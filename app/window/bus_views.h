@@ -28,7 +28,7 @@ struct WindowParts
 {
     WindowSettings &settings;
     Leaving &leaving;
-    const WindowActions &actions;
+    WindowActions &actions;
     QStackedWidget &pages;
     QVBoxLayout &notices; // above the pages
     InlineMessage &notice;
@@ -65,10 +65,7 @@ public:
 Q_SIGNALS:
     void panelRequested(codewheel::Panel panel); // it is to be seen
     void told(const codewheel::Message &message);
-    void encoderChanged(); // something of the chosen encoder that actions depend on
     void devicesChanged(); // another ring was read in: what is chosen stays so if it is there
-    void startRequested(); // of this bus
-    void stopRequested();
 
 protected:
     bool isCurrent() const { return m_isCurrent; }

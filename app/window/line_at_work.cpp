@@ -6,6 +6,7 @@
 #include "journal/ledger_keeper.h"
 #include "links/port_access.h"
 #include "links/project_adapter.h"
+#include "project/bus_kind.h"
 #include "simulator/simulated_line_link.h"
 #include "widgets/project/project_document.h"
 
@@ -47,7 +48,7 @@ Result<void> openByThread(LineSession &session, const LineSettings &wish)
     QObject waiting;
     QObject::connect(&session, &LineSession::openRefused, &waiting,
                      [&opened](const Refusal &why) { opened = tl::unexpected(why); });
-    (void)session.open(wish.line, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
+    (void)session.open(wish.serial, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
     for (; session.state() == BusState::opening; std::this_thread::yield())
         session.pump();
     return opened;
@@ -59,6 +60,7 @@ LineAtWork::LineAtWork(BusId id, Surroundings its, QObject *parent)
     : BusAtWork(id, std::move(its), parent)
 {
     connect(&project(), &ProjectDocument::changed, this, &LineAtWork::tellByteOrder);
+    connect(&project(), &ProjectDocument::replaced, this, &LineAtWork::followProject);
 }
 
 LineAtWork::~LineAtWork()
@@ -69,6 +71,18 @@ LineAtWork::~LineAtWork()
 QString LineAtWork::kind() const
 {
     return QString::fromLatin1(escKind);
+}
+
+// The simulated encoders do not stand for those of a project that was opened and has a port for them.
+void LineAtWork::followProject()
+{
+    const bool isForTraining = plansTraining(project().project(), id());
+    if (m_training && !isForTraining) {
+        close();
+        m_gaveWay = true;
+    } else if (std::exchange(m_gaveWay, false) && isForTraining && !m_session) {
+        openTraining();
+    }
 }
 
 std::unique_ptr<LineSession> LineAtWork::makeSession(std::unique_ptr<ByteLink> link, const LineSettings &wish)
@@ -148,7 +162,7 @@ Result<void> LineAtWork::open(const LinePlan &line)
     const auto there = m_wanted->find(m_ports());
     if (!there)
         return tl::unexpected(there.error());
-    const LineSettings &wish = line.wish;
+    const LineSettings &wish = line.settings;
     auto link = std::make_unique<SerialPortLink>(*m_wanted, m_ports);
     const SerialPortLink *port = link.get();
     if (holds(*there))
@@ -178,8 +192,8 @@ LinePlan LineAtWork::asOpened(LinePlan line) const
     if (m_port == nullptr)
         return line;
     line.adapter = lineAdapter(m_port->adapter());
-    if (const QString path = m_port->name(); path != portPath(line.wish.port))
-        line.wish.port = path;
+    if (const QString path = m_port->name(); path != portPath(line.settings.port))
+        line.settings.port = path;
     return line;
 }
 
@@ -188,7 +202,7 @@ LinePlan LineAtWork::opened() const
     LinePlan line;
     if (m_port == nullptr)
         return line;
-    line.wish = m_openedWith;
+    line.settings = m_openedWith;
     return asOpened(std::move(line));
 }
 

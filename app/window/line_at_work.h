@@ -46,6 +46,7 @@ public:
     void close();
 
 private:
+    void followProject();
     void tellByteOrder();
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineSettings &wish);
     Result<void> open(const LinePlan &line); // at m_wanted
@@ -54,6 +55,7 @@ private:
                  const SerialPortLink *port);
 
     std::shared_ptr<SimulatedLine> m_training;
+    bool m_gaveWay = false; // the training line, to that of a project
     std::unique_ptr<LineSession> m_session;
     const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
     LineSettings m_openedWith;              // the port

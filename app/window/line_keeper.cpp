@@ -70,25 +70,29 @@ void LineKeeper::keepFractionBits(int bits)
     if (m_line.training() != nullptr)
         return;
     LinePlan after = line();
-    after.wish.fractionBits = bits;
+    after.settings.fractionBits = bits;
     edit(after, tr("Fraction bits of the scaling factor"));
 }
 
 void LineKeeper::keepBaudRate(int baudRate)
 {
     LinePlan after = line();
-    after.wish.line.baudRate = baudRate;
-    after.wish.timing.character = after.wish.line.timeOf(1);
+    after.settings.serial.baudRate = baudRate;
+    after.settings.timing.character = after.settings.serial.timeOf(1);
     edit(after, tr("Baud rate of the serial line"));
 }
 
 void LineKeeper::keepByteOrder(Place number, bool isSwapped)
 {
-    const EncoderSession *connected = sessionOf(number);
-    if (connected == nullptr)
-        return;
     std::vector<ProjectDevice> after = encoders();
-    plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
+    const auto planned = std::ranges::find(after, number, &ProjectDevice::place);
+    const bool isThere = m_line.session() != nullptr && m_line.session()->encoder(number) != nullptr;
+    if (const EncoderSession *connected = sessionOf(number))
+        plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
+    else if (planned != after.end() && !isThere)
+        planned->swapsWarningBytes = isSwapped;
+    else
+        return;
     edit(std::move(after), tr("Warning bytes of %1").arg(number.shown()));
 }
 

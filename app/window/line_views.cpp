@@ -2,6 +2,7 @@
 #include "app/window/line_views.h"
 
 #include "app/window/leaving.h"
+#include "app/window/line_actions.h"
 #include "app/window/line_at_work.h"
 #include "app/window/line_keeper.h"
 #include "app/window/line_ports.h"
@@ -55,6 +56,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     : BusViews(parent)
     , m_line(line)
     , m_parts(parts)
+    , m_actions(parts.actions.ofKind<LineActions>())
     , m_status(parts.status)
     , m_notice(own(new InlineMessage(&parts.pages)))
     , m_keeper(new LineKeeper(line, line.project(), this))
@@ -84,22 +86,22 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
     connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
-    connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showWish);
+    connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showPlanned);
+    connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showChosen);
     connect(m_training, &LineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(&line, &LineAtWork::aboutToChange, this, [this] { setLine(nullptr); });
     connect(&line, &LineAtWork::changed, this, [this] { setLine(m_line.session()); });
-    const WindowActions &actions = parts.actions;
-    onAction(actions.lineSettings, [this] { showSettings(); });
-    onAction(actions.lineSearch, [this] { showSearch(); });
-    onAction(actions.lineTerminal, [this] { showTerminal(); });
-    onAction(actions.linePanel, [this] { open(); });
-    onAction(actions.lineTraining, [this] { connectTraining(); });
-    onAction(actions.disconnectLine, [this] { disconnectLine(); });
-    onAction(actions.removeFromLine, [this] { removeChosen(); });
-    connect(actions.swapWarningBytes, &QAction::triggered, this, &LineViews::swapWarningBytes);
+    onAction(m_actions.settings, [this] { showSettings(); });
+    onAction(m_actions.search, [this] { showSearch(); });
+    onAction(m_actions.terminal, [this] { showTerminal(); });
+    onAction(m_actions.figures, [this] { open(); });
+    onAction(m_actions.training, [this] { connectTraining(); });
+    onAction(m_actions.disconnectLine, [this] { disconnectLine(); });
+    onAction(m_actions.remove, [this] { removeChosen(); });
+    connect(m_actions.swapWarningBytes, &QAction::triggered, this, &LineViews::swapWarningBytes);
     setLine(line.session());
-    showWish();
+    showPlanned();
 }
 
 std::vector<std::pair<Panel, QWidget *>> LineViews::panels() const
@@ -114,7 +116,7 @@ QWidget *LineViews::comparison() const
 
 QMenu *LineViews::menu() const
 {
-    return m_parts.actions.lineMenu;
+    return m_actions.menu;
 }
 
 void LineViews::showCurrent()
@@ -130,14 +132,30 @@ void LineViews::showStatus()
 
 void LineViews::tellActions()
 {
-    m_parts.actions.disconnectLine->setEnabled(isCurrent() && m_line.session() != nullptr);
-    m_parts.actions.lineTraining->setEnabled(isCurrent() && m_line.training() == nullptr);
+    m_actions.disconnectLine->setEnabled(isCurrent() && m_line.session() != nullptr);
+    m_actions.training->setEnabled(isCurrent() && m_line.training() == nullptr);
+    showChosen();
+}
+
+// Of a planned encoder the project says how its warnings come.
+void LineViews::showChosen()
+{
+    if (!isCurrent())
+        return;
+    const EncoderSession *encoder = m_session && m_chosen ? m_session->encoder(*m_chosen) : nullptr;
+    const ProjectDevice *planned = m_chosen ? findDevice(m_line.project().project(), *m_chosen) : nullptr;
+    const auto options = valueOptionsOf(encoder);
+    m_actions.showChosen({.isOnLine = encoder != nullptr || planned != nullptr,
+                          .isConnected = encoder != nullptr,
+                          .isSwapped = options ? options->swapsWarningBytes
+                                               : planned != nullptr && planned->swapsWarningBytes});
 }
 
 void LineViews::setChosen(std::optional<Place> place)
 {
     m_chosen = place;
     m_training->setDevice(place.value_or(Place{m_line.id(), {}}));
+    showChosen();
 }
 
 void LineViews::showPicture()
@@ -184,7 +202,7 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
         connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
         connect(line, &LineSession::explainOptionsChanged, this, &LineViews::explainTerminal);
-        connect(line, &LineSession::explainOptionsChanged, this, &LineViews::encoderChanged);
+        connect(line, &LineSession::explainOptionsChanged, this, &LineViews::showChosen);
     }
     explainTerminal();
     m_terminal->setLine(line);
@@ -203,10 +221,10 @@ void LineViews::showActions()
     m_form->setCanDetermine(m_session && !m_session->places().empty());
 }
 
-void LineViews::showWish()
+void LineViews::showPlanned()
 {
     if (const LinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
-        m_form->setWish(planned->wish);
+        m_form->setSettings(planned->settings);
 }
 
 void LineViews::showSettings()
@@ -232,9 +250,9 @@ void LineViews::connectPort(const LineSettings &wish, bool isPicked)
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
         LinePlan wanted = m_keeper->line();
-        if (isPicked || wanted.wish.port != wish.port)
+        if (isPicked || wanted.settings.port != wish.port)
             wanted.adapter = {}; // whichever is there
-        wanted.wish = wish;
+        wanted.settings = wish;
         showConnected(m_line.openPort(wanted), wanted);
     });
 }
@@ -243,7 +261,7 @@ void LineViews::connectOtherAdapter(const LineSettings &wish)
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
         LinePlan wanted = m_keeper->line();
-        wanted.wish = wish;
+        wanted.settings = wish;
         showConnected(m_line.openOtherAdapter(wanted), wanted);
     });
 }
@@ -266,7 +284,7 @@ void LineViews::showConnected(const Result<void> &opened, const LinePlan &wanted
 void LineViews::keepPort(const LinePlan &line)
 {
     m_keeper->keepPort(line);
-    m_form->setPort(m_keeper->line().wish.port);
+    m_form->setPort(m_keeper->line().settings.port);
 }
 
 void LineViews::askForOtherAdapter(const Refusal &which)
@@ -370,8 +388,16 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
 void LineViews::removeChosen()
 {
     const auto chosen = m_chosen; // another one is, once it is gone
-    if (chosen && m_session && m_session->remove(*chosen))
+    const EncoderSession *encoder = chosen && m_session ? m_session->encoder(*chosen) : nullptr;
+    if (encoder == nullptr)
+        return;
+    if (const auto removed = m_session->remove(*chosen)) {
         m_keeper->removeEncoder(*chosen);
+    } else {
+        m_parts.notice.showMessage(Role::attention, refusalText(removed.error()));
+        connect(encoder, &EncoderSession::finished, &m_parts.notice, &InlineMessage::withdraw,
+                Qt::SingleShotConnection);
+    }
 }
 
 void LineViews::swapWarningBytes(bool on)

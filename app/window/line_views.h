@@ -11,6 +11,7 @@
 namespace codewheel {
 
 class ComparisonPage;
+class LineActions;
 class LineKeeper;
 class LinePanel;
 class LineSearch;
@@ -68,11 +69,13 @@ private:
     void tellBaudRate(const Message &message);
     void explainTerminal();
     void tellActions();
+    void showChosen();
     void showActions();
-    void showWish();
+    void showPlanned();
 
     LineAtWork &m_line;
     const WindowParts m_parts;
+    LineActions &m_actions;
     LineStatus m_status;
     InlineMessage *m_notice; // what is asked of an adapter
     LineKeeper *m_keeper;

@@ -17,6 +17,7 @@
 #include "widgets/dial/dial_panel.h"
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -60,9 +61,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     setObjectName(QStringLiteral("mainWindow"));
     qApp->installEventFilter(new WheelRule(this));
     auto *center = new QWidget(this);
-    auto *rows = new QVBoxLayout(center);
-    rows->setContentsMargins({});
-    rows->setSpacing(0);
+    auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
     rows->addWidget(m_pages, 1);
     setCentralWidget(center);
@@ -148,6 +147,8 @@ void MainWindow::showChosen()
     m_wizard->setEncoder(connected);
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
+    m_actions.showTrace(m_trace->hasRows());
+    showWordActions();
     m_transfer->setEncoder(encoder);
     const auto place = m_choice->place();
     if (place)

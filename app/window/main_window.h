@@ -48,6 +48,7 @@ class StructureView;
 class TraceView;
 class TransferPages;
 class WantedValues;
+class WordChannel;
 
 // The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
 // comparison), status line. Wires views to the buses and to each other; does nothing of its own with a word.
@@ -117,6 +118,8 @@ private:
     void connectProject();
     void tell(const Message &message);
     void showBusState();
+    WordChannel *chosenWords() const; // null: no device is chosen, or it has none
+    void showWordActions();
     void alarmStop();
     std::optional<Place> currentNumber() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the window do, and when they can be had.
 #include "app/window/bus_views.h"
+#include "app/window/device_choice.h"
 #include "app/window/help.h"
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
@@ -52,10 +53,9 @@ void MainWindow::connectActions()
     connect(m_actions.openOut32, &QAction::triggered, this, open(MonitorKind::out32));
     connect(m_actions.openIn16, &QAction::triggered, this, open(MonitorKind::in16));
     connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
-        const auto number = currentNumber();
-        WordChannel *channel = number ? m_buses->channel(*number) : nullptr;
-        if (const auto sent = channel ? channel->zero() : Result<void>(); !sent)
-            tell({.place = number, .severity = Severity::attention, .refusal = sent.error()});
+        if (WordChannel *words = chosenWords())
+            if (const auto sent = words->zero(); !sent)
+                tell({.place = words->place(), .severity = Severity::attention, .refusal = sent.error()});
     });
     connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
     connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
@@ -103,14 +103,9 @@ void MainWindow::connectViewActions()
 void MainWindow::showBusState()
 {
     const bool isAttached = m_plant != nullptr;
-    for (QAction *action :
-         {m_actions.projectPage, m_actions.structureEditor, m_actions.compare, m_actions.transfer,
-          m_actions.exportReport, m_actions.exportTrace, m_actions.exportMessages})
+    for (QAction *action : {m_actions.projectPage, m_actions.structureEditor, m_actions.compare,
+                            m_actions.transfer, m_actions.exportReport, m_actions.exportMessages})
         action->setEnabled(isAttached);
-    if (!isAttached)
-        for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn,
-                                m_actions.confirmDiagnostics, m_actions.switchSegment})
-            action->setEnabled(false);
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();
     const bool isOperating = isOpen && chosen->isOperating();
@@ -129,8 +124,21 @@ void MainWindow::showBusState()
         names << m_plant->nameOf(bus->id());
     m_actions.alarmStop->setEnabled(!open.empty());
     m_actions.showAlarmStop(names);
-    for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
-        monitor->setEnabled(isOpen);
+    showWordActions();
+}
+
+WordChannel *MainWindow::chosenWords() const
+{
+    const auto place = currentNumber();
+    return place ? m_buses->channel(*place) : nullptr;
+}
+
+// They mean the device that is shown, which may stand on another bus than the chosen row.
+void MainWindow::showWordActions()
+{
+    const auto place = currentNumber();
+    m_actions.showWords(place ? m_choice->encoder() : ShownEncoder(), chosenWords(),
+                        place && m_buses->open(place->bus) != nullptr);
 }
 
 } // namespace codewheel

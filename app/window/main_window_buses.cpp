@@ -62,12 +62,9 @@ void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
         chooseBus(id);
         m_panels.show(panel);
     });
-    connect(&views, &BusViews::encoderChanged, this, [this] { m_actions.showChosen(m_choice->encoder()); });
     connect(
         &views, &BusViews::devicesChanged, this, [this] { m_choice->keep(m_choice->place()); },
         Qt::QueuedConnection); // when all views have the new ones
-    connect(&views, &BusViews::startRequested, m_actions.start, &QAction::trigger);
-    connect(&views, &BusViews::stopRequested, m_actions.stop, &QAction::trigger);
 }
 
 void MainWindow::removeBus(BusAtWork *bus)

@@ -11,6 +11,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
@@ -60,9 +61,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_trace = new TraceView(*m_buses, this);
     m_sequence = new SequenceView(this);
     auto *sequences = new QWidget(this);
-    auto *rows = new QVBoxLayout(sequences);
-    rows->setContentsMargins({});
-    rows->setSpacing(0);
+    auto *rows = layOut<QVBoxLayout>(sequences, 0);
     rows->addWidget(new ProjectSequences(m_project, *m_sequence, sequences));
     rows->addWidget(m_sequence, 1);
     m_messages = new MessagesView(messages, this);
@@ -119,8 +118,13 @@ void MainWindow::connectViews()
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(Panel::parameters); });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
-    connect(m_trace, &TraceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
-    connect(m_sequence, &SequenceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
+    const auto openChosen = [this] {
+        const auto place = m_choice->place();
+        if (BusViews *views = place ? viewsOf(place->bus) : nullptr)
+            views->open(*place);
+    };
+    connect(m_trace, &TraceView::terminalRequested, this, openChosen);
+    connect(m_sequence, &SequenceView::terminalRequested, this, openChosen);
 }
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "app/window/line_at_work.h"
 #include "app/window/ring_at_work.h"
+#include "encoder/bus_names.h"
 #include "project/bus_kind.h"
 #include "project/line_plan.h"
 #include "project/ring_plan.h"
@@ -137,14 +138,11 @@ void Plant::followProject()
 void Plant::nameBuses()
 {
     const Project &project = m_surroundings.project.project();
-    std::map<QString, std::map<BusId, QString>> byKind;
+    std::vector<NamedBus> buses;
     for (const auto &bus : m_buses)
         if (bus->isOpen() || !devicesOn(project, bus->id()).empty())
-            byKind[bus->kind()][bus->id()] = nameOf(bus->id());
-    std::map<BusId, QString> names;
-    for (auto &[kind, its] : byKind)
-        if (its.size() > 1)
-            names.merge(its);
+            buses.push_back({bus->id(), bus->kind(), nameOf(bus->id())});
+    std::map<BusId, QString> names = namesOfSeveral(buses);
     if (std::exchange(m_names, names) == names)
         return;
     setBusNames(std::move(names));

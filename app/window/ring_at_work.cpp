@@ -14,7 +14,8 @@ constexpr std::chrono::milliseconds busPeriod{1}; // of a training ring
 
 TrainingBus trainingRing(const BusAtWork::Surroundings &its)
 {
-    return its.trainingRing != nullptr ? its.trainingRing(its.catalog) : makeTrainingBus(its.catalog);
+    const auto *make = std::any_cast<RingAtWork::MakeTraining>(&its.training);
+    return make != nullptr ? (*make)(its.catalog) : makeTrainingBus(its.catalog);
 }
 
 } // namespace

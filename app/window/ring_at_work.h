@@ -12,6 +12,8 @@ class RingAtWork final : public BusAtWork
     Q_OBJECT
 
 public:
+    using MakeTraining = TrainingBus (*)(const Catalog &); // Surroundings::training
+
     RingAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);
     ~RingAtWork() override;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/ring_views.h"
 
+#include "app/window/leaving.h"
+#include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
 #include "app/window/window_actions.h"
@@ -17,12 +19,15 @@
 #include <QAction>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace codewheel {
 
 RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent)
     : BusViews(parent)
     , m_ring(ring)
     , m_parts(parts)
+    , m_actions(parts.actions.ofKind<RingActions>())
     , m_status(parts.status)
     , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
     , m_master(own(new MasterPanel(*ring.bus(), &parts.pages)))
@@ -38,8 +43,10 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     connect(m_connection, &RingConnection::told, this, &RingViews::told);
     connect(m_connection, &RingConnection::ringChanged, this, &RingViews::devicesChanged);
     connect(m_connection, &RingConnection::changed, this, &RingViews::showState);
-    connect(m_master, &MasterPanel::startRequested, this, &RingViews::startRequested);
-    connect(m_master, &MasterPanel::stopRequested, this, &RingViews::stopRequested);
+    connect(m_master, &MasterPanel::startRequested, m_ring.bus(), [this] { m_ring.bus()->setRunning(true); });
+    connect(m_master, &MasterPanel::stopRequested, m_ring.bus(), [this] {
+        m_parts.leaving.ask(Leaving::Why::stop, {m_ring.bus()}, [this] { m_ring.bus()->setRunning(false); });
+    });
     connect(m_master, &MasterPanel::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_master, &MasterPanel::asked, this, &RingViews::open);
     connect(m_comparison, &RingComparison::readInRequested, m_connection, &RingConnection::readIn);
@@ -47,13 +54,13 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
-    onAction(parts.actions.connectBus, [this] { m_connection->connectRing(); });
-    onAction(parts.actions.disconnectBus, [this] { m_connection->disconnectRing(); });
-    onAction(parts.actions.readIn, [this] { m_connection->readIn(); });
-    onAction(parts.actions.confirmDiagnostics, [this] { m_connection->confirmDiagnostics(); });
-    onAction(parts.actions.switchSegment, [this] {
-        if (m_chosen)
-            m_master->toggleSegment(DeviceNumber::of(m_chosen->node).segment);
+    onAction(m_actions.connectBus, [this] { m_connection->connectRing(); });
+    onAction(m_actions.disconnectBus, [this] { m_connection->disconnectRing(); });
+    onAction(m_actions.readIn, [this] { m_connection->readIn(); });
+    onAction(m_actions.confirmDiagnostics, [this] { m_connection->confirmDiagnostics(); });
+    onAction(m_actions.switchSegment, [this] {
+        if (const auto segment = chosenSegment())
+            m_master->toggleSegment(*segment);
     });
     showState();
 }
@@ -69,6 +76,18 @@ void RingViews::setChosen(std::optional<Place> place)
     m_leds->setPlace(place);
     if (place)
         m_training->setDevice(*place);
+    showState();
+}
+
+std::optional<int> RingViews::chosenSegment() const
+{
+    const MasterStatus *master = m_ring.bus()->master();
+    if (!m_chosen || master == nullptr)
+        return std::nullopt;
+    const int segment = DeviceNumber::of(m_chosen->node).segment;
+    return std::ranges::count(master->segments, segment, &MasterStatus::Segment::segment) > 0
+               ? std::optional(segment)
+               : std::nullopt;
 }
 
 void RingViews::open()
@@ -98,9 +117,7 @@ void RingViews::showCurrent()
 // The ring that is current next has them as it needs them.
 void RingViews::leaveActions()
 {
-    for (QAction *action : {m_parts.actions.connectBus, m_parts.actions.disconnectBus, m_parts.actions.readIn,
-                            m_parts.actions.confirmDiagnostics, m_parts.actions.switchSegment})
-        action->setEnabled(false);
+    m_actions.disable();
     m_status.clear();
 }
 
@@ -111,11 +128,11 @@ void RingViews::showState()
     const RingSession &bus = *m_ring.bus();
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
-    m_parts.actions.connectBus->setEnabled(isClosed);
-    m_parts.actions.disconnectBus->setEnabled(!isClosed);
-    m_parts.actions.readIn->setEnabled(hasMaster && !bus.isReadingIn());
-    m_parts.actions.confirmDiagnostics->setEnabled(hasMaster);
-    m_parts.actions.switchSegment->setEnabled(hasMaster);
+    m_actions.connectBus->setEnabled(isClosed);
+    m_actions.disconnectBus->setEnabled(!isClosed);
+    m_actions.readIn->setEnabled(hasMaster && !bus.isReadingIn());
+    m_actions.confirmDiagnostics->setEnabled(hasMaster);
+    m_actions.showSegment(hasMaster, chosenSegment().has_value());
     showStatus();
 }
 

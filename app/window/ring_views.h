@@ -8,6 +8,7 @@ namespace codewheel {
 
 class LedRow;
 class MasterPanel;
+class RingActions;
 class RingAtWork;
 class RingComparison;
 class RingConnection;
@@ -33,11 +34,13 @@ public:
 private:
     void showCurrent() override;
     void leaveActions();
+    std::optional<int> chosenSegment() const; // as the master tells them
     void showState();
     void showStatus();
 
     RingAtWork &m_ring;
     const WindowParts m_parts;
+    RingActions &m_actions;
     RingStatus m_status;
     RingConnection *m_connection;
     MasterPanel *m_master;

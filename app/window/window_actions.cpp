@@ -2,6 +2,8 @@
 #include "app/window/window_actions.h"
 
 #include "app/window/alarm_stop.h"
+#include "app/window/described_action.h"
+#include "bus/word_channel.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
@@ -19,12 +21,6 @@
 namespace codewheel {
 namespace {
 
-QAction *checkable(QAction *action)
-{
-    action->setCheckable(true);
-    return action;
-}
-
 QAction *choice(QActionGroup *group, const QString &text, const QVariant &data, const QString &toolTip)
 {
     QAction *action = checkable(new QAction(text, group));
@@ -33,13 +29,9 @@ QAction *choice(QActionGroup *group, const QString &text, const QVariant &data, 
     return action;
 }
 
-QAction *described(QAction *action, const QKeySequence &key, const QString &what)
+QString offlineText()
 {
-    action->setShortcut(key);
-    action->setStatusTip(what);
-    action->setToolTip(
-        key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key.toString(QKeySequence::NativeText)));
-    return action;
+    return WindowActions::tr("Not connected: nothing can be sent.");
 }
 
 } // namespace
@@ -75,8 +67,8 @@ void WindowActions::makeFileMenu()
     exportReport =
         described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report...")), {},
                   tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
-    exportTrace = described(menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace...")), {},
-                            tr("Saves the handshake trace as a CSV file"));
+    exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace..."));
+    showTrace(false);
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},
                                tr("Saves the messages as a CSV file"));
     menu->addSeparator();
@@ -103,15 +95,8 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
 void WindowActions::makeBusMenu()
 {
     QMenu *menu = m_window.menuBar()->addMenu(tr("&Bus"));
-    connectBus = described(menu->addAction(lineIcon(Icon::ring), tr("&Connect")), Qt::CTRL | Qt::Key_F5,
-                           tr("Connects to the ring; nothing is sent"));
-    disconnectBus = described(menu->addAction(lineIcon(Icon::cancel), tr("&Disconnect")),
-                              Qt::CTRL | Qt::SHIFT | Qt::Key_F5, tr("Leaves the ring: work goes on offline"));
-    readIn = described(menu->addAction(lineIcon(Icon::read), tr("&Read in the ring")),
-                       Qt::CTRL | Qt::SHIFT | Qt::Key_R,
-                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile. "
-                          "Needs Operate."));
-    menu->addSeparator();
+    const auto section = [this, menu](Section which) { m_sections[which] = {menu, menu->addSeparator()}; };
+    section(Section::connections);
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is sent"));
     watch->setIcon(lineIcon(Icon::watch));
@@ -125,20 +110,11 @@ void WindowActions::makeBusMenu()
     stop = described(menu->addAction(lineIcon(Icon::stop), tr("S&top")), Qt::SHIFT | Qt::Key_F5,
                      tr("Stops the bus: no more data cycles"));
     menu->addSeparator();
-    confirmDiagnostics =
-        described(menu->addAction(lineIcon(Icon::ok), tr("&Confirm diagnostics")), Qt::CTRL | Qt::Key_F9,
-                  tr("Confirms peripheral faults; one whose cause is still there comes back. Needs "
-                     "Operate."));
-    switchSegment = described(
-        menu->addAction(lineIcon(Icon::power), tr("Switch se&gment off or on")), Qt::SHIFT | Qt::Key_F9,
-        tr("Takes the segment of the chosen device, and what is behind it, out of the data "
-           "cycles, after asking, or puts it back. Needs Operate."));
-    menu->addSeparator();
+    section(Section::services);
     transfer = described(menu->addAction(lineIcon(Icon::parameters), tr("T&ransfer")), Qt::CTRL | Qt::Key_T,
                          tr("Values of several encoders: written from the project, stored in it, given from "
                             "one to others"));
-    makeLineMenu(*menu);
-    menu->addSeparator();
+    section(Section::kinds);
     alarmStop =
         described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP")), alarmStopKey(), QString());
     showAlarmStop({});
@@ -155,30 +131,6 @@ void WindowActions::showAlarmStop(const QStringList &buses)
     described(alarmStop, alarmStopKey(),
               tr("Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1")
                   .arg(buses.join(QStringLiteral(", "))));
-}
-
-void WindowActions::makeLineMenu(QMenu &busMenu)
-{
-    lineMenu = busMenu.addMenu(lineIcon(Icon::ring), tr("Serial &line"));
-    lineMenu->setToolTipsVisible(true);
-    lineSettings = described(lineMenu->addAction(lineIcon(Icon::parameters), tr("&Port and settings...")),
-                             Qt::SHIFT | Qt::Key_F6, tr("Connects a serial port; nothing is written"));
-    lineSearch =
-        described(lineMenu->addAction(lineIcon(Icon::search), tr("&Search for encoders...")),
-                  Qt::SHIFT | Qt::Key_F7, tr("Asks one address after the other; nothing is written"));
-    lineTerminal =
-        described(lineMenu->addAction(lineIcon(Icon::trace), tr("&Terminal")), Qt::SHIFT | Qt::Key_F8,
-                  tr("Shows what passes on the line, and sends what you type"));
-    linePanel = described(lineMenu->addAction(lineIcon(Icon::information), tr("&Figures of the line")),
-                          Qt::CTRL | Qt::Key_F6, tr("Port, state, answers and time-outs of the line"));
-    lineSettings->setObjectName(QStringLiteral("lineSettings"));
-    lineSearch->setObjectName(QStringLiteral("lineSearch"));
-    lineTerminal->setObjectName(QStringLiteral("lineTerminal"));
-    lineMenu->addSeparator();
-    lineTraining = described(lineMenu->addAction(lineIcon(Icon::training), tr("T&raining line")), {},
-                             tr("Three simulated encoders, in place of a port"));
-    disconnectLine = described(lineMenu->addAction(lineIcon(Icon::cancel), tr("&Disconnect the line")),
-                               Qt::CTRL | Qt::SHIFT | Qt::Key_F6, tr("Closes the serial line"));
 }
 
 void WindowActions::makeDeviceMenu()
@@ -204,10 +156,9 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
-    swapWarningBytes = deviceMenu->addAction(tr("&Swap warning bytes"));
-    swapWarningBytes->setCheckable(true);
-    removeFromLine = deviceMenu->addAction(lineIcon(Icon::remove), tr("Remove from the serial &line"));
+    m_sections[Section::device] = {deviceMenu, nullptr};
     showChosen({});
+    showWords({}, nullptr, false);
 }
 
 void WindowActions::showChosen(const ShownEncoder &encoder)
@@ -217,11 +168,10 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
     };
     const bool isThere = encoder.isThere();
     const bool isOnlyPlanned = isThere && encoder.session() == nullptr;
-    const QString offline = tr("Not connected: nothing can be sent.");
     const bool canBeSetUp = !isThere || encoder.can().writes;
     described(wizard, wizard->shortcut(),
               !canBeSetUp     ? why(RefusalId::writingNotSupported)
-              : isOnlyPlanned ? offline
+              : isOnlyPlanned ? offlineText()
                               : tr("Sets up the chosen encoder step by step"));
     wizard->setEnabled(!isOnlyPlanned);
     const bool hasCams = isThere && encoder.can().cams;
@@ -231,23 +181,30 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
               : isOnlyPlanned ? tr("Edits the cam programs planned for the chosen encoder")
                               : tr("Edits, reads and writes the cam programs of the chosen encoder"));
     cams->setEnabled(hasCams);
-    const bool hasOut = !isThere || encoder.device().outWords > 0;
+}
+
+void WindowActions::showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen)
+{
+    const bool hasOut = words != nullptr && words->outWords() > 0;
+    const bool lacksOut = encoder.isThere() && encoder.device().outWords == 0;
     described(zeroOut, zeroOut->shortcut(),
-              !hasOut         ? why(RefusalId::sendingNotSupported)
-              : isOnlyPlanned ? offline
-                              : tr("Sends 00000000 to the chosen device: normal running"));
-    zeroOut->setEnabled(hasOut && !isOnlyPlanned);
-    const bool isOnLine = isThere && encoder.place().isOnLine();
-    const auto explained = valueOptionsOf(encoder.session());
-    described(swapWarningBytes, Qt::CTRL | Qt::SHIFT | Qt::Key_F8,
-              isOnLine ? tr("For an encoder that sends the low byte of its warnings first; nothing is sent")
-                       : tr("For encoders on the serial line"));
-    swapWarningBytes->setEnabled(isOnLine);
-    swapWarningBytes->setChecked(explained && explained->swapsWarningBytes);
-    described(removeFromLine, Qt::CTRL | Qt::SHIFT | Qt::Key_F7,
-              isOnLine ? tr("The encoder is not asked any more; what it has stays as it is")
-                       : tr("For encoders on the serial line"));
-    removeFromLine->setEnabled(isOnLine);
+              hasOut              ? tr("Sends 00000000 to the chosen device: normal running")
+              : lacksOut          ? refusalText({RefusalKind::notSupported,
+                                                 RefusalId::sendingNotSupported,
+                                                 {encoder.device().fullName()}})
+              : encoder.isThere() ? offlineText()
+                                  : tr("No connected device with an OUT word is chosen."));
+    zeroOut->setEnabled(hasOut);
+    for (QAction *monitor : {openIn32, openOut32, openIn16})
+        monitor->setEnabled(isOpen);
+}
+
+void WindowActions::showTrace(bool isThere)
+{
+    described(exportTrace, {},
+              isThere ? tr("Saves the handshake trace as a CSV file")
+                      : tr("No connected encoder with a handshake trace is chosen."));
+    exportTrace->setEnabled(isThere);
 }
 
 void WindowActions::makeViewMenu()
@@ -290,6 +247,31 @@ void WindowActions::makeHelpMenu()
                       tr("Version and licence"));
 }
 
+// Of the tool bar, by the keyboard alone.
+void WindowActions::showFocusOf(QToolBar &bar)
+{
+    for (QAction *action : bar.actions())
+        if (auto *button = qobject_cast<QToolButton *>(bar.widgetForAction(action)))
+            button->setFocusPolicy(Qt::TabFocus);
+}
+
+void WindowActions::insert(Section where, const QList<QAction *> &actions)
+{
+    const auto &[menu, before] = m_sections.at(where);
+    for (QAction *action : actions) {
+        if (action->parent() == nullptr)
+            action->setParent(menu);
+        menu->insertAction(before, action);
+    }
+    if (auto *bar = qobject_cast<QToolBar *>(menu))
+        showFocusOf(*bar);
+}
+
+QWidget *WindowActions::menuParent() const
+{
+    return &m_window;
+}
+
 void WindowActions::makeToolBar()
 {
     QToolBar *bar = m_window.addToolBar(tr("Bus"));
@@ -306,14 +288,11 @@ void WindowActions::makeToolBar()
     bar->addSeparator();
     bar->addAction(wizard);
     bar->addAction(cams);
-    bar->addAction(lineTerminal);
     auto *space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    bar->addWidget(space);
+    m_sections[Section::toolBar] = {bar, bar->addWidget(space)};
     bar->addWidget(makeAlarmStopButton(alarmStop, bar));
-    for (QAction *action : bar->actions())
-        if (QWidget *button = bar->widgetForAction(action); button != nullptr && !action->isSeparator())
-            button->setFocusPolicy(Qt::TabFocus);
+    showFocusOf(*bar);
     space->setFocusPolicy(Qt::NoFocus);
 }
 

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QStringList>
 
-#include <vector>
+#include <map>
 
 class QAction;
 class QActionGroup;
 class QMainWindow;
 class QMenu;
+class QToolBar;
 class QUndoStack;
 
 namespace codewheel {
 
 class ShownEncoder;
+class WordChannel;
 
 // Everything that can be asked for in the main window, with text, icon, tooltip and key, in menus and tool
 // bar. Who carries it out is connected by MainWindow.
@@ -26,9 +29,24 @@ public:
     // The steps of undo are those of the project.
     WindowActions(QMainWindow &window, QUndoStack &undoStack);
 
-    // Says of the device that is chosen why it cannot be set up, has no cams, or cannot be sent
-    // anything.
+    // Where a kind of bus has actions of its own: before Watch, behind Start and Stop, and before ALARM STOP
+    // in the menu of the bus; at the end of the device's; in the tool bar.
+    enum class Section : std::uint8_t { connections, services, kinds, device, toolBar };
+    void insert(Section where, const QList<QAction *> &actions);
+    QWidget *menuParent() const;
+    // Those of a kind, made with the first bus of it.
+    template <class Actions>
+    Actions &ofKind()
+    {
+        auto *its = findChild<Actions *>(QString(), Qt::FindDirectChildrenOnly);
+        return its != nullptr ? *its : *new Actions(*this);
+    }
+
+    // Says of the device that is chosen why it cannot be set up, or has no cams.
     void showChosen(const ShownEncoder &encoder);
+    // Its words can be looked at where its bus is open; null: it has none.
+    void showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen);
+    void showTrace(bool isThere);
     // On which buses it acts, by their names.
     void showAlarmStop(const QStringList &buses);
 
@@ -49,24 +67,12 @@ public:
     QAction *structureEditor;
     QAction *compare;
     // Bus
-    QAction *connectBus;
-    QAction *disconnectBus;
-    QAction *readIn;
     QAction *watch;
     QAction *operate;
     QAction *start;
     QAction *stop;
-    QAction *confirmDiagnostics;
-    QAction *switchSegment; // of the chosen device
     QAction *alarmStop;
     QAction *transfer;
-    QMenu *lineMenu; // the serial line
-    QAction *lineSettings;
-    QAction *lineSearch;
-    QAction *lineTerminal;
-    QAction *linePanel;
-    QAction *lineTraining;
-    QAction *disconnectLine;
     // Device
     QAction *openIn32;
     QAction *openOut32;
@@ -76,8 +82,6 @@ public:
     QAction *replaceEncoder;
     QAction *restoreValues;
     QAction *zeroOut;
-    QAction *swapWarningBytes; // checkable
-    QAction *removeFromLine;
     // View
     QMenu *docks;
     QAction *monitors;
@@ -96,13 +100,20 @@ private:
     void makeFileMenu();
     void makeEditMenu(QUndoStack &undoStack);
     void makeBusMenu();
-    void makeLineMenu(QMenu &busMenu);
     void makeDeviceMenu();
     void makeViewMenu();
     void makeHelpMenu();
     void makeToolBar();
+    static void showFocusOf(QToolBar &bar);
+
+    struct Spot
+    {
+        QWidget *menu = nullptr;
+        QAction *before = nullptr; // null: at the end
+    };
 
     QMainWindow &m_window;
+    std::map<Section, Spot> m_sections;
 };
 
 } // namespace codewheel

@@ -7,9 +7,10 @@
 
 namespace codewheel {
 
-EncoderBus::EncoderBus(BusId id, QDateTime begin, QObject *parent)
+EncoderBus::EncoderBus(BusId id, QDateTime begin, std::span<const TrafficColumn> columns, QObject *parent)
     : QObject(parent)
     , m_id(id)
+    , m_trafficColumns(columns)
     , m_wallTime(std::move(begin))
 {}
 
@@ -22,6 +23,12 @@ Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) c
     if (its != nullptr && its->runningJob())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
     return {};
+}
+
+void EncoderBus::tellTraffic(TrafficRow row)
+{
+    row.time = dateTime(row.at);
+    Q_EMIT trafficPassed(row);
 }
 
 void EncoderBus::linkRefused(const Refusal &why)

@@ -3,11 +3,13 @@
 
 #include "bus/bus_state.h"
 #include "bus/participant.h"
+#include "bus/traffic.h"
 #include "bus/wall_time.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace codewheel {
@@ -37,8 +39,9 @@ public:
         byHand,   // advance()
     };
 
-    // `begin` is the date and time that Instant 0 of the bus stands for.
-    EncoderBus(BusId id, QDateTime begin, QObject *parent = nullptr);
+    // `begin` is the date and time that Instant 0 of the bus stands for; `columns` are those of its traffic,
+    // and outlive it.
+    EncoderBus(BusId id, QDateTime begin, std::span<const TrafficColumn> columns, QObject *parent = nullptr);
 
     BusId id() const { return m_id; }
     Place placeOf(NodeId node) const { return {m_id, node}; }
@@ -51,6 +54,9 @@ public:
     // Null: it has no words, or there is no such device.
     WordChannel *channel(NodeId node) const { return channelAt(node); }
     WordChannel *channel(Place place) const { return place.bus == m_id ? channelAt(place.node) : nullptr; }
+
+    // What its rows of traffic have to tell, in the order in which it is shown.
+    std::span<const TrafficColumn> trafficColumns() const { return m_trafficColumns; }
 
     virtual const Catalog &catalog() const = 0;
     // What stands there, as it was found or as the bus was told; nothing: no device.
@@ -105,6 +111,7 @@ Q_SIGNALS:
     // An encoder has another place now: encoder() finds it by that one.
     void moved(codewheel::Place from, codewheel::Place to);
     void messaged(const codewheel::Message &message);
+    void trafficPassed(const codewheel::TrafficRow &row);
     // Nothing of it has been sent yet. For the ledger of EEPROM writes.
     void writeAboutToBeSent(const codewheel::TypedWrite &write);
     // Once for each that was about to be sent, for each encoder there is by now. `mayBeDone`: it went out,
@@ -114,6 +121,7 @@ Q_SIGNALS:
 protected:
     // What name() may be refused for on every bus; null: the make is not known any more.
     Result<void> mayName(Place place, const DeviceDescription *device) const;
+    void tellTraffic(TrafficRow row);     // with its time
     void linkRefused(const Refusal &why); // it is closed: it is told
     void tellState(bool isOther = false); // stateChanged(), if it is another; `isOther`: for more reasons
     // The jobs have ended, and the bus is in Watch: the times are right again, and it is told.
@@ -133,6 +141,7 @@ private:
     };
 
     BusId m_id;
+    std::span<const TrafficColumn> m_trafficColumns;
     State m_told;
     WallTime m_wallTime;
 };

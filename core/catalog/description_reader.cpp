@@ -3,7 +3,7 @@
 
 #include "catalog/description_rules.h"
 #include "catalog/ordering_key_reader.h"
-#include "catalog/parameter_rules.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/tables_reader.h"
 
 #include <algorithm>
@@ -11,9 +11,6 @@
 namespace codewheel {
 namespace {
 
-constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1},      {"K2", Profile::k2},
-                                            {"K3", Profile::k3},      {"K4", Profile::k4},
-                                            {"LA-66", Profile::la66}, {"ESC", Profile::esc}};
 constexpr NamedValue<k3::Dialect> dialects[] = {
     {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
 constexpr NamedValue<PositionCoding> codings[] = {{"binary", PositionCoding::binary},
@@ -64,7 +61,6 @@ public:
 private:
     static void readPlaceOnBus(const JsonObject &json, DeviceDescription &device);
     static Parameter readParameterName(const JsonObject &row);
-    static std::optional<esc::Command> readCommand(const JsonObject &row, const char *key, bool writes);
     static void readCommands(const JsonObject &row, ParameterDescription &parameter);
     static ParameterDescription readParameter(const JsonObject &row);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
@@ -95,7 +91,7 @@ void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &de
 
 void DescriptionReader::readPlaceOnBus(const JsonObject &json, DeviceDescription &device)
 {
-    if (device.profile == Profile::esc) {
+    if (!protocolRules(device.profile).hasWords()) {
         for (const char *key : {"idCode", "deviceCode", "inWords", "outWords"})
             if (json.has(key))
                 json.report(key, tr("An encoder on a serial line has none. Leave it out."));
@@ -120,6 +116,15 @@ void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &de
         json.report("coding", tr("Only a K1 and a K2 always have the same coding. Leave it out."));
 }
 
+Profile readProfile(const JsonObject &json)
+{
+    const QString name = json.text("profile");
+    const qsizetype found = profileNames().indexOf(name);
+    if (found < 0)
+        json.reportUnknownName("profile", name, profileNames());
+    return static_cast<Profile>(std::max(found, qsizetype{0}));
+}
+
 void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
 {
     device.key = json.text("key");
@@ -128,7 +133,7 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     device.name = json.text("name");
     device.manual = json.text("manual");
     device.notes = json.localTextOr("notes", {});
-    device.profile = json.oneOf("profile", profiles);
+    device.profile = readProfile(json);
     readVendor(json, device);
     readPlaceOnBus(json, device);
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
@@ -182,25 +187,12 @@ std::optional<unsigned> asUnsigned(std::optional<std::int64_t> number)
     return number ? std::optional(static_cast<unsigned>(*number)) : std::nullopt;
 }
 
-std::optional<esc::Command> DescriptionReader::readCommand(const JsonObject &row, const char *key,
-                                                           bool writes)
-{
-    if (!row.has(key))
-        return std::nullopt;
-    const QString letters = row.text(key);
-    const auto command = esc::commandOf(letters.toLatin1());
-    if (!command || esc::shapeOf(*command).writes != writes || esc::shapeOf(*command).digits == 0)
-        row.report(key, writes ? tr("\"%1\" is no command that writes a value.").arg(letters)
-                               : tr("\"%1\" is no command that reads a value.").arg(letters));
-    return command;
-}
-
 void DescriptionReader::readCommands(const JsonObject &row, ParameterDescription &parameter)
 {
-    parameter.readCommand = readCommand(row, "read", false);
-    parameter.writeCommand = readCommand(row, "write", true);
+    parameter.readCommand = row.textOr("read", {}).toLatin1();
+    parameter.writeCommand = row.textOr("write", {}).toLatin1();
     parameter.readBit = asUnsigned(row.optionalNumber("bit", 0, highestBit));
-    if (parameter.readBit && !parameter.readCommand)
+    if (parameter.readBit && parameter.readCommand.isEmpty())
         row.report("bit", tr("A bit is one of the answer to a command read, and there is none."));
 }
 
@@ -240,10 +232,10 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
     if (parameter.readOut && device.findReadOut(*parameter.readOut))
         row.report("readOut", tr("This readOut code stands here twice."));
     const auto &rows = device.parameters;
-    if (parameter.writeCommand &&
+    if (!parameter.writeCommand.isEmpty() &&
         std::ranges::find(rows, parameter.writeCommand, &ParameterDescription::writeCommand) != rows.end())
         row.report("write", tr("This command stands here twice."));
-    if (parameter.readCommand && std::ranges::any_of(rows, [&](const ParameterDescription &other) {
+    if (!parameter.readCommand.isEmpty() && std::ranges::any_of(rows, [&](const ParameterDescription &other) {
             return other.readCommand == parameter.readCommand && other.readBit == parameter.readBit;
         }))
         row.report("read", tr("This command stands here twice."));
@@ -254,9 +246,11 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
     for (const JsonObject &row :
          json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
                                    "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
-        const ParameterDescription parameter = readParameter(row);
+        const ProtocolRules &rules = protocolRules(device.profile);
+        ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
-        checkParameter(row, parameter, device);
+        rules.checkParameter(row, parameter, device);
+        rules.complete(parameter);
         device.parameters.push_back(parameter);
     }
 }

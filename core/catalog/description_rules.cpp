@@ -2,7 +2,7 @@
 #include "catalog/description_rules.h"
 
 #include "catalog/hex_code.h"
-#include "catalog/parameter_rules.h"
+#include "catalog/protocol_rules.h"
 
 #include <algorithm>
 
@@ -26,12 +26,6 @@ const PlaceOnBus *placeOf(Profile profile)
     };
     const auto found = std::ranges::find(places, profile, &PlaceOnBus::profile);
     return found == places.end() ? nullptr : &*found;
-}
-
-// The service or command that sets the position brings the value along; a K3 has it as a parameter.
-bool presetsByCommand(Profile profile)
-{
-    return profile == Profile::la66 || profile == Profile::esc;
 }
 
 class Rules
@@ -89,19 +83,14 @@ public:
     // Where the position that is set comes from: at a K3 the parameter, else the command itself.
     static void checkPresets(const JsonObject &json, const DeviceDescription &device)
     {
+        const ProtocolRules &rules = protocolRules(device.profile);
         const bool presets = device.capabilities.presets;
         const bool needsValue = device.capabilities.presetNeedsValue;
-        refuse(json, "presets", presets && !hasParameters(device.profile), device.profile);
-        refuse(json, "presetNeedsValue", needsValue && !presetsByCommand(device.profile), device.profile);
-        const ParameterDescription *preset = device.find(Parameter::preset);
-        if (presets && device.profile == Profile::k3 && (!preset || !preset->number))
-            json.report("presets",
-                        tr("The word that sets the position takes the parameter preset. Give preset "
-                           "a number, or write false."));
-        if (presets && device.profile == Profile::esc && (!preset || !preset->readCommand))
-            json.report("presets", tr("The parameter preset tells the range of the position, and is read "
-                                      "after it was set. Give preset the command read, or write false."));
-        if (presets && presetsByCommand(device.profile) && !needsValue)
+        refuse(json, "presets", presets && !rules.hasParameters(), device.profile);
+        refuse(json, "presetNeedsValue", needsValue && !rules.presetsByCommand(), device.profile);
+        if (presets)
+            rules.checkPresets(json, device);
+        if (presets && rules.presetsByCommand() && !needsValue)
             json.report("presetNeedsValue",
                         tr("The encoder is told the position together with the command that sets it. Write "
                            "true."));

@@ -17,25 +17,6 @@ const Row *findBy(const std::vector<Row> &rows, const Value &value, Member membe
 
 } // namespace
 
-QString profileName(Profile profile)
-{
-    switch (profile) {
-    case Profile::k1:
-        return QStringLiteral("K1");
-    case Profile::k2:
-        return QStringLiteral("K2");
-    case Profile::k3:
-        return QStringLiteral("K3");
-    case Profile::k4:
-        return QStringLiteral("K4");
-    case Profile::la66:
-        return QStringLiteral("LA-66");
-    case Profile::esc:
-        return QStringLiteral("ESC");
-    }
-    return {};
-}
-
 bool ParameterDescription::takes(std::int64_t value) const
 {
     return choices.empty() ? value >= minimum && value <= maximum : findChoice(value) != nullptr;

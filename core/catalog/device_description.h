@@ -3,23 +3,20 @@
 
 #include "catalog/device_tables.h"
 #include "catalog/ordering_key.h"
+#include "catalog/profile.h"
 #include "encoder/capabilities.h"
 #include "encoder/parameter.h"
 #include "encoder/refusal.h"
-#include "esc/esc_command.h"
 #include "words/k3_explain.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace codewheel {
-
-// ENCOM profile 71 (FRABA manual 2.1), the words of the TR LA-66, and the serial protocol of Kübler, which
-// has no words and no ID code.
-enum class Profile : std::uint8_t { k1, k2, k3, k4, la66, esc };
-QString profileName(Profile profile); // "K1" .. "K4", "LA-66", "ESC"
 
 // A value with a name of its own: direction 3 = "cw".
 struct Choice
@@ -40,6 +37,20 @@ enum class Unit : std::uint8_t {
     tenthHours
 };
 
+struct ValueOptions;
+
+// Values that are no plain numbers, as the manual of their protocol writes them.
+struct ValueForm
+{
+    using Range = std::pair<std::int64_t, std::int64_t>;
+
+    QString (*text)(std::int64_t value, const std::optional<ValueOptions> &options) = nullptr;
+    // Where it follows from the options what the value may be.
+    Range (*range)(const ValueOptions &options) = nullptr;
+    QString (*rangeText)() = nullptr; // where they are not known
+    bool isTypedAsHex = false;
+};
+
 struct ParameterDescription
 {
     Parameter parameter = Parameter::steps;
@@ -53,13 +64,15 @@ struct ParameterDescription
     bool onLabel = false;        // told by the label and by the user; neither written nor read
     std::vector<Choice> choices; // empty: any value of the range
     LocalText chapter{};         // of the manual; may be empty
-    // On a serial line: the commands that tell and set it. Direction and scaling are one bit of an answer.
-    std::optional<esc::Command> readCommand{};
+    // Of an encoder without words: the letters of the commands that tell and set it. Direction and scaling
+    // are one bit of an answer.
+    QByteArray readCommand{};
     std::optional<unsigned> readBit{}; // of the answer; nothing: all of it
-    std::optional<esc::Command> writeCommand{};
+    QByteArray writeCommand{};
+    const ValueForm *form = nullptr; // null: a number
 
-    bool canBeRead() const { return readOut || readCommand; }
-    bool canBeWritten() const { return number || writeCommand; }
+    bool canBeRead() const { return readOut || !readCommand.isEmpty(); }
+    bool canBeWritten() const { return number || !writeCommand.isEmpty(); }
     // One of the choices where it has some, else within the range.
     bool takes(std::int64_t value) const;
     const Choice *findChoice(std::int64_t value) const;
@@ -128,6 +141,8 @@ struct DeviceDescription
     std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;
     bool isGeneric() const { return vendor.isEmpty(); }
+    // In the process image of its bus; one without is asked by requests.
+    bool hasWords() const { return inWords > 0; }
     // FRABA has velocity and cam mode, and a K3 whose make is not known may be a FRABA: then the mode is to
     // be known before a word is sent that means something else in cam mode.
     bool mayHaveModes() const { return quirks.hasModes || (isGeneric() && profile == Profile::k3); }

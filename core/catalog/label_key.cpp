@@ -78,7 +78,7 @@ bool holdsItsPositions(const LabelMatch &match)
     const DeviceDescription &device = *match.device;
     const int bits = device.profile == Profile::k3 ? k3PositionBits : device.inWords * 16;
     const std::int64_t positions = std::int64_t{match.turns} * match.stepsPerTurn;
-    return device.profile == Profile::esc || positions <= std::int64_t{1} << bits;
+    return !device.hasWords() || positions <= std::int64_t{1} << bits;
 }
 
 Refusal refusalAbout(const QString &typed, const std::vector<LabelProblem> &problems)

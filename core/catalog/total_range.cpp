@@ -13,9 +13,15 @@ std::int64_t turnsOf(const DeviceDescription &device, const ParameterValues &val
 
 } // namespace
 
+bool tellsItsRange(const DeviceDescription &device)
+{
+    const ParameterDescription *range = device.find(Parameter::measuringRange);
+    return range != nullptr && range->unit == Unit::steps;
+}
+
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values)
 {
-    if (device.profile == Profile::esc)
+    if (tellsItsRange(device))
         return valueOf(values, Parameter::measuringRange);
     const std::int64_t steps = valueOf(values, Parameter::steps).value_or(0);
     const std::int64_t revolutions = valueOf(values, Parameter::revolutions).value_or(0);

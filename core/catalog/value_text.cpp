@@ -3,14 +3,12 @@
 
 #include "catalog/hex_code.h"
 #include "encoder/hex.h"
-#include "encoder/line_address.h"
 #include "encoder/sentence.h"
-#include "esc/esc_bits.h"
-#include "esc/esc_explain.h"
-#include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include <tuple>
 
 namespace codewheel {
 namespace {
@@ -72,63 +70,14 @@ double divisorOf(Unit unit)
     return 1;
 }
 
-constexpr int registerDigits = 4;  // 16 bit
-constexpr int fractionDigits = 10; // significant ones of 32 bit
-
-QString bitsText(esc::Command command, std::uint16_t value, bool isSwapped)
-{
-    const QStringList bits = esc::bitTexts(command, value);
-    const std::uint16_t asSent = isSwapped ? esc::swappedBytes(value) : value;
-    const QString said =
-        bits.isEmpty() ? QCoreApplication::translate("EscBit", "none") : bits.join(QStringLiteral(", "));
-    return QStringLiteral("%1 (%2)").arg(esc::bitDigits(asSent, isSwapped), said);
-}
-
-QString factorText(Word raw, const std::optional<ValueOptions> &options)
-{
-    const QString digits = hexWord(raw) + u'h';
-    return options ? QStringLiteral("%1 (%2)").arg(
-                         digits, QLocale().toString(esc::scalingFactor(raw, options->fractionBits), 'g',
-                                                    fractionDigits))
-                   : digits;
-}
-
-// Empty for what is a number.
-QString escText(const ParameterDescription &parameter, std::int64_t value,
-                const std::optional<ValueOptions> &options)
-{
-    using enum esc::Command;
-    const auto raw = static_cast<Word>(value);
-    if (parameter.writeCommand == writeAddress)
-        return LineAddress{static_cast<std::uint8_t>(raw)}.shown();
-    if (!parameter.readCommand || parameter.readBit)
-        return {};
-    switch (*parameter.readCommand) {
-    case serialNumber:
-        return hexWord(raw);
-    case scalingFactor:
-        return factorText(raw, options);
-    case deviceCode:
-        return hexCode(raw, registerDigits);
-    case operatingParameters:
-    case alarms:
-        return bitsText(*parameter.readCommand, static_cast<std::uint16_t>(raw), false);
-    case warnings:
-        return bitsText(warnings, static_cast<std::uint16_t>(raw), options && options->swapsWarningBytes);
-    default:
-        return {};
-    }
-}
+constexpr int registerDigits = 4; // 16 bit
 
 } // namespace
 
-ParameterDescription atFractionBits(ParameterDescription parameter, int fractionBits)
+ParameterDescription withOptions(ParameterDescription parameter, const std::optional<ValueOptions> &options)
 {
-    if (parameter.parameter != Parameter::scalingFactor)
-        return parameter;
-    const esc::ValueRange range = esc::scalingFactorRange(fractionBits);
-    parameter.minimum = range.smallest;
-    parameter.maximum = range.largest;
+    if (options && parameter.form != nullptr && parameter.form->range != nullptr)
+        std::tie(parameter.minimum, parameter.maximum) = parameter.form->range(*options);
     return parameter;
 }
 
@@ -148,8 +97,8 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
 {
     if (isOpcRegister(parameter.parameter))
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
-    if (QString text = escText(parameter, value, options); !text.isEmpty())
-        return text;
+    if (parameter.form != nullptr)
+        return parameter.form->text(value, options);
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
     QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)

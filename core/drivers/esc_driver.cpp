@@ -5,6 +5,11 @@
 
 namespace codewheel {
 
+std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address)
+{
+    return device.profile == Profile::esc ? std::make_unique<EscDriver>(device, address) : nullptr;
+}
+
 EscDriver::EscDriver(const DeviceDescription &device, LineAddress address, EscSettings settings)
     : m_encoder(device, address, settings)
     , m_polls(settings)

@@ -5,7 +5,7 @@
 #include "drivers/esc_encoder.h"
 #include "drivers/esc_job.h"
 #include "drivers/esc_poll_plan.h"
-#include "drivers/request_driver.h"
+#include "drivers/esc_request_driver.h"
 
 #include <optional>
 

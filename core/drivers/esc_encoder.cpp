@@ -115,7 +115,7 @@ void EscEncoder::setSwapsWarningBytes(bool on)
     settings.swapWarningBytes = on;
     reading.warnings.reset();
     for (const ParameterDescription &parameter : device.parameters)
-        if (parameter.readCommand == esc::Command::warnings)
+        if (escReadCommand(parameter) == esc::Command::warnings)
             values.forget(parameter.parameter);
     flushKnowledge();
 }
@@ -145,8 +145,10 @@ void EscEncoder::take(esc::Command command, const esc::Answer &answer, Instant n
         reading.warnings = bitsOf(command, answer);
     if (command == esc::Command::alarms)
         reading.alarms = bitsOf(command, answer);
+    const std::string_view letters = esc::shapeOf(command).letters;
+    const QByteArrayView asked(letters.data(), static_cast<qsizetype>(letters.size()));
     for (const ParameterDescription &parameter : device.parameters)
-        if (parameter.readCommand == command)
+        if (parameter.readCommand == asked)
             values.learn({parameter.parameter, escValue(parameter, answer.value, settings.swapWarningBytes),
                           Evidence::read, now});
 }

@@ -161,7 +161,7 @@ void EscPlan::appendReads(EscSteps &steps, const std::vector<Parameter> &paramet
 EscStep EscPlan::reading(EscStep::Task task, Parameter parameter) const
 {
     const ParameterDescription *description = m_device.find(parameter);
-    const auto command = description != nullptr ? description->readCommand : std::nullopt;
+    const auto command = description != nullptr ? escReadCommand(*description) : std::nullopt;
     EscStep read = step(task, command.value_or(esc::Command::serialNumber));
     read.parameter = parameter;
     return read;
@@ -170,8 +170,9 @@ EscStep EscPlan::reading(EscStep::Task task, Parameter parameter) const
 EscStep EscPlan::writing(const ParameterValue &value) const
 {
     const ParameterDescription &description = *m_device.find(value.parameter);
-    EscStep write = step(EscStep::Task::write, description.writeCommand.value_or(esc::Command::writePreset),
-                         escData(description, value.value));
+    EscStep write =
+        step(EscStep::Task::write, escWriteCommand(description).value_or(esc::Command::writePreset),
+             escData(description, value.value));
     write.parameter = value.parameter;
     write.value = value.value;
     return write;
@@ -184,6 +185,8 @@ EscStep EscPlan::step(EscStep::Task task, esc::Command command, std::uint32_t da
     step.task = task;
     step.request = {m_address, command, data};
     step.line = step.request.text();
+    if (esc::shapeOf(command).writes)
+        step.data = data;
     return step;
 }
 

@@ -2,7 +2,7 @@
 // What of a job for an encoder on a serial line is refused before anything is sent.
 #include "drivers/esc_plan.h"
 #include "drivers/esc_values.h"
-#include "drivers/parameter_check.h"
+#include "drivers/job_check.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -50,31 +50,20 @@ Result<void> checkScaling(const ParameterValues &wanted, const ParameterValues &
 
 Result<void> EscPlan::check(const Job &job) const
 {
-    if (const auto *read = std::get_if<ReadParameters>(&job))
-        return checkToRead(m_device, read->parameters);
+    if (auto checked = checkJob(m_device, job, ValueOptions{.fractionBits = m_settings.fractionBits});
+        !checked)
+        return checked;
     if (const auto *write = std::get_if<WriteParameters>(&job))
         return checkWrite(*write);
     if (const auto *preset = std::get_if<SetPreset>(&job))
         return checkPreset(*preset);
-    if (std::holds_alternative<SendWords>(job))
-        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported, {m_device.fullName()});
-    if (std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
-        return refuse(RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()});
-    if (std::holds_alternative<ResetToDefault>(job))
-        return refuse(RefusalKind::notSupported, RefusalId::resetNotSupported, {m_device.fullName()});
-    if (const auto *mode = std::get_if<SwitchMode>(&job); mode != nullptr && mode->mode != Mode::cam)
-        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
+    if (std::holds_alternative<ReadParameters>(job))
+        return {};
     return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
 }
 
 Result<void> EscPlan::checkWrite(const WriteParameters &job) const
 {
-    if (job.initialisePreset)
-        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
-    if (job.values.empty())
-        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-    if (auto checked = checkToWrite(m_device, job.values, m_settings.fractionBits); !checked)
-        return checked;
     if (auto checked = checkScaling(job.values, m_known); !checked)
         return checked;
     const ParameterValues known = afterwards(m_known, job.values);
@@ -92,13 +81,8 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
 
 Result<void> EscPlan::checkPreset(const SetPreset &job) const
 {
-    if (!m_device.capabilities.presets || !m_device.find(Parameter::preset))
+    if (!m_device.find(Parameter::preset))
         return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
-    if (job.command == PresetCommand::manufacturer)
-        return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
-                      {m_device.fullName()});
-    if (!job.value)
-        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
     return checkRange(escNarrowed(m_device, Parameter::preset, m_known), *job.value);
 }
 

@@ -27,6 +27,16 @@ void narrowToFactor(const DeviceDescription &device, std::optional<std::int64_t>
 
 } // namespace
 
+std::optional<esc::Command> escReadCommand(const ParameterDescription &parameter)
+{
+    return esc::commandOf(parameter.readCommand);
+}
+
+std::optional<esc::Command> escWriteCommand(const ParameterDescription &parameter)
+{
+    return esc::commandOf(parameter.writeCommand);
+}
+
 std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value)
 {
     if (parameter.parameter != Parameter::baudRate)
@@ -39,7 +49,7 @@ std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answe
 {
     if (parameter.readBit)
         return (answer >> *parameter.readBit) & 1U;
-    if (swapWarningBytes && parameter.readCommand == esc::Command::warnings)
+    if (swapWarningBytes && escReadCommand(parameter) == esc::Command::warnings)
         return esc::swappedBytes(static_cast<std::uint16_t>(answer));
     return answer;
 }
@@ -52,7 +62,7 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
     if (found != nullptr)
         narrowed = *found;
     narrowed.parameter = parameter;
-    narrowed = atFractionBits(std::move(narrowed), fractionBits);
+    narrowed = withOptions(std::move(narrowed), ValueOptions{.fractionBits = fractionBits});
     const auto atMost = [&](std::optional<std::int64_t> bound) {
         if (bound && *bound >= narrowed.minimum)
             narrowed.maximum = std::min(narrowed.maximum, *bound);

@@ -10,6 +10,10 @@ namespace codewheel {
 // The values of an encoder on a serial line: how they stand on the wire, and what they may be. Used by its
 // driver, and by views that show ranges.
 
+// The commands that tell and set it; nothing: none.
+std::optional<esc::Command> escReadCommand(const ParameterDescription &parameter);
+std::optional<esc::Command> escWriteCommand(const ParameterDescription &parameter);
+
 // What is sent for a value: the number of a baud rate, else the value itself.
 std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value);
 // What an answer says of a value: a bit of it, or all. `swapWarningBytes`: EscSettings.

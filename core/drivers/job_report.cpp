@@ -17,10 +17,10 @@ QString valuesText(const ParameterValues &values, const DeviceDescription &devic
     for (const ParameterValue &value : values) {
         const ParameterDescription *description = device.find(value.parameter);
         const Choice *choice = description ? description->findChoice(value.value) : nullptr;
-        const bool isOnLine = device.profile == Profile::esc;
-        const QString text = choice                    ? choice->key
-                             : description && isOnLine ? valueText(*description, value.value)
-                                                       : QLocale().toString(qlonglong{value.value});
+        const bool hasForm = description && description->form;
+        const QString text = choice    ? choice->key
+                             : hasForm ? valueText(*description, value.value)
+                                       : QLocale().toString(qlonglong{value.value});
         texts += parameterName(value.parameter) + QStringLiteral(" = ") + text;
     }
     return texts.join(QStringLiteral(", "));

@@ -3,6 +3,7 @@
 
 #include "cams/check_cams.h"
 #include "catalog/total_range.h"
+#include "drivers/job_check.h"
 #include "words/k3_cam_word.h"
 
 #include <algorithm>
@@ -113,8 +114,6 @@ std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
 Result<void> K3CamPlan::checkPrograms(const std::vector<unsigned> &programs,
                                       const std::optional<SwitchMode> &afterwards) const
 {
-    if (!m_device.capabilities.cams)
-        return refuse(RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()});
     if (programs.empty())
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     std::set<unsigned> seen;
@@ -145,13 +144,9 @@ Result<void> K3CamPlan::check(const WriteCams &job) const
 
 Result<void> K3CamPlan::check(const SwitchMode &job) const
 {
-    if (job.mode == Mode::velocity && !m_device.capabilities.velocity)
-        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
-    if (job.mode != Mode::cam)
-        return {};
-    if (!m_device.capabilities.cams)
-        return refuse(RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()});
-    return checkCamProgramNumber(job.camProgram);
+    if (auto checked = checkJob(m_device, job); !checked)
+        return checked;
+    return job.mode == Mode::cam ? checkCamProgramNumber(job.camProgram) : Result<void>();
 }
 
 // Above it the encoder answers 98000004h itself.

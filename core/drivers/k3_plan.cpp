@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_plan.h"
 
+#include "drivers/job_check.h"
 #include "drivers/k3_cam_plan.h"
-#include "drivers/parameter_check.h"
 
 #include <algorithm>
 
@@ -10,35 +10,17 @@ namespace codewheel {
 
 Result<void> K3Plan::check(const Job &job) const
 {
-    if (const auto *read = std::get_if<ReadParameters>(&job))
-        return checkToRead(m_device, read->parameters);
-    if (const auto *write = std::get_if<WriteParameters>(&job))
-        return checkWrite(*write);
+    if (auto checked = checkJob(m_device, job); !checked)
+        return checked;
     if (const auto *preset = std::get_if<SetPreset>(&job))
         return checkPreset(*preset);
+    const K3CamPlan camPlan(m_device, m_knowledge);
     if (const auto *to = std::get_if<SwitchMode>(&job))
-        return checkSwitch(*to);
-    if (std::holds_alternative<ResetToDefault>(job))
-        return checkReset();
-    if (const auto *send = std::get_if<SendWords>(&job); send != nullptr && send->words.empty())
-        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-    if (const auto *end = std::get_if<EndParameterization>(&job))
-        for (const ParameterValue &value : end->restore)
-            if (auto checked = checkValue(m_device, value); !checked)
-                return checked;
+        return camPlan.check(*to);
     if (const auto *cams = std::get_if<ReadCams>(&job))
-        return K3CamPlan(m_device, m_knowledge).check(*cams);
+        return camPlan.check(*cams);
     if (const auto *cams = std::get_if<WriteCams>(&job))
-        return K3CamPlan(m_device, m_knowledge).check(*cams);
-    return {};
-}
-
-Result<void> K3Plan::checkWrite(const WriteParameters &job) const
-{
-    if (auto checked = checkToWrite(m_device, job.values); !checked)
-        return checked;
-    if (job.values.empty() && !job.initialisePreset)
-        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
+        return camPlan.check(*cams);
     return {};
 }
 

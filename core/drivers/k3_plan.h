@@ -31,10 +31,7 @@ public:
     Word parameterWord(Parameter parameter, std::int64_t value) const;
 
 private:
-    Result<void> checkWrite(const WriteParameters &job) const;
     Result<void> checkPreset(const SetPreset &job) const;
-    Result<void> checkSwitch(const SwitchMode &job) const;
-    Result<void> checkReset() const;
 
     K3Steps plan(const ReadParameters &job) const;
     K3Steps plan(const WriteParameters &job) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The functions beside parameters: modes, the FRABA preset, the reset to factory settings.
+#include "drivers/job_check.h"
 #include "drivers/k3_cam_plan.h"
 #include "drivers/k3_plan.h"
-#include "drivers/parameter_check.h"
 #include "words/k3_cam_word.h"
 
 namespace codewheel {
@@ -16,34 +16,14 @@ K3Step K3Plan::switchStep(Word modeWord)
 
 Result<void> K3Plan::checkPreset(const SetPreset &job) const
 {
-    const Capabilities &can = m_device.capabilities;
     const ParameterDescription *preset = m_device.find(Parameter::preset);
-    if (!can.presets || !preset || !preset->number)
+    if (!preset || !preset->number)
         return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
-    if (job.command == PresetCommand::manufacturer && !can.manufacturerPreset)
-        return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
-                      {m_device.fullName()});
     if (job.value)
         return checkValue(m_device, {Parameter::preset, *job.value});
     const bool isReadFirst = m_device.quirks.presetNeedsRearming && job.command == PresetCommand::profile;
     if (isReadFirst && !preset->readOut) // there is no value to program again
         return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
-    return {};
-}
-
-Result<void> K3Plan::checkSwitch(const SwitchMode &job) const
-{
-    if (auto checked = K3CamPlan(m_device, m_knowledge).check(job); !checked)
-        return checked;
-    if (!m_device.quirks.hasModes)
-        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
-    return {};
-}
-
-Result<void> K3Plan::checkReset() const
-{
-    if (!m_device.capabilities.resets)
-        return refuse(RefusalKind::notSupported, RefusalId::resetNotSupported, {m_device.fullName()});
     return {};
 }
 

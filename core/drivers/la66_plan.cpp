@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/la66_plan.h"
 
-#include "drivers/parameter_check.h"
+#include "drivers/job_check.h"
 #include "words/la66_word.h"
 
 namespace codewheel {
@@ -72,38 +72,12 @@ La66Steps La66Plan::wayBack(Word out)
 
 Result<void> La66Plan::check(const Job &job) const
 {
-    if (const auto *read = std::get_if<ReadParameters>(&job))
-        return checkToRead(m_device, read->parameters);
-    if (const auto *write = std::get_if<WriteParameters>(&job)) {
-        if (write->initialisePreset)
-            return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
-        if (write->values.empty())
-            return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-        return checkToWrite(m_device, write->values);
-    }
-    if (const auto *preset = std::get_if<SetPreset>(&job))
-        return checkPreset(*preset);
-    if (const auto *send = std::get_if<SendWords>(&job))
-        return send->words.empty() ? refuse(RefusalKind::badInput, RefusalId::nothingToDo) : Result<void>();
-    if (const auto *end = std::get_if<EndParameterization>(&job))
-        return checkToWrite(m_device, end->restore);
-    if (const auto *mode = std::get_if<SwitchMode>(&job); mode != nullptr && mode->mode != Mode::cam)
-        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
-    return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
-}
-
-Result<void> La66Plan::checkPreset(const SetPreset &job) const
-{
-    if (!m_device.capabilities.presets)
-        return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
-    if (job.command == PresetCommand::manufacturer)
-        return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
-                      {m_device.fullName()});
-    if (!job.value)
-        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
-    if (*job.value < 0 || *job.value > std::int64_t{la66::dataMask})
+    const auto *preset = std::get_if<SetPreset>(&job);
+    if (auto checked = checkJob(m_device, job); !checked || preset == nullptr)
+        return checked;
+    if (*preset->value < 0 || *preset->value > std::int64_t{la66::dataMask})
         return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {Parameter::preset, *job.value, std::int64_t{0}, std::int64_t{la66::dataMask}});
+                      {Parameter::preset, *preset->value, std::int64_t{0}, std::int64_t{la66::dataMask}});
     return {};
 }
 

@@ -32,7 +32,6 @@ public:
 private:
     La66Steps reads(const std::vector<Parameter> &parameters) const;
     La66Steps words(const SendWords &job, Word out) const;
-    Result<void> checkPreset(const SetPreset &job) const;
 
     const DeviceDescription &m_device;
     La66Timing m_timing;

@@ -2,7 +2,6 @@
 #include "drivers/make_driver.h"
 
 #include "catalog/position_format.h"
-#include "drivers/esc_driver.h"
 #include "drivers/k3_driver.h"
 #include "drivers/la66_driver.h"
 #include "drivers/position_driver.h"
@@ -18,11 +17,6 @@ std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
     if (onlyTellsPosition(device.profile))
         return std::make_unique<PositionDriver>(device);
     return nullptr;
-}
-
-std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address)
-{
-    return device.profile == Profile::esc ? std::make_unique<EscDriver>(device, address) : nullptr;
 }
 
 } // namespace codewheel

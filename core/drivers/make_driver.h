@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "drivers/cyclic_driver.h"
-#include "drivers/request_driver.h"
 
 #include <memory>
 
@@ -12,7 +11,5 @@ namespace codewheel {
 // The driver for a device of this description; null where it has none. The description must outlive the
 // driver.
 std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device);
-// The same for a device on a serial line.
-std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address);
 
 } // namespace codewheel

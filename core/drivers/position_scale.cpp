@@ -2,7 +2,7 @@
 #include "drivers/position_scale.h"
 
 #include "catalog/total_range.h"
-#include "drivers/esc_values.h"
+#include "drivers/protocol.h"
 #include "encoder/circle.h"
 
 #include <algorithm>
@@ -33,43 +33,6 @@ bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
     return choice != nullptr && choice->key.startsWith(QStringLiteral("signed"));
 }
 
-// What an encoder on a serial line will have. Steps per turn set its revolutions, and they and the
-// revolutions make the measuring range; a measuring range that is written itself comes last (manual, GR, GM,
-// GT).
-std::optional<std::int64_t> valueOnLineAfter(Parameter parameter, const ParameterValues &written,
-                                             const ParameterValues &known)
-{
-    if (const auto value = valueOf(written, parameter))
-        return value;
-    if (const auto along = valueOf(escSetAlong(written, known), parameter))
-        return along;
-    const bool rescales = valueOf(written, Parameter::steps) || valueOf(written, Parameter::revolutions);
-    if (parameter != Parameter::measuringRange || !rescales)
-        return valueOf(known, parameter);
-    const auto steps = valueOnLineAfter(Parameter::steps, written, known);
-    const auto turns = valueOnLineAfter(Parameter::revolutions, written, known);
-    return steps && turns ? std::optional(*steps * *turns) : std::nullopt;
-}
-
-// Its measuring range is in steps, over all its revolutions (manual, commands M and U).
-std::optional<PositionScale> scaleOnLine(const DeviceDescription &device, const ValueOf &valueOf)
-{
-    const auto total = valueOf(Parameter::measuringRange);
-    const auto turns = valueOf(Parameter::revolutions);
-    const bool hasDirection = device.find(Parameter::direction) != nullptr;
-    const auto direction = hasDirection ? valueOf(Parameter::direction) : std::nullopt;
-    if (!total || !turns || !direction || *total < 1 || *turns < 1)
-        return std::nullopt;
-    PositionScale scale;
-    scale.steps = *total;
-    scale.revolutions = *turns;
-    scale.turns = *turns;
-    scale.physicalStepsPerTurn = device.physicalStepsPerTurn;
-    scale.physicalTurns = device.physicalTurns;
-    scale.clockwise = countsClockwise(device, {Parameter::direction, *direction});
-    return scale;
-}
-
 } // namespace
 
 // By what the description calls the value. Where it does not: codings of the profile with an even number
@@ -97,10 +60,8 @@ std::int64_t PositionScale::shown(std::int64_t position) const
     return isSigned ? signedPosition(pi, total()) : pi;
 }
 
-std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
+std::optional<PositionScale> Protocol::scaleOf(const DeviceDescription &device, const ValueOf &valueOf) const
 {
-    if (device.profile == Profile::esc)
-        return scaleOnLine(device, valueOf);
     const auto steps = valueOf(Parameter::steps);
     const auto revolutions = valueOf(Parameter::revolutions);
     if (!steps || !revolutions || *steps < 1 || *revolutions < 1)
@@ -133,15 +94,17 @@ std::optional<PositionScale> scaleOf(const DeviceDescription &device, const Valu
     return scale.total() > 0 ? std::optional(scale) : std::nullopt;
 }
 
+std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    return protocolOf(device).scaleOf(device, valueOf);
+}
+
 std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,
                                         const ParameterValues &known)
 {
-    return scaleOf(device, [&](Parameter parameter) {
-        if (device.profile == Profile::esc)
-            return valueOnLineAfter(parameter, written, known);
-        const auto value = valueOf(written, parameter);
-        return value ? value : valueOf(known, parameter);
-    });
+    const Protocol &protocol = protocolOf(device);
+    return protocol.scaleOf(
+        device, [&](Parameter parameter) { return protocol.valueAfter(parameter, written, known); });
 }
 
 WrapJump wrapJump(const PositionScale &scale)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/value_notes.h"
 
-#include "drivers/esc_values.h"
+#include "catalog/total_range.h"
+#include "drivers/protocol.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -12,10 +13,10 @@
 namespace codewheel {
 namespace {
 
-void noteWhatIsSetAlong(const ParameterValues &written, const ParameterValues &known,
-                        std::vector<ValueNote> &notes)
+void noteWhatIsSetAlong(const DeviceDescription &device, const ParameterValues &written,
+                        const ParameterValues &known, std::vector<ValueNote> &notes)
 {
-    for (const ParameterValue &along : escSetAlong(written, known)) {
+    for (const ParameterValue &along : protocolOf(device).setAlong(written, known)) {
         const auto now = valueOf(known, along.parameter);
         notes.push_back({ValueNote::Id::revolutionsSetAlong,
                          {along.value, now ? RefusalArgument(*now) : RefusalArgument(QString())}});
@@ -62,8 +63,7 @@ bool needsPreset(const DeviceDescription &device, const ParameterValues &written
                  const ParameterValues &known)
 {
     const bool hasOffset = device.capabilities.presets && device.profile != Profile::la66;
-    const Parameter offset = device.profile == Profile::esc ? Parameter::offset : Parameter::zeroOffset;
-    return hasOffset && valueOf(known, offset) != 0 &&
+    return hasOffset && valueOf(known, protocolOf(device).presetOffset()) != 0 &&
            std::ranges::any_of(scalingParameters, [&](Parameter parameter) {
                const auto value = valueOf(written, parameter);
                return value && value != valueOf(known, parameter);
@@ -138,8 +138,7 @@ std::optional<ValueNote> jumpNote(const DeviceDescription &device, const Positio
     case WrapJump::none:
         break;
     case WrapJump::rangeDoesNotDivideTurns:
-        return ValueNote{device.profile == Profile::esc ? ValueNote::Id::revolutionsJump
-                                                        : ValueNote::Id::rangeJumps,
+        return ValueNote{tellsItsRange(device) ? ValueNote::Id::revolutionsJump : ValueNote::Id::rangeJumps,
                          {scale.turns, scale.physicalTurns, jump}};
     case WrapJump::totalIsNotWhole:
         return ValueNote{ValueNote::Id::fractionJumps,
@@ -152,8 +151,7 @@ std::vector<ValueNote> valueNotes(const DeviceDescription &device, const Paramet
                                   const ParameterValues &known, PositionIsSet set)
 {
     std::vector<ValueNote> notes;
-    if (device.profile == Profile::esc)
-        noteWhatIsSetAlong(written, known, notes);
+    noteWhatIsSetAlong(device, written, known, notes);
     if (const auto jump = jumpAfter(device, written, known))
         notes.push_back(*jump);
     if (set == PositionIsSet::no && needsPreset(device, written, known))

@@ -2,24 +2,14 @@
 #include "drivers/values_to_write.h"
 
 #include "catalog/preset_storage.h"
-#include "drivers/esc_plan.h"
 #include "drivers/k3_mode.h"
-#include "drivers/planned_words.h"
-#include "esc/esc_request.h"
+#include "drivers/protocol.h"
 #include "words/la66_word.h"
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
-
-bool isWritingRequest(const Step &step)
-{
-    if (step.kind != StepKind::request)
-        return false;
-    const auto request = esc::parseRequest(step.line);
-    return request && esc::shapeOf(request->command).writes;
-}
 
 bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
 {
@@ -82,11 +72,6 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
     return isSure && known->value == value.value;
 }
 
-bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const ParameterValues &written)
-{
-    return device.profile == Profile::esc && goesAlongOnEsc(parameter, written);
-}
-
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     WriteParameters job{.values = {}, .previous = {}, .initialisePreset = wish.initialisePreset};
@@ -103,7 +88,8 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
     }
     const ParameterValues written = job.values;
     for (const ParameterValue &wanted : wish.wanted)
-        if (!valueOf(written, wanted.parameter) && mustGoAlong(encoder.device(), wanted.parameter, written))
+        if (!valueOf(written, wanted.parameter) &&
+            protocolOf(encoder.device()).goesAlong(wanted.parameter, written))
             job.values.push_back(wanted);
     return job;
 }
@@ -124,17 +110,15 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
 }
 
 // Each job leaves 00000000 in OUT.
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
-                                       const EscSettings &escSettings)
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
 {
     std::vector<Step> all;
-    const std::vector<Known> known = knownNow(encoder);
-    const std::vector<KnownCams> cams = allKnownCams(encoder);
+    PlanBasis basis{knownNow(encoder), allKnownCams(encoder), out, encoder.valueOptions()};
     for (const Job &job : jobs) {
-        auto steps = plannedSteps(encoder.device(), known, job, cams, out, escSettings);
+        auto steps = plannedSteps(encoder.device(), job, basis);
         if (!steps)
             return steps;
-        out = k3::normalRunning;
+        basis.out = k3::normalRunning;
         all.insert(all.end(), steps->begin(), steps->end());
     }
     return all;
@@ -152,7 +136,7 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 bool takesValue(const Step &step)
 {
     return step.kind == StepKind::parameter ||
-           (step.kind == StepKind::serviceBit && la66::isWrite(step.out)) || isWritingRequest(step);
+           (step.kind == StepKind::serviceBit && la66::isWrite(step.out)) || step.data;
 }
 
 bool writesValue(const Step &step)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/esc_settings.h"
 #include "encoder/encoder_session.h"
 
 namespace codewheel {
@@ -20,9 +19,6 @@ struct WriteWish
 // where the encoder cannot be read.
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 
-// Whether a wanted value must be written with the others even where it is there already (goesAlongOnEsc).
-bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const ParameterValues &written);
-
 // The job for a wish: what is known and equal is left out. Where the encoder
 // can be read and a value is not known from reading, the job reads it first and leaves it out if it is there
 // already. A used-up preset (FRABA) is programmed again, or it could not be initialised.
@@ -32,10 +28,9 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 // preset that is not given and may be used up (FRABA): the encoder's own is programmed again.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
 // Their steps, as far as they can be told beforehand: from the mode the encoder is in now, with what is known
-// of its values and cams. `out` is what stands in OUT, `escSettings` are those of a serial encoder. Whoever
-// does not know those asks EncoderSession::planned().
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
-                                       const EscSettings &escSettings = {});
+// of its values and cams. `out` is what stands in OUT. Whoever does not know that asks
+// EncoderSession::planned().
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out);
 
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);

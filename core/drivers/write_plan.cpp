@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "encoder/hex.h"
-#include "esc/esc_request.h"
 
 namespace codewheel {
 namespace {
@@ -31,8 +30,7 @@ WritePlan::Row rowFor(const Step &step, const WritePlan &plan, const EncoderSess
     if (const auto wanted = valueOf(plan.job.values, parameter)) {
         row.value.value = *wanted;
     } else {
-        const auto request = esc::parseRequest(step.line);
-        row.value.value = request ? request->data : 0;
+        row.value.value = step.data.value_or(0);
         row.goesAlong = true;
     }
     return row;

@@ -38,7 +38,8 @@ struct Step
     StepKind kind = StepKind::word;
     Word out = 0;                       // the word this step puts into OUT
     std::optional<Parameter> parameter; // parameter and readOut steps, where the description names it
-    QByteArray line{};                  // request: what is sent between ESC and CR LF, "03GP00005200"
+    QByteArray line{};                  // request: what is sent, "03GP00005200"
+    std::optional<std::int64_t> data{}; // request: the value it writes, as it is sent
 
     friend bool operator==(const Step &, const Step &) = default;
 };

@@ -36,9 +36,4 @@ std::optional<LineAddress> addressTyped(QStringView text)
     return text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
 }
 
-bool Place::isOnLine() const
-{
-    return node.text().starts_with(LineAddress::prefix);
-}
-
 } // namespace codewheel

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/place.h"
-
-#include "encoder/device_number.h"
-#include "encoder/line_address.h"
+#include "encoder/bus_names.h"
 
 namespace codewheel {
 namespace {
@@ -60,17 +57,15 @@ std::optional<Place> Place::parse(QStringView text)
         return isNumber && number > 0 && !node.isEmpty() ? std::optional(Place{{number}, node})
                                                          : std::nullopt;
     }
-    if (const auto number = DeviceNumber::parse(text))
-        return Place{firstRing, number->node()};
-    if (const auto address = addressTyped(text))
-        return Place{firstLine, address->node()};
+    for (const PlaceFormat &format : placeFormats())
+        if (const auto node = format.node(text))
+            return Place{format.bus, *node};
     return std::nullopt;
 }
 
 QString Place::shown() const
 {
-    const auto name = busNames().find(bus);
-    return name == busNames().end() ? toString() : QStringLiteral("%1/%2").arg(name->second, toString());
+    return shownPlace(*this, busNames());
 }
 
 void setBusNames(std::map<BusId, QString> names)

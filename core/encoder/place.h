@@ -7,6 +7,7 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace codewheel {
@@ -50,6 +51,14 @@ private:
     std::array<char, mostCharacters + 1> m_text{};
 };
 
+// How a kind of bus writes its places, and the bus that one without a number means.
+struct PlaceFormat
+{
+    BusId bus;
+    std::optional<NodeId> (*node)(QStringView text); // nothing: no place of this kind
+};
+std::span<const PlaceFormat> placeFormats();
+
 // Where a device stands: on which bus, and where there.
 struct Place
 {
@@ -57,7 +66,8 @@ struct Place
     NodeId node{};
 
     bool isEmpty() const { return node.isEmpty(); }
-    bool isOnLine() const; // of a serial line, else INTERBUS
+    // Of an address, with the prefix of its kind of bus: "esc:12"; else by its number in a ring: "6.1".
+    bool isAddress() const { return node.text().find(':') != std::string_view::npos; }
 
     friend bool operator==(const Place &, const Place &) = default;
     friend std::strong_ordering operator<=>(const Place &,

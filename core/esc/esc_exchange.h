@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/instant.h"
+#include "encoder/traffic_kind.h"
 #include "esc/esc_answer.h"
 #include "esc/esc_request.h"
 
@@ -33,7 +34,7 @@ struct Timing
 // What passed on the line, one row each, for the terminal and the figures.
 struct LineRow
 {
-    enum class Kind : std::uint8_t { sent, answer, echo, garbage, late };
+    using Kind = TrafficKind;
 
     Instant at{}; // of its last byte; of the first one of what was sent
     Kind kind = Kind::sent;

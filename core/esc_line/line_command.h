@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/esc_request_driver.h"
 #include "drivers/job_command.h"
-#include "drivers/request_driver.h"
 #include "esc_line/line_scan.h"
 
 #include <memory>

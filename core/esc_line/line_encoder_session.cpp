@@ -21,7 +21,7 @@ QDateTime LineEncoderSession::dateTime(Instant at) const
 
 Result<std::vector<Step>> LineEncoderSession::planned(const std::vector<Job> &jobs) const
 {
-    return stepsForJobs(*this, jobs, k3::normalRunning, {.fractionBits = fractionBits()});
+    return stepsForJobs(*this, jobs, k3::normalRunning);
 }
 
 int LineEncoderSession::fractionBits() const

@@ -5,10 +5,12 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "drivers/esc_fraction_bits.h"
+#include "drivers/esc_values.h"
 #include "encoder/hex.h"
 #include "esc_line/line_encoder_session.h"
 #include "esc_line/line_outline.h"
 #include "esc_line/line_runner.h"
+#include "esc_line/row_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -77,19 +79,25 @@ struct LineSession::Private
     const Catalog &catalog;
     DriverFactory makeDriver;
     SerialSettings settings;
-    int fractionBits = EscSettings{}.fractionBits;
+    int fractionBits = esc::defaultFractionBits;
     std::vector<Encoder> encoders; // by the runner's places
     std::vector<Encoder> retired;  // of a connection before, one of which may be telling right now
     Start start = Start::watching;
     LineState told;
+    LineTraffic traffic;
     BusEngine<LineRunner, LineSession> engine; // ends before what its drivers use
 };
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent, BusId id)
-    : EncoderBus(id, std::move(begin), parent)
+    : EncoderBus(id, std::move(begin), lineTrafficColumns, parent)
     , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
-{}
+{
+    const auto explain = [this] { d->traffic.setExplainOptions(explainOptions()); };
+    connect(this, &LineSession::explainOptionsChanged, this, explain);
+    connect(this, &LineSession::nodesChanged, this, explain);
+    connect(this, &LineSession::moved, this, explain);
+}
 
 LineSession::~LineSession() = default;
 
@@ -186,6 +194,7 @@ void LineSession::dispatch(const LineEvent &event)
         takeSleep(*slept, event.at);
     } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
         Q_EMIT passed(*row);
+        tellTraffic(d->traffic.row(*row));
     } else if (const auto *progress = std::get_if<ScanProgress>(&event.what)) {
         Q_EMIT scanProgressed(*progress);
     } else if (const auto *ended = std::get_if<ScanEnded>(&event.what)) {
@@ -195,8 +204,11 @@ void LineSession::dispatch(const LineEvent &event)
     }
 }
 
-void LineSession::dispatch(const Message &message)
+// The runner knows no bus.
+void LineSession::dispatch(Message message)
 {
+    if (message.place)
+        message.place->bus = id();
     Q_EMIT messaged(message);
     if (message.refusal && message.refusal->id == RefusalId::portOfOther)
         Q_EMIT otherAdapterFound(*message.refusal);
@@ -243,7 +255,7 @@ Result<void> LineSession::remove(Place place)
     if (!encoder)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
     if (encoder->session->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
     const auto ended = leave(d->indexOf(*encoder)); // who is told finds it no more
     Q_EMIT nodesChanged();
     return {};
@@ -499,7 +511,7 @@ std::vector<TypedWrite> LineSession::writesOf(const esc::Request &request) const
             continue;
         TypedWrite &write = writes.emplace_back(TypedWrite{place, request.text()});
         for (const ParameterDescription &parameter : encoder(place)->device().parameters)
-            if (parameter.writeCommand == request.command)
+            if (escWriteCommand(parameter) == request.command)
                 write.values.push_back({parameter.parameter, request.data});
     }
     return writes;

@@ -15,7 +15,7 @@ struct LineSettings
     static constexpr Instant shortestInterval{10'000}; // manual, terminal assignment, note 1
 
     QString port; // "/dev/ttyUSB0", or the path of a pty
-    SerialSettings line;
+    SerialSettings serial;
     esc::Timing timing;
     Instant pollInterval = shortestInterval; // between position requests of one encoder
     int fractionBits = esc::defaultFractionBits;

@@ -3,6 +3,7 @@
 
 #include "encoder/sentence.h"
 #include "esc/esc_frame.h"
+#include "esc_line/typed_request.h"
 
 #include <QCoreApplication>
 
@@ -16,11 +17,6 @@ struct LineRowText
 {
     Q_DECLARE_TR_FUNCTIONS(LineRowText)
 };
-
-constexpr uchar firstPrintable = 0x20;
-constexpr uchar deleteCharacter = 0x7F;
-constexpr char16_t controlPictures = 0x2400; // of 00h, then one after the other
-constexpr char16_t deletePicture = 0x2421;
 
 QString sentMeaning(const std::optional<esc::Request> &request, const esc::ExplainOptions &options)
 {
@@ -36,46 +32,6 @@ QString answerMeaning(const esc::LineRow &row, const std::optional<esc::Request>
 
 } // namespace
 
-QString controlText(const QByteArray &bytes, ControlCharacters controls)
-{
-    const bool asPictures = controls == ControlCharacters::pictures;
-    QString text;
-    for (const char byte : bytes) {
-        const auto code = static_cast<uchar>(byte);
-        if (code < firstPrintable && asPictures)
-            text += QChar(static_cast<char16_t>(controlPictures + code));
-        else if (code == deleteCharacter && asPictures)
-            text += QChar(deletePicture);
-        else if (code < firstPrintable || code >= deleteCharacter)
-            text += QStringLiteral("<%1>").arg(byteText(QByteArray(1, byte)));
-        else
-            text += QLatin1Char(byte);
-    }
-    return text;
-}
-
-QString byteText(const QByteArray &bytes)
-{
-    return QString::fromLatin1(bytes.toHex(' ').toUpper());
-}
-
-QString rowKindWord(RowKind kind)
-{
-    switch (kind) {
-    case RowKind::sent:
-        return LineRowText::tr("sent");
-    case RowKind::answer:
-        return LineRowText::tr("answer");
-    case RowKind::echo:
-        return LineRowText::tr("echo");
-    case RowKind::garbage:
-        return LineRowText::tr("garbage");
-    case RowKind::late:
-        break;
-    }
-    return LineRowText::tr("late");
-}
-
 std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command)
 {
     const esc::CommandShape &shape = esc::shapeOf(command);
@@ -87,9 +43,22 @@ std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command comman
     return frames.front().answer;
 }
 
-QString rowMeaning(const esc::LineRow &row, const std::optional<esc::Request> &request,
-                   const esc::ExplainOptions &options)
+bool PassedRow::isPoll() const
 {
+    const bool isWrong = row.kind == RowKind::garbage || row.kind == RowKind::late;
+    return !isWrong && request && request->command == esc::Command::position;
+}
+
+PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest)
+{
+    if (row.kind == RowKind::sent)
+        lastRequest = sentRequest(row.bytes);
+    return {row, lastRequest};
+}
+
+QString rowMeaning(const PassedRow &passed, const esc::ExplainOptions &options)
+{
+    const auto &[row, request] = passed;
     switch (row.kind) {
     case RowKind::sent:
         return sentMeaning(request, options);
@@ -105,6 +74,16 @@ QString rowMeaning(const esc::LineRow &row, const std::optional<esc::Request> &r
         break;
     }
     return LineRowText::tr("came after its time-out: dropped");
+}
+
+TrafficRow LineTraffic::row(const esc::LineRow &what)
+{
+    const PassedRow passed = passedRow(what, m_lastRequest);
+    return {.at = what.at,
+            .kind = what.kind,
+            .bytes = what.bytes,
+            .meaning = [passed, options = m_options] { return rowMeaning(passed, *options); },
+            .isPoll = passed.isPoll()};
 }
 
 } // namespace codewheel

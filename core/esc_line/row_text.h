@@ -1,31 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/traffic.h"
 #include "esc/esc_exchange.h"
 #include "esc/esc_explain.h"
 
-#include <QString>
+#include <array>
+#include <memory>
 
 namespace codewheel {
 
 // What passed on a serial line, in text: for terminals, traces and exports.
 
-// How control characters are shown: "␛05P␍␊", or "<1B>05P<0D><0A>" where there are no pictures of them.
-enum class ControlCharacters { pictures, numbers };
-
-// What is no ASCII is shown as <FF>.
-QString controlText(const QByteArray &bytes, ControlCharacters controls = ControlCharacters::pictures);
-// "1B 30 35 50 0D 0A"
-QString byteText(const QByteArray &bytes);
-
-// "sent", "answer", "echo", "garbage", "late"
-QString rowKindWord(esc::LineRow::Kind kind);
+inline constexpr std::array lineTrafficColumns{TrafficColumn::time, TrafficColumn::direction,
+                                               TrafficColumn::text, TrafficColumn::meaning,
+                                               TrafficColumn::bytes};
 
 // The answer that these bytes are to such a request.
 std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command);
 
-// One row in words. `request`: the one sent before it, for what came in.
-QString rowMeaning(const esc::LineRow &row, const std::optional<esc::Request> &request,
-                   const esc::ExplainOptions &options);
+// What passed on a line, with the request it belongs to.
+struct PassedRow
+{
+    esc::LineRow row;
+    std::optional<esc::Request> request; // that was sent, or that was sent before what came in
+
+    // Of a position request, and nothing is wrong with it: the polling.
+    bool isPoll() const;
+};
+
+// The request of each row, as rows come one after the other.
+PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest);
+
+// One row in words.
+QString rowMeaning(const PassedRow &passed, const esc::ExplainOptions &options);
+
+// Makes the rows of a line, one after the other.
+class LineTraffic
+{
+public:
+    explicit LineTraffic(const esc::ExplainOptions &options = {})
+        : m_options(std::make_shared<esc::ExplainOptions>(options))
+    {}
+
+    // Of the rows made already, too.
+    void setExplainOptions(const esc::ExplainOptions &options) { *m_options = options; }
+    TrafficRow row(const esc::LineRow &what);
+
+private:
+    std::shared_ptr<esc::ExplainOptions> m_options; // rows outlive the session
+    std::optional<esc::Request> m_lastRequest;
+};
 
 } // namespace codewheel

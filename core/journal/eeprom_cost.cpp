@@ -2,9 +2,9 @@
 #include "journal/eeprom_cost.h"
 
 #include "catalog/preset_storage.h"
-#include "drivers/esc_plan.h"
+#include "catalog/value_text.h"
+#include "drivers/protocol.h"
 #include "drivers/values_to_write.h"
-#include "encoder/hex.h"
 #include "words/k3_cam_word.h"
 #include "words/la66_word.h"
 
@@ -67,15 +67,7 @@ struct Cost
     int operator()(const WriteParameters &job) const
     {
         return size(job.values) + (job.initialisePreset && mayStorePreset(encoder.device()) ? 1 : 0) +
-               factor(job.values);
-    }
-    // That of a serial encoder is sent along with what acts through it.
-    int factor(const ParameterValues &values) const
-    {
-        const bool isBound = std::ranges::any_of(
-            values, [](const ParameterValue &value) { return isBoundToEscFactor(value.parameter); });
-        const bool isGiven = valueOf(values, Parameter::scalingFactor).has_value();
-        return encoder.device().profile == Profile::esc && isBound && !isGiven ? 1 : 0;
+               protocolOf(encoder.device()).writtenBesides(job.values);
     }
     int operator()(const SetPreset &job) const
     {
@@ -178,8 +170,9 @@ QString eepromCountText(const EncoderSession &encoder)
     EepromCount count = encoder.eepromCount();
     bool isNumber = false;
     const Word serial = count.serialNumber.toUInt(&isNumber);
-    if (isNumber && count.by == CountedBy::serialNumber && encoder.device().profile == Profile::esc)
-        count.serialNumber = hexWord(serial);
+    const ParameterDescription *told = encoder.device().find(Parameter::serialNumber);
+    if (isNumber && count.by == CountedBy::serialNumber && told != nullptr && told->form != nullptr)
+        count.serialNumber = valueText(*told, serial);
     return eepromCountText(count);
 }
 

@@ -7,7 +7,7 @@ namespace codewheel {
 
 KeptAdapter keptAdapterOf(const LinePlan &line)
 {
-    const QString path = portPath(line.wish.port);
+    const QString path = portPath(line.settings.port);
     const LineAdapter &adapter = line.adapter;
     if (adapter == LineAdapter())
         return KeptAdapter(path);

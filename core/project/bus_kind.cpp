@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/bus_kind.h"
 
-#include "project/line_kind.h"
+#include "project/line_plan.h"
 #include "project/plan_rules.h"
-#include "project/ring_kind.h"
+#include "project/ring_plan.h"
 
 #include <algorithm>
 
@@ -16,8 +16,8 @@ using Kinds = std::vector<std::unique_ptr<const BusKind>>;
 Kinds kindsOfTheProgram()
 {
     Kinds kinds;
-    kinds.push_back(std::make_unique<RingKind>());
-    kinds.push_back(std::make_unique<LineKind>());
+    kinds.push_back(makeRingKind());
+    kinds.push_back(makeLineKind());
     return kinds;
 }
 
@@ -39,6 +39,13 @@ const BusKind *busKind(QStringView key)
 {
     const auto found = std::ranges::find(kinds(), key, [](const auto &kind) { return kind->key(); });
     return found == kinds().end() ? nullptr : found->get();
+}
+
+bool plansTraining(const Project &project, BusId bus)
+{
+    const PlannedBus *planned = findBus(project, bus);
+    const BusKind *kind = planned != nullptr ? busKind(planned->kind) : nullptr;
+    return kind == nullptr || kind->isTraining(planned->settings);
 }
 
 QStringList busKindKeys()

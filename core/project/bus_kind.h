@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bus/bus_outline.h"
-#include "project/finding.h"
 #include "project/project.h"
 
 #include <memory>
@@ -28,6 +27,8 @@ public:
     virtual std::optional<BusId> trainingBus() const { return {}; } // no other kind gets its number
     virtual KindData usual() const = 0;                           // what is set where nobody has set anything
     virtual QString linkText(const KindData &settings) const = 0; // "/dev/ttyUSB0, 19200 Bd, 8N2"
+    // Whether its link is a simulated one, of which what is seen may be kept and reported.
+    virtual bool isTraining(const KindData &settings) const = 0;
     // As it is planned. The catalog outlives it; the project need not.
     virtual std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
                                                 const Catalog &catalog) const = 0;
@@ -36,10 +37,12 @@ public:
     virtual KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const = 0;
     virtual void write(ProjectWriter &writer, const KindData &settings,
                        std::span<const ProjectDevice> devices) const = 0;
-    virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
     // How its devices are planned; as it stands, they cannot be.
     virtual const PlanRules &planRules() const;
 };
+
+// Whether the bus is planned with a simulated link, or not at all.
+bool plansTraining(const Project &project, BusId bus);
 
 // Those of the program, and what was added.
 const BusKind *busKind(QStringView key); // null: there is none

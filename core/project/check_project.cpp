@@ -131,11 +131,6 @@ void Check::localBusDevices()
 
 } // namespace
 
-std::vector<Finding> checkProject(const Project &project, BusId ring)
-{
-    return checkProject(project, processAddresses(project, ring), ring);
-}
-
 std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses,
                                   BusId ring)
 {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/project-files.md
-#include "project/line_kind.h"
-
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "encoder/line_address.h"
 #include "encoder/sentence.h"
 #include "esc_line/line_limits.h"
 #include "esc_line/line_outline.h"
+#include "project/bus_kind.h"
 #include "project/line_plan.h"
+#include "project/line_plan_rules.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
@@ -57,7 +57,7 @@ void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
         ProjectDevice encoder;
         const QString told = row.text("place");
         const auto place = Place::parse(told);
-        if (!place || !place->isOnLine() || place->toString() != told)
+        if (!place || !addressTyped(told) || place->toString() != told)
             row.report(
                 "place",
                 ProjectReader::tr("An address from \"esc:01\" to \"esc:1F\" is expected here, or \"esc:00\" "
@@ -114,37 +114,43 @@ void writeAdapter(ProjectWriter &writer, const LineAdapter &adapter)
     });
 }
 
-} // namespace
-
-QString LineKind::key() const
+// A serial line as projects have it (line_plan.h).
+class LineKind final : public BusKind
 {
-    return QString::fromLatin1(escKind);
-}
+    Q_DECLARE_TR_FUNCTIONS(codewheel::LineKind)
+public:
+    QString key() const override { return QString::fromLatin1(escKind); }
+    QString title() const override { return tr("Serial line (ESC)"); }
+    QString usualName() const override { return QStringLiteral("Line"); }
+    std::optional<BusId> trainingBus() const override { return firstLine; }
+    KindData usual() const override { return KindData(LinePlan()); }
+    QString linkText(const KindData &settings) const override;
+    bool isTraining(const KindData &settings) const override
+    {
+        const auto *plan = settings.as<LinePlan>();
+        return plan == nullptr || plan->settings.port.isEmpty();
+    }
+    std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
+                                        const Catalog &catalog) const override;
+    KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const override;
+    void write(ProjectWriter &writer, const KindData &settings,
+               std::span<const ProjectDevice> devices) const override;
+    const PlanRules &planRules() const override { return m_planRules; }
 
-QString LineKind::title() const
-{
-    return tr("Serial line (ESC)");
-}
-
-QString LineKind::usualName() const
-{
-    return QStringLiteral("Line");
-}
-
-KindData LineKind::usual() const
-{
-    return KindData(LinePlan());
-}
+private:
+    LinePlanRules m_planRules;
+};
 
 QString LineKind::linkText(const KindData &settings) const
 {
     const auto *plan = settings.as<LinePlan>();
-    const LineSettings wish = plan != nullptr ? plan->wish : LineSettings();
-    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(wish.line.parity)));
-    const QString form = QStringLiteral("%1%2%3").arg(wish.line.dataBits).arg(parity).arg(wish.line.stopBits);
-    QStringList parts{sentence(tr("%1 Bd"), {QString::number(wish.line.baudRate)}), form};
-    if (!wish.port.isEmpty())
-        parts.prepend(wish.port);
+    const LineSettings line = plan != nullptr ? plan->settings : LineSettings();
+    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(line.serial.parity)));
+    const QString form =
+        QStringLiteral("%1%2%3").arg(line.serial.dataBits).arg(parity).arg(line.serial.stopBits);
+    QStringList parts{sentence(tr("%1 Bd"), {QString::number(line.serial.baudRate)}), form};
+    if (!line.port.isEmpty())
+        parts.prepend(line.port);
     return parts.join(QStringLiteral(", "));
 }
 
@@ -157,7 +163,7 @@ std::unique_ptr<BusOutline> LineKind::outline(const Project &project, BusId bus,
         encoders.push_back(
             {encoder.place().node, device != nullptr ? device->fullName() : encoder.participant.deviceKey});
     }
-    return std::make_unique<PlannedLineOutline>(plan != nullptr ? plan->wish.port : QString(),
+    return std::make_unique<PlannedLineOutline>(plan != nullptr ? plan->settings.port : QString(),
                                                 std::move(encoders));
 }
 
@@ -167,16 +173,16 @@ KindData LineKind::read(const JsonObject &json, std::vector<ProjectDevice> &enco
                     "lowLatency", "pollInterval", "timeOut", "retries", "quietAfterWrite", "fractionBits",
                     "topSpeed", "devices"});
     LinePlan line;
-    LineSettings &wish = line.wish;
+    LineSettings &wish = line.settings;
     wish.port = json.freeText("port");
     if (json.has("adapter"))
         line.adapter = readAdapter(json.object("adapter", {"vendor", "product", "serialNumber", "usbPath"}));
-    wish.line.baudRate = number(json, "baudRate", wish.line.baudRate, line_limits::baudRate);
-    wish.line.dataBits = json.numberOr("dataBits", wish.line.dataBits, 7, 8);
+    wish.serial.baudRate = number(json, "baudRate", wish.serial.baudRate, line_limits::baudRate);
+    wish.serial.dataBits = json.numberOr("dataBits", wish.serial.dataBits, 7, 8);
     if (json.has("parity"))
-        wish.line.parity = json.oneOf("parity", parities);
-    wish.line.stopBits = json.numberOr("stopBits", wish.line.stopBits, 1, 2);
-    wish.line.lowLatency = json.flagOr("lowLatency", wish.line.lowLatency);
+        wish.serial.parity = json.oneOf("parity", parities);
+    wish.serial.stopBits = json.numberOr("stopBits", wish.serial.stopBits, 1, 2);
+    wish.serial.lowLatency = json.flagOr("lowLatency", wish.serial.lowLatency);
     wish.pollInterval = time(json, "pollInterval", wish.pollInterval, line_limits::pollInterval);
     wish.timing.answerTimeOut = time(json, "timeOut", wish.timing.answerTimeOut, line_limits::timeOut);
     wish.timing.retries = number(json, "retries", wish.timing.retries, line_limits::retries);
@@ -185,7 +191,7 @@ KindData LineKind::read(const JsonObject &json, std::vector<ProjectDevice> &enco
     wish.fractionBits = number(json, "fractionBits", wish.fractionBits, line_limits::fractionBits);
     wish.topSpeed =
         json.decimalOr("topSpeed", wish.topSpeed, line_limits::topSpeed.least, line_limits::topSpeed.most);
-    wish.timing.character = wish.line.timeOf(1);
+    wish.timing.character = wish.serial.timeOf(1);
     readEncoders(json, encoders);
     return KindData(std::move(line));
 }
@@ -200,15 +206,15 @@ void LineKind::write(ProjectWriter &writer, const KindData &settings,
     JsonWriter &json = writer.json();
     std::vector<ProjectDevice> byAddress(encoders.begin(), encoders.end());
     std::ranges::stable_sort(byAddress, {}, &ProjectDevice::place);
-    const LineSettings &wish = line.wish;
+    const LineSettings &wish = line.settings;
     writer.writeText("port", wish.port);
     if (line.adapter != LineAdapter())
         writeAdapter(writer, line.adapter);
-    json.member("baudRate", wish.line.baudRate);
-    json.member("dataBits", wish.line.dataBits);
-    json.member("parity", nameOf(parities, wish.line.parity));
-    json.member("stopBits", wish.line.stopBits);
-    json.flag("lowLatency", wish.line.lowLatency);
+    json.member("baudRate", wish.serial.baudRate);
+    json.member("dataBits", wish.serial.dataBits);
+    json.member("parity", nameOf(parities, wish.serial.parity));
+    json.member("stopBits", wish.serial.stopBits);
+    json.flag("lowLatency", wish.serial.lowLatency);
     json.member("pollInterval", wholeMilliseconds(wish.pollInterval));
     json.member("timeOut", wholeMilliseconds(wish.timing.answerTimeOut));
     json.member("retries", wish.timing.retries);
@@ -224,6 +230,13 @@ void LineKind::write(ProjectWriter &writer, const KindData &settings,
         writer.writeValues(encoder);
         writer.writeLastPosition(encoder);
     });
+}
+
+} // namespace
+
+std::unique_ptr<const BusKind> makeLineKind()
+{
+    return std::make_unique<LineKind>();
 }
 
 } // namespace codewheel

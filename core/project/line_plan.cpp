@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/line_plan.h"
 
+#include "project/bus_kind.h"
 #include "project/bus_plans.h"
-#include "project/line_kind.h"
 
 namespace codewheel {
 
@@ -14,7 +14,7 @@ const LinePlan *linePlan(const Project &project, BusId line)
 
 void setLinePlan(Project &project, BusId line, LinePlan plan)
 {
-    planBus(project, line, LineKind()).settings = KindData(std::move(plan));
+    planBus(project, line, *busKind(QString::fromLatin1(escKind))).settings = KindData(std::move(plan));
 }
 
 } // namespace codewheel

@@ -6,6 +6,8 @@
 
 namespace codewheel {
 
+class BusKind;
+
 // The USB adapter that a serial line is connected by, as far as it tells: by its serial number, else by its
 // place on USB, it is known again after it was plugged in elsewhere. 0 or empty: not told.
 struct LineAdapter
@@ -21,7 +23,7 @@ struct LineAdapter
 // A serial line, as it is planned.
 struct LinePlan
 {
-    LineSettings wish; // the file keeps of its timing: time-out, retries, and the quiet after a write
+    LineSettings settings; // the file keeps of its timing: time-out, retries, and the quiet after a write
     LineAdapter adapter;
 
     friend bool operator==(const LinePlan &, const LinePlan &) = default;
@@ -32,5 +34,8 @@ inline constexpr char escKind[] = "esc";
 const LinePlan *linePlan(const Project &project, BusId line);
 // Plans the line, if the project has none yet.
 void setLinePlan(Project &project, BusId line, LinePlan plan);
+
+// Serial lines, for the list of kinds (bus_kind.cpp).
+std::unique_ptr<const BusKind> makeLineKind();
 
 } // namespace codewheel

@@ -10,10 +10,12 @@
 
 namespace codewheel {
 
-void LinePlanRules::complete(std::vector<PlanRow> &rows, const Project &, BusId, const Catalog &) const
+std::vector<Finding> LinePlanRules::complete(std::vector<PlanRow> &rows, const Project &, BusId,
+                                             const Catalog &) const
 {
     for (PlanRow &row : rows)
         row.toolTip += u'\n' + sentence(tr("Address %1"), {LineAddress::of(row.place.node).shown()});
+    return {};
 }
 
 std::vector<NodeId> LinePlanRules::places() const

@@ -11,8 +11,8 @@ class LinePlanRules final : public PlanRules
     Q_DECLARE_TR_FUNCTIONS(codewheel::LinePlanRules)
 
 private:
-    void complete(std::vector<PlanRow> &rows, const Project &project, BusId line,
-                  const Catalog &catalog) const override;
+    std::vector<Finding> complete(std::vector<PlanRow> &rows, const Project &project, BusId line,
+                                  const Catalog &catalog) const override;
     std::vector<NodeId> places() const override;
     std::optional<NodeId> typedPlace(const QString &text) const override;
     QString noPlaceText(const QString &text) const override;

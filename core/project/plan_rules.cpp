@@ -78,7 +78,11 @@ std::vector<PlanRow> PlanRules::rows(const Project &project, BusId bus, const Ca
         row.name = nameOf(device.participant, catalog);
         row.toolTip = QStringLiteral("%1  %2").arg(row.place.toString(), row.name);
     }
-    complete(rows, project, bus, catalog);
+    // Where it stands is told by the row: the number goes on when a device before it is inserted.
+    for (Finding &finding : complete(rows, project, bus, catalog)) {
+        std::vector<Finding> &its = rows[std::exchange(finding.device, 0)].findings;
+        its.push_back(std::move(finding));
+    }
     return rows;
 }
 

@@ -3,7 +3,8 @@
 
 #include "bus/comparison.h"
 #include "encoder/refusal.h"
-#include "project/check_project.h"
+#include "project/finding.h"
+#include "project/project.h"
 
 #include <QCoreApplication>
 
@@ -99,6 +100,8 @@ public:
 
     std::vector<PlanColumn> columns(const Project &project, BusId bus) const;
     std::vector<PlanRow> rows(const Project &project, BusId bus, const Catalog &catalog) const;
+    // What breaks a rule of the bus, device by device; rows() has it as well.
+    virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
     // "FRABA OCD-IB K3"
     virtual QString nameOf(const Participant &device, const Catalog &catalog) const;
     // Order follows from where a device hangs: devices are moved by keys and by dragging.
@@ -172,8 +175,12 @@ protected:
 private:
     virtual QString placeTitle() const;
     virtual std::vector<PlanColumn> ownColumns(const Project &, BusId) const { return {}; }
-    // Brings the kind's own into the rows.
-    virtual void complete(std::vector<PlanRow> &, const Project &, BusId, const Catalog &) const {}
+    // Brings the kind's own into the rows. Returns what check() does.
+    virtual std::vector<Finding> complete(std::vector<PlanRow> &, const Project &project, BusId bus,
+                                          const Catalog &) const
+    {
+        return check(project, bus);
+    }
 
     // All there are, in their order.
     virtual std::vector<NodeId> places() const { return {}; }

@@ -4,12 +4,14 @@
 #include "encoder/sentence.h"
 #include "project/file_access.h"
 #include "project/folder_lock.h"
-#include "project/left_backups.h"
 #include "project/project_json.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 namespace codewheel {
 namespace {
@@ -39,6 +41,23 @@ QString faultOf(const QByteArray &json, const QString &path)
     return sentence(ProjectFile::tr("It could not be opened again. %3: %4"), parts);
 }
 
+// What programs left beside the file that were ended between making a backup and naming it: NAME.PID~, as far
+// as it holds no more than the file itself or its backup.
+void dropLeftBackups(const QString &file)
+{
+    const QFileInfo info(file);
+    const QRegularExpression left(
+        QStringLiteral("^%1\\.[0-9]+~$").arg(QRegularExpression::escape(info.fileName())));
+    const QStringList names = info.absoluteDir().entryList(QDir::Files | QDir::Hidden).filter(left);
+    for (const QString &name : names) {
+        const QString path = info.absoluteDir().filePath(name);
+        const auto held = readWholeFile(path, largestProjectFile);
+        if (held && (held == readWholeFile(file, largestProjectFile) ||
+                     held == readWholeFile(backupPath(file), largestProjectFile)))
+            QFile::remove(path);
+    }
+}
+
 // `known`: the mark of what the file may hold; null: anything.
 Result<void> save(const Project &project, const QString &path, const QByteArray *known)
 {
@@ -53,7 +72,7 @@ Result<void> save(const Project &project, const QString &path, const QByteArray 
                       {path, ProjectFile::tr("Another program has locked its folder.")});
     if (known != nullptr && holdsAnother(file, *known))
         return refuse(RefusalKind::busy, RefusalId::fileChanged, {path});
-    dropLeftBackups(file, largestProjectFile);
+    dropLeftBackups(file);
     const auto before = readWholeFile(file, largestProjectFile);
     if (before && *before == json)
         return {};

@@ -44,7 +44,9 @@ void ProjectReader::readBus(const JsonObject &json, Project &project)
     PlannedBus bus;
     bus.kind = json.text("kind");
     bus.id = {static_cast<int>(json.number("number", 1, largestNumber))};
-    bus.name = json.text("name");
+    bus.name = json.freeText("name");
+    if (bus.name.trimmed().isEmpty())
+        json.report("name", tr("A bus needs a name, such as \"Ring\"."));
     if (findBus(project, bus.id) != nullptr)
         json.report("number", tr("Another bus above has the number %1.").arg(bus.id.number));
     if (std::ranges::find(project.buses, bus.name, &PlannedBus::name) != project.buses.end())

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/project-files.md
-#include "project/ring_kind.h"
-
 #include "catalog/hex_code.h"
-#include "project/check_project.h"
+#include "project/bus_kind.h"
 #include "project/process_addresses.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
 #include "project/project_take_over.h"
 #include "project/project_writer.h"
 #include "project/ring_plan.h"
+#include "project/ring_plan_rules.h"
 #include "ring/cycle_time.h"
 #include "ring/numbering.h"
 #include "ring/ring_outline.h"
@@ -134,42 +133,45 @@ void writeDevice(ProjectWriter &writer, const ProjectDevice &device)
     writer.writeLastPosition(device);
 }
 
-} // namespace
-
-QString RingKind::key() const
+// A ring as projects have it (ring_plan.h).
+class RingKind final : public BusKind
 {
-    return QString::fromLatin1(interbusKind);
-}
+    Q_DECLARE_TR_FUNCTIONS(codewheel::RingKind)
+public:
+    QString key() const override { return QString::fromLatin1(interbusKind); }
+    QString title() const override { return tr("INTERBUS ring"); }
+    QString usualName() const override { return QStringLiteral("Ring"); }
+    std::optional<BusId> trainingBus() const override { return firstRing; }
+    KindData usual() const override { return KindData(RingPlan()); }
+    QString linkText(const KindData &settings) const override;
+    bool isTraining(const KindData &settings) const override
+    {
+        const auto *plan = settings.as<RingPlan>();
+        return plan == nullptr || plan->link.kind == ProjectLink().kind;
+    }
+    std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
+                                        const Catalog &catalog) const override
+    {
+        return std::make_unique<PlannedRingOutline>(structureOf(project, bus), catalog);
+    }
+    KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const override;
+    void write(ProjectWriter &writer, const KindData &settings,
+               std::span<const ProjectDevice> devices) const override;
+    const PlanRules &planRules() const override { return m_planRules; }
 
-QString RingKind::title() const
-{
-    return tr("INTERBUS ring");
-}
-
-QString RingKind::usualName() const
-{
-    return QStringLiteral("Ring");
-}
-
-KindData RingKind::usual() const
-{
-    return KindData(RingPlan());
-}
+private:
+    RingPlanRules m_planRules;
+};
 
 QString RingKind::linkText(const KindData &settings) const
 {
     const auto *plan = settings.as<RingPlan>();
-    if (plan == nullptr || plan->link.kind == ProjectLink().kind)
+    if (isTraining(settings))
         return tr("training bus (simulated)");
     QStringList parts{plan->link.kind};
     for (const auto &[name, value] : plan->link.settings)
         parts << QStringLiteral("%1 = %2").arg(name, value);
     return parts.join(QStringLiteral(", "));
-}
-
-std::unique_ptr<BusOutline> RingKind::outline(const Project &project, BusId bus, const Catalog &catalog) const
-{
-    return std::make_unique<PlannedRingOutline>(structureOf(project, bus), catalog);
 }
 
 KindData RingKind::read(const JsonObject &json, std::vector<ProjectDevice> &devices) const
@@ -205,9 +207,11 @@ void RingKind::write(ProjectWriter &writer, const KindData &settings,
     writer.json().list("devices", devices, [&](const ProjectDevice &device) { writeDevice(writer, device); });
 }
 
-std::vector<Finding> RingKind::check(const Project &project, BusId bus) const
+} // namespace
+
+std::unique_ptr<const BusKind> makeRingKind()
 {
-    return checkProject(project, bus);
+    return std::make_unique<RingKind>();
 }
 
 } // namespace codewheel

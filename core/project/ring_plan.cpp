@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/ring_plan.h"
 
+#include "project/bus_kind.h"
 #include "project/bus_plans.h"
-#include "project/ring_kind.h"
 
 namespace codewheel {
 
@@ -24,7 +24,7 @@ const RingPlan &ringPlan(const Project &project, BusId ring)
 
 void setRingPlan(Project &project, BusId ring, RingPlan plan)
 {
-    planBus(project, ring, RingKind()).settings = KindData(std::move(plan));
+    planBus(project, ring, *busKind(QString::fromLatin1(interbusKind))).settings = KindData(std::move(plan));
 }
 
 } // namespace codewheel

@@ -7,6 +7,8 @@
 
 namespace codewheel {
 
+class BusKind;
+
 // How addresses in the process image are counted and checked.
 struct AddressRules
 {
@@ -43,5 +45,8 @@ inline constexpr char interbusKind[] = "interbus";
 const RingPlan &ringPlan(const Project &project, BusId ring);
 // Plans the ring, if the project has none yet.
 void setRingPlan(Project &project, BusId ring, RingPlan plan);
+
+// Rings, for the list of kinds (bus_kind.cpp).
+std::unique_ptr<const BusKind> makeRingKind();
 
 } // namespace codewheel

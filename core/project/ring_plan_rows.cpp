@@ -2,7 +2,7 @@
 // What is shown of a planned ring, and what is typed into it: addresses in the process image.
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "project/process_addresses.h"
+#include "project/check_project.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan_rules.h"
 #include "ring/id_code.h"
@@ -90,8 +90,8 @@ std::vector<PlanColumn> RingPlanRules::ownColumns(const Project &project, BusId 
             column(inBytes ? tr("OUT byte") : tr("OUT word"), true)};
 }
 
-void RingPlanRules::complete(std::vector<PlanRow> &rows, const Project &project, BusId ring,
-                             const Catalog &catalog) const
+std::vector<Finding> RingPlanRules::complete(std::vector<PlanRow> &rows, const Project &project, BusId ring,
+                                             const Catalog &catalog) const
 {
     const std::vector<DeviceAddresses> addresses = processAddresses(project, ring);
     const AddressRules::Unit unit = unitOf(project, ring);
@@ -117,6 +117,12 @@ void RingPlanRules::complete(std::vector<PlanRow> &rows, const Project &project,
             addressCell(addresses[i].in, unit),
             addressCell(addresses[i].out, unit)};
     }
+    return checkProject(project, addresses, ring);
+}
+
+std::vector<Finding> RingPlanRules::check(const Project &project, BusId ring) const
+{
+    return checkProject(project, processAddresses(project, ring), ring);
 }
 
 QString RingPlanRules::complaint(const Project &project, Place device, const PlanColumn &column,

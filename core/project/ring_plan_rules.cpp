@@ -93,7 +93,7 @@ std::vector<Participant> RingPlanRules::offered(const Catalog &catalog) const
 {
     std::vector<Participant> offered{deviceOf(busTerminalIdCode)};
     for (const DeviceDescription &device : catalog.devices()) {
-        if (device.profile == Profile::esc)
+        if (!device.hasWords())
             continue; // no bus
         Participant &participant = offered.emplace_back(deviceOf(device.deviceCode));
         participant.inWords = device.inWords;

@@ -12,6 +12,7 @@ class RingPlanRules final : public PlanRules
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingPlanRules)
 
 public:
+    std::vector<Finding> check(const Project &project, BusId ring) const override;
     QString nameOf(const Participant &device, const Catalog &catalog) const override;
     bool isOrdered() const override { return true; }
     QString complaint(const Project &project, Place device, const PlanColumn &column,
@@ -50,8 +51,8 @@ public:
 private:
     QString placeTitle() const override;
     std::vector<PlanColumn> ownColumns(const Project &project, BusId ring) const override;
-    void complete(std::vector<PlanRow> &rows, const Project &project, BusId ring,
-                  const Catalog &catalog) const override;
+    std::vector<Finding> complete(std::vector<PlanRow> &rows, const Project &project, BusId ring,
+                                  const Catalog &catalog) const override;
 };
 
 } // namespace codewheel

@@ -41,7 +41,7 @@ QString budget(const Capabilities &can)
 
 QStringList writesRow(const ReportedDevice &device, const ReportInput &input)
 {
-    QStringList cells{device.place().toString(), device.planned->station};
+    QStringList cells{device.shownPlace, device.planned->station};
     if (const auto found = input.writes.find(device.place()); found != input.writes.end()) {
         const EepromCount &count = found->second;
         cells << writesText(count)
@@ -89,7 +89,7 @@ ReportSection notes(const ReportInput &input, const std::vector<ReportedDevice> 
     ReportFacts ofDevices;
     for (const ReportedDevice &device : devices)
         if (!device.description && !device.planned->note.isEmpty())
-            ofDevices.push_back({device.place().toString(), device.planned->note});
+            ofDevices.push_back({device.shownPlace, device.planned->note});
     if (!ofDevices.empty())
         section.blocks.emplace_back(std::move(ofDevices));
     return section;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
+#include "project/plan_rules.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+
+#include <algorithm>
 
 namespace codewheel::report_sections {
 namespace {
@@ -43,7 +46,7 @@ QString withUnit(const ReportedDevice &device, Parameter parameter, std::int64_t
 
 void addRows(ReportTable &table, const ReportedDevice &device, const Deviations &found)
 {
-    const QString place = device.place().toString();
+    const QString &place = device.shownPlace;
     const QString &station = device.planned->station;
     for (const ValueDeviation &each : found.values)
         table.rows.push_back(
@@ -77,35 +80,52 @@ void addValues(ReportSection &section, const std::vector<ReportedDevice> &device
                             nullptr, notKnown));
 }
 
+// With the names of the buses, where there are several.
+ReportTable tableOf(const BusComparisons &compared)
+{
+    ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};
+    const bool areSeveral = compared.lines.size() + static_cast<std::size_t>(compared.notCompared.size()) > 1;
+    if (areSeveral) {
+        table.header.prepend(ReportTexts::tr("Bus"));
+        table.columns.push_back(Column::text);
+    }
+    for (const auto &[bus, lines] : compared.lines)
+        for (const QString &line : lines)
+            table.rows.push_back({areSeveral ? QStringList{bus, line} : QStringList{line}});
+    return table;
+}
+
 void addComparison(ReportSection &section, const ReportInput &input, const Catalog &catalog)
 {
-    const auto differences = busDifferences(input, catalog);
-    if (!differences) {
+    const BusComparisons compared = busComparisons(input, catalog);
+    if (compared.lines.empty()) {
         section.blocks.emplace_back(
             ReportTexts::tr("The configured bus was not compared with a connected one."));
         return;
     }
-    if (differences->isEmpty()) {
+    if (compared.differences() == 0)
         section.blocks.emplace_back(ReportTexts::tr("The connected bus is as configured."));
-        return;
-    }
-    ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};
-    for (const QString &line : *differences)
-        table.rows.push_back({{line}});
-    section.blocks.emplace_back(std::move(table));
+    else
+        section.blocks.emplace_back(tableOf(compared));
+    if (!compared.notCompared.isEmpty())
+        section.blocks.emplace_back(sentence(ReportTexts::tr("Not compared with connected ones: %1."),
+                                             {compared.notCompared.join(QStringLiteral(", "))}));
 }
 
 // What breaks a rule of its bus.
-void addFindings(ReportSection &section, const Project &project)
+void addFindings(ReportSection &section, const Project &project, const std::vector<ReportedDevice> &devices)
 {
     ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Rules of the bus")},
                       {Column::text, Column::text},
                       {}};
-    for (const PlannedBus &bus : project.buses)
+    for (const PlannedBus &bus : project.buses) {
+        const auto first =
+            std::ranges::find(devices, bus.id, [](const auto &each) { return each.place().bus; });
         if (const BusKind *kind = busKind(bus.kind))
-            for (const Finding &finding : kind->check(project, bus.id))
+            for (const Finding &finding : kind->planRules().check(project, bus.id))
                 table.rows.push_back(
-                    {{devicesOn(project, bus.id)[finding.device].place().toString(), finding.text}});
+                    {{(first + static_cast<std::ptrdiff_t>(finding.device))->shownPlace, finding.text}});
+    }
     if (!table.rows.empty())
         section.blocks.emplace_back(std::move(table));
 }
@@ -118,7 +138,7 @@ ReportSection deviations(const ReportInput &input, const Catalog &catalog,
     ReportSection section{.heading = ReportTexts::tr("Deviations"), .blocks = {}};
     addValues(section, devices);
     addComparison(section, input, catalog);
-    addFindings(section, input.project);
+    addFindings(section, input.project, devices);
     return section;
 }
 

@@ -75,15 +75,25 @@ DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices)
     return counts;
 }
 
-std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog)
+std::int64_t BusComparisons::differences() const
 {
-    if (input.connected.empty())
-        return std::nullopt;
-    QStringList lines;
-    for (const auto &[id, connected] : input.connected)
-        if (const PlannedBus *bus = findBus(input.project, id))
-            lines += differencesOf(input.project, *bus, connected, catalog);
-    return lines;
+    std::int64_t all = 0;
+    for (const auto &[bus, its] : lines)
+        all += its.size();
+    return all;
+}
+
+BusComparisons busComparisons(const ReportInput &input, const Catalog &catalog)
+{
+    BusComparisons all;
+    for (const PlannedBus &bus : input.project.buses) {
+        const auto connected = input.connected.find(bus.id);
+        if (connected != input.connected.end())
+            all.lines.emplace_back(bus.name, differencesOf(input.project, bus, connected->second, catalog));
+        else if (!devicesOn(input.project, bus.id).empty())
+            all.notCompared << bus.name;
+    }
+    return all;
 }
 
 } // namespace codewheel

@@ -41,8 +41,14 @@ struct DeviationCounts
 };
 DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices);
 
-// What the connected bus has otherwise than the configured one, line by line in words; nothing: it was not
-// compared.
-std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog);
+// What the connected buses have otherwise than the configured ones.
+struct BusComparisons
+{
+    std::vector<std::pair<QString, QStringList>> lines; // of each that was compared: its name, and in words
+    QStringList notCompared;                            // names of others that have devices
+
+    std::int64_t differences() const;
+};
+BusComparisons busComparisons(const ReportInput &input, const Catalog &catalog);
 
 } // namespace codewheel

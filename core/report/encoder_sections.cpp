@@ -13,7 +13,7 @@ using Column = ReportTable::Column;
 
 QString headingOf(const ReportedDevice &device)
 {
-    const QStringList parts{device.place().toString(), report_words::device(device), device.planned->station};
+    const QStringList parts{device.shownPlace, report_words::device(device), device.planned->station};
     return device.planned->station.isEmpty()
                ? sentence(ReportTexts::tr("%1: %2", "place, device"), parts)
                : sentence(ReportTexts::tr("%1: %2, %3", "place, device, station"), parts);

@@ -23,7 +23,7 @@ std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Bu
     std::vector<ConnectedEncoder> encoders;
     const ProjectPlaces places(project, buses);
     for (const ProjectDevice &planned : project.devices)
-        if (places.isAtItsPlace(planned.place()))
+        if (places.isTheProjects(planned.place()))
             if (EncoderSession *encoder = buses.encoder(planned.place()))
                 encoders.emplace_back(&planned, encoder);
     return encoders;
@@ -32,7 +32,7 @@ std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Bu
 void addConnected(ReportInput &input, const Buses &buses)
 {
     for (const EncoderBus *bus : buses.open())
-        if (findBus(input.project, bus->id()) != nullptr)
+        if (findBus(input.project, bus->id()) != nullptr && isTheProjects(input.project, *bus))
             input.connected.emplace(bus->id(), connectedBus(input.project, *bus));
     for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
         LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder)};

@@ -3,7 +3,7 @@
 
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
-#include "project/ring_plan.h"
+#include "report/bus_sections.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
@@ -42,13 +42,18 @@ QString zoneText(const QDateTime &now)
 
 QString busText(const ReportInput &input, const Catalog &catalog)
 {
-    const auto differences = busDifferences(input, catalog);
-    if (!differences)
+    const BusComparisons compared = busComparisons(input, catalog);
+    if (compared.lines.empty())
         return ReportTexts::tr("not compared with a connected one");
-    if (differences->isEmpty())
-        return ReportTexts::tr("connected as configured");
-    return sentence(ReportTexts::tr("not connected as configured; lines that differ: %1"),
-                    {numberText(differences->size())});
+    const std::int64_t differences = compared.differences();
+    const QString found =
+        differences == 0 ? ReportTexts::tr("connected as configured")
+                         : sentence(ReportTexts::tr("not connected as configured; lines that differ: %1"),
+                                    {numberText(differences)});
+    return compared.notCompared.isEmpty()
+               ? found
+               : sentence(ReportTexts::tr("%1; not compared: %2", "result, names of buses"),
+                          {found, compared.notCompared.join(QStringLiteral(", "))});
 }
 
 ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
@@ -90,8 +95,9 @@ Report makeReport(const ReportInput &input, const Catalog &catalog)
                   .sections = {report_sections::deviations(input, catalog, devices),
                                report_sections::structure(input, devices)}};
     for (const PlannedBus &bus : input.project.buses)
-        if (bus.settings.as<RingPlan>() && !devicesOn(input.project, bus.id).empty())
-            report.sections.push_back(report_sections::cycleTime(input.project, bus.id));
+        if (const auto more = report_sections::sectionsOf(bus).more;
+            more != nullptr && !devicesOn(input.project, bus.id).empty())
+            report.sections.push_back(more(input.project, bus.id));
     std::ranges::move(report_sections::encoders(input, devices), std::back_inserter(report.sections));
     report.sections.push_back(report_sections::eepromWrites(input, devices));
     if (ReportSection notes = report_sections::notes(input, devices); !notes.blocks.empty())

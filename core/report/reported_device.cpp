@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/reported_device.h"
 
+#include "encoder/bus_names.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -11,9 +13,17 @@ const DeviceDescription *descriptionOf(const ProjectDevice &planned, const Catal
 {
     const DeviceDescription *named = catalog.find(planned.participant.deviceKey);
     const unsigned deviceCode = planned.participant.deviceCode;
-    return named && (named->deviceCode == deviceCode || named->profile == Profile::esc)
-               ? named
-               : catalog.generic(deviceCode);
+    return named && (named->deviceCode == deviceCode || !named->hasWords()) ? named
+                                                                            : catalog.generic(deviceCode);
+}
+
+std::vector<NamedBus> busesWithDevices(const Project &project)
+{
+    std::vector<NamedBus> buses;
+    for (const PlannedBus &bus : project.buses)
+        if (!devicesOn(project, bus.id).empty())
+            buses.push_back({bus.id, bus.kind, bus.name});
+    return buses;
 }
 
 } // namespace
@@ -71,8 +81,10 @@ std::vector<unsigned> ReportedDevice::camPrograms() const
 std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Catalog &catalog)
 {
     std::vector<ReportedDevice> devices;
+    const auto names = namesOfSeveral(busesWithDevices(input.project));
     for (const ProjectDevice &planned : input.project.devices) {
         ReportedDevice device{.planned = &planned,
+                              .shownPlace = codewheel::shownPlace(planned.place(), names),
                               .description = descriptionOf(planned, catalog),
                               .values = planned.stored,
                               .cams = planned.storedCams};

@@ -11,6 +11,7 @@ namespace codewheel {
 struct ReportedDevice
 {
     const ProjectDevice *planned = nullptr;
+    QString shownPlace{}; // with the name of its bus, where several of the project have such places
     const DeviceDescription *description = nullptr; // null: no encoder, or not known to this program
     bool isLive = false;
     std::vector<StoredValue> values;

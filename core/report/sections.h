@@ -13,8 +13,6 @@ ReportSection deviations(const ReportInput &input, const Catalog &catalog,
                          const std::vector<ReportedDevice> &devices);
 // The bus, device by device, with addresses.
 ReportSection structure(const ReportInput &input, const std::vector<ReportedDevice> &devices);
-// About how long a bus cycle takes, by both formulas.
-ReportSection cycleTime(const Project &project, BusId ring);
 // A chapter, and a part for each encoder: its parameters and cams, wanted and known.
 std::vector<ReportSection> encoders(const ReportInput &input, const std::vector<ReportedDevice> &devices);
 ReportSection eepromWrites(const ReportInput &input, const std::vector<ReportedDevice> &devices);

@@ -84,7 +84,7 @@ ReportTable tableOf(const EncoderAccount &account, const Catalog &catalog)
 
 QString headingOf(const EncoderAccount &account)
 {
-    const QString place = account.place.toString();
+    const QString place = account.place.shown();
     return account.station.isEmpty() ? place : QStringLiteral("%1 %2").arg(place, account.station);
 }
 

@@ -15,6 +15,7 @@ RingEncoderSession::RingEncoderSession(RingSession &bus, std::size_t device, Pla
                                        const DeviceDescription &description, bool linkBoundsCycles)
     : DrivenEncoderSession(device, number, description)
     , m_bus(bus)
+    , m_traffic(description)
     , m_linkBoundsCycles(linkBoundsCycles)
 {
     Capabilities can = description.capabilities;

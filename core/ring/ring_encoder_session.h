@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/driven_encoder_session.h"
+#include "ring/ring_traffic.h"
 
 namespace codewheel {
 
@@ -37,6 +38,7 @@ private:
     void takeFault(const Message &fault);
 
     RingSession &m_bus;
+    RingTraffic m_traffic;
     bool m_linkBoundsCycles;
 };
 

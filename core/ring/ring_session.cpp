@@ -73,7 +73,7 @@ std::size_t RingSession::Private::indexOf(NodeId node) const
 
 RingSession::RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                          QObject *parent, DriverFactory makeDriver, BusId id)
-    : EncoderBus(id, std::move(begin), parent)
+    : EncoderBus(id, std::move(begin), ringTrafficColumns, parent)
     , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
 {}
 
@@ -197,8 +197,10 @@ void RingSession::dispatch(const RingEvent &event)
     const bool isOfRing = event.generation == d->generation && event.device < d->sessions.size();
     RingEncoderSession *session = isOfRing ? d->sessions[event.device].get() : nullptr;
     if (const auto *row = std::get_if<Exchange>(&event.what)) {
-        if (session)
+        if (session) {
             Q_EMIT session->exchanged(*row);
+            tellTraffic(session->m_traffic.row(session->place(), *row));
+        }
     } else if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
         if (session)
             session->take(*ofDriver, event.at);

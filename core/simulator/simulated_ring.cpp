@@ -140,45 +140,43 @@ std::vector<TrainingControls::Rod> SimulatedRing::rods() const
     return states(&SimulatedDevice::rodState);
 }
 
-template <typename Act>
-void SimulatedRing::with(NodeId number, Act act)
+template <typename Act, typename... Arguments>
+void SimulatedRing::with(NodeId number, Act act, Arguments... arguments)
 {
     const std::scoped_lock lock(m_mutex);
-    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
         if (m_wiring.planned()[i].number == number)
-            act(*m_devices[i]);
-    }
+            std::invoke(act, *m_devices[i], arguments...);
 }
 
 void SimulatedRing::turnTo(NodeId number, std::int64_t raw)
 {
-    with(number, [raw](SimulatedDevice &device) { device.turnTo(raw); });
+    with(number, &SimulatedDevice::turnTo, raw);
 }
 
 void SimulatedRing::turnBy(NodeId number, std::int64_t rawSteps)
 {
-    with(number, [rawSteps](SimulatedDevice &device) { device.turnBy(rawSteps); });
+    with(number, &SimulatedDevice::turnBy, rawSteps);
 }
 
 void SimulatedRing::setSpeed(NodeId number, double revolutionsPerMinute)
 {
-    with(number, [revolutionsPerMinute](SimulatedDevice &device) { device.setSpeed(revolutionsPerMinute); });
+    with(number, &SimulatedDevice::setSpeed, revolutionsPerMinute);
 }
 
 void SimulatedRing::moveMagnetTo(NodeId number, double millimetres)
 {
-    with(number, [millimetres](SimulatedDevice &device) { device.moveMagnetTo(millimetres); });
+    with(number, &SimulatedDevice::moveMagnetTo, millimetres);
 }
 
 void SimulatedRing::setMagnetSpeed(NodeId number, double millimetresPerSecond)
 {
-    with(number,
-         [millimetresPerSecond](SimulatedDevice &device) { device.setMagnetSpeed(millimetresPerSecond); });
+    with(number, &SimulatedDevice::setMagnetSpeed, millimetresPerSecond);
 }
 
 void SimulatedRing::powerCycle(NodeId number)
 {
-    with(number, [](SimulatedDevice &device) { device.powerCycle(); });
+    with(number, &SimulatedDevice::powerCycle);
 }
 
 } // namespace codewheel

@@ -6,6 +6,7 @@
 #include "simulator/simulated_device.h"
 #include "simulator/simulated_master.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -34,11 +35,11 @@ public:
     // A cycle without data.
     void idleCycle();
     // Services of the master, and what it says. Bus thread only.
-    template <typename Service>
-    auto withMaster(Service service)
+    template <typename Service, typename... Arguments>
+    auto withMaster(Service service, Arguments &&...arguments)
     {
         const std::scoped_lock lock(m_mutex);
-        return service(m_master);
+        return std::invoke(service, m_master, std::forward<Arguments>(arguments)...);
     }
     const SimulatedMaster &master() const { return m_master; }
 
@@ -60,8 +61,8 @@ public:
 private:
     template <typename State>
     std::vector<State> states(std::optional<State> (SimulatedDevice::*stateOf)() const) const;
-    template <typename Act>
-    void with(NodeId number, Act act);
+    template <typename Act, typename... Arguments>
+    void with(NodeId number, Act act, Arguments... arguments);
 
     void passTime();
     Result<void> exchangeSome(std::span<const Word> out, std::span<Word> in);

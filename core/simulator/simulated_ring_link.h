@@ -32,17 +32,45 @@ public:
 private:
     const MasterStatus &status() const override { return m_ring->master().status(); }
     std::uint64_t statusChanges() const override { return m_ring->master().statusChanges(); }
-    void idleCycle() override;
-    Result<IdCycle> createConfiguration() override;
-    Result<RingStructure> activateConfiguration() override;
-    Result<void> deactivateConfiguration() override;
-    Result<void> startDataTransfer() override;
-    Result<void> stopDataTransfer() override;
-    void alarmStop() override;
-    Result<void> switchSegment(int segment, bool on) override;
-    Result<void> confirmDiagnostics() override;
-    Result<void> keepConfiguration(const KeptConfiguration &configuration) override;
-    Result<KeptConfiguration> keptConfiguration() override;
+    void idleCycle() override { m_ring->idleCycle(); }
+    Result<IdCycle> createConfiguration() override
+    {
+        m_ring->idleCycle();
+        return m_ring->withMaster(&SimulatedMaster::createConfiguration);
+    }
+    Result<RingStructure> activateConfiguration() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::activateConfiguration);
+    }
+    Result<void> deactivateConfiguration() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::deactivateConfiguration);
+    }
+    Result<void> startDataTransfer() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::startDataTransfer);
+    }
+    Result<void> stopDataTransfer() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::stopDataTransfer);
+    }
+    void alarmStop() override { m_ring->withMaster(&SimulatedMaster::alarmStop); }
+    Result<void> switchSegment(int segment, bool on) override
+    {
+        return m_ring->withMaster(&SimulatedMaster::switchSegment, segment, on);
+    }
+    Result<void> confirmDiagnostics() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::confirmDiagnostics);
+    }
+    Result<void> keepConfiguration(const KeptConfiguration &configuration) override
+    {
+        return m_ring->withMaster(&SimulatedMaster::keepConfiguration, configuration);
+    }
+    Result<KeptConfiguration> keptConfiguration() override
+    {
+        return m_ring->withMaster(&SimulatedMaster::keptConfiguration);
+    }
 
     std::shared_ptr<SimulatedRing> m_ring;
     Instant m_now{};

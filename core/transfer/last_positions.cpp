@@ -68,7 +68,7 @@ Project withLastPositions(Project project, const LastPositions &positions, const
 {
     const ProjectPlaces places(project, buses);
     for (ProjectDevice &device : project.devices) {
-        if (!places.isAtItsPlace(device.place()))
+        if (!places.isTheProjects(device.place()))
             continue;
         if (const auto seen = positions.newest(device.place()))
             device.lastPosition = LastPosition{seen->position, seen->at.toUTC()};

@@ -2,14 +2,22 @@
 #include "transfer/project_places.h"
 
 #include "bus/buses.h"
+#include "project/bus_kind.h"
 
 namespace codewheel {
+
+bool isTheProjects(const Project &project, const EncoderBus &bus)
+{
+    return !bus.isSimulated() || plansTraining(project, bus.id());
+}
 
 ProjectPlaces::ProjectPlaces(const Project &project, const Buses &buses)
 {
     for (const ProjectDevice &device : project.devices)
         m_places[device.place()].asStranger = notConnected(device.place());
     for (const EncoderBus *bus : buses.open()) {
+        if (!codewheel::isTheProjects(project, *bus))
+            m_simulated.insert(bus->id());
         const auto strangers = bus->strangers(participantsOn(project, bus->id()));
         for (const ProjectDevice &device : devicesOn(project, bus->id())) {
             const auto stranger = strangers.find(device.participant.number);
@@ -37,6 +45,11 @@ std::optional<Refusal> ProjectPlaces::hindranceToReplace(Place place) const
 bool ProjectPlaces::isAtItsPlace(Place place) const
 {
     return m_places.contains(place) && !hindrance(place);
+}
+
+bool ProjectPlaces::isTheProjects(Place place) const
+{
+    return isAtItsPlace(place) && !m_simulated.contains(place.bus);
 }
 
 } // namespace codewheel

@@ -6,10 +6,15 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 namespace codewheel {
 
 class Buses;
+class EncoderBus;
+
+// Whether the bus is no simulated one in the place of the project's, whose link is a real one.
+bool isTheProjects(const Project &project, const EncoderBus &bus);
 
 // Whether the device that is connected at a place is the one that the project has there, as its bus tells
 // (EncoderBus::strangers, isOther). Everything that goes from a project to an encoder or back asks here:
@@ -28,6 +33,9 @@ public:
     std::optional<Refusal> hindranceToReplace(Place place) const;
     // Whether the project has a device there, and it is the connected one.
     bool isAtItsPlace(Place place) const;
+    // Whether it is no simulated one in the place of the project's, whose link is a real one: of that nothing
+    // is kept, nor reported.
+    bool isTheProjects(Place place) const;
 
 private:
     struct Standing
@@ -37,6 +45,7 @@ private:
     };
 
     std::map<Place, Standing> m_places;
+    std::set<BusId> m_simulated; // the buses of real links
 };
 
 } // namespace codewheel

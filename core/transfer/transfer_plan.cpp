@@ -5,10 +5,8 @@
 #include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "drivers/parameter_check.h"
-#include "drivers/planned_words.h"
+#include "drivers/job_check.h"
 #include "drivers/values_to_write.h"
-#include "esc/esc_request.h"
 #include "journal/eeprom_cost.h"
 
 #include <algorithm>
@@ -244,8 +242,8 @@ void EncoderComparison::takeStep(const Step &step)
         std::ranges::find_if(m_plan.rows, [&](const TransferRow &one) { return isFor(step, one); });
     if (row != m_plan.rows.end())
         row->step = row->isThere ? std::nullopt : std::optional(step);
-    else if (const auto request = esc::parseRequest(step.line)) // computed on the way
-        m_plan.rows.push_back({.wanted = {*step.parameter, request->data},
+    else if (step.data) // computed on the way
+        m_plan.rows.push_back({.wanted = {*step.parameter, *step.data},
                                .known = m_encoder.known(*step.parameter),
                                .step = step,
                                .goesAlong = true});

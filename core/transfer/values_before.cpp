@@ -17,7 +17,7 @@ FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
         if (keeper.ledger() == nullptr)
             return all;
         for (const Ledger::Entry &entry : keeper.ledger()->valuesBefore(keeper.identity(place))) {
-            ValuesBefore one{place, entry.at, entry.device, {}};
+            ValuesBefore one{place, entry.at, entry.device, {}, entry.place};
             const DeviceDescription *device = keeper.bus().catalog().find(entry.device);
             for (const Ledger::Value &known : entry.before)
                 if (const ParameterValue value{known.parameter, known.value};

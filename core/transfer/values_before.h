@@ -19,6 +19,7 @@ struct ValuesBefore
     QDateTime at; // of the write
     QString deviceKey;
     ParameterValues values;
+    Place writtenAt{}; // where the encoder stood then
 
     friend bool operator==(const ValuesBefore &, const ValuesBefore &) = default;
 };

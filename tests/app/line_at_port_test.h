@@ -49,7 +49,7 @@ protected:
     void plan(const std::vector<ProjectDevice> &encoders)
     {
         LinePlan line;
-        line.wish.pollInterval = std::chrono::milliseconds(100);
+        line.settings.pollInterval = std::chrono::milliseconds(100);
         plan(line, encoders);
     }
     Project project() { return shown->project().project(); }
@@ -84,7 +84,7 @@ protected:
     // As the user types it.
     void typePort(const QString &port)
     {
-        actions().lineSettings->trigger();
+        lineActions().settings->trigger();
         auto *field = form().findChild<QComboBox *>()->lineEdit();
         field->selectAll();
         QTest::keyClicks(field, port);

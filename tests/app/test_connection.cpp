@@ -63,13 +63,13 @@ protected:
 
 TEST_F(ConnectionTest, OfflineTheTreeShowsTheProject)
 {
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(5);
     EXPECT_FALSE(bus().isOpen());
     EXPECT_EQ(row(1), QStringLiteral("2.0  Baumer GXP6W K3"));
     EXPECT_EQ(row(1, 1), QStringLiteral("planned"));
     EXPECT_TRUE(monitors().monitors().empty());
-    EXPECT_TRUE(actions().connectBus->isEnabled());
+    EXPECT_TRUE(ringActions().connectBus->isEnabled());
     EXPECT_FALSE(actions().start->isEnabled());
     removeBaumer();
     EXPECT_EQ(row(1), QStringLiteral("2.0  FRABA OCD-IB K1"));
@@ -79,9 +79,9 @@ TEST_F(ConnectionTest, ConnectingAgainBringsAllBack)
 {
     const std::size_t open = monitors().monitors().size();
     ASSERT_GT(open, 0u);
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(5);
-    actions().connectBus->trigger();
+    ringActions().connectBus->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
     EXPECT_EQ(monitors().monitors().size(), open);
@@ -97,12 +97,12 @@ TEST_F(ConnectionTest, DisconnectingAsksForOutWordsThatAreNotZero)
     send(fraba, 0x0000'0001);
     {
         const Question question = Question::answeredBy(QStringLiteral("Cancel"));
-        actions().disconnectBus->trigger();
+        ringActions().disconnectBus->trigger();
         EXPECT_TRUE(question.text().contains(QStringLiteral("OUT 1.0 is 00000001")));
     }
     EXPECT_TRUE(bus().isOpen());
     const Question question = Question::answeredBy(QStringLiteral("Set to 00000000"));
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(50);
     EXPECT_FALSE(bus().isOpen());
 }

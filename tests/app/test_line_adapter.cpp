@@ -48,11 +48,11 @@ protected:
     void planAt(const PtyPair &port)
     {
         LinePlan kept;
-        kept.wish.port = port.path();
+        kept.settings.port = port.path();
         kept.adapter = {0x0403, 0x6001, QStringLiteral("A"), QStringLiteral("1-2:1.0")};
         plan(kept);
     }
-    void showForm() { actions().lineSettings->trigger(); }
+    void showForm() { lineActions().settings->trigger(); }
     void connectNow() { click(form(), QStringLiteral("Connect")); }
     // As the user chooses it in the open list.
     void pickFirst()
@@ -81,8 +81,8 @@ TEST_F(LineAdapterTest, TheOneThatWasOpenedIsKept)
     connectNow();
     EXPECT_EQ(line().linkName(), second.path()) << "A is there now";
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("A"));
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, second.path());
-    EXPECT_EQ(form().wish().port, second.path());
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.port, second.path());
+    EXPECT_EQ(form().settings().port, second.path());
 }
 
 TEST_F(LineAdapterTest, WhatIsPickedInTheListIsMeant)
@@ -111,10 +111,10 @@ TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
     plugIn({adapter(first, QStringLiteral("B"))});
     showForm();
     connectNow();
-    EXPECT_NE(shown->line().training(), nullptr) << "unasked none is used";
+    EXPECT_EQ(shown->line().session(), nullptr) << "unasked none is used";
     EXPECT_TRUE(said().contains(QStringLiteral("another adapter"))) << said().toStdString();
     click(form(), QStringLiteral("Use this adapter"));
-    ASSERT_EQ(shown->line().training(), nullptr);
+    ASSERT_NE(shown->line().session(), nullptr);
     EXPECT_EQ(line().linkName(), first.path());
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
     EXPECT_EQ(said(), QString());
@@ -138,7 +138,7 @@ TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
     ASSERT_TRUE(comes([&] { return line().latest().connected; }));
     EXPECT_EQ(line().linkName(), second.path());
     EXPECT_EQ(linePlan(project(), firstLine)->adapter.usbPath, QStringLiteral("1-4:1.0"));
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, second.path());
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.port, second.path());
 
     showForm();
     connectNow();
@@ -167,14 +167,14 @@ TEST_F(LineAdapterTest, AnAdapterThatCameBackElsewhereIsOpenedAgainWithOtherSett
     first.unplug();
     plugIn({adapter(second, QStringLiteral("A"))});
     ASSERT_TRUE(comes([&] { return line().linkName() == second.path() && line().latest().connected; }));
-    LineSettings slower = form().wish();
+    LineSettings slower = form().settings();
     slower.pollInterval = std::chrono::milliseconds(700);
-    form().setWish(slower);
+    form().setSettings(slower);
     connectNow();
     EXPECT_EQ(said(), QString());
     ASSERT_NE(shown->line().session(), nullptr);
     EXPECT_EQ(line().linkName(), second.path());
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.pollInterval, slower.pollInterval);
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.pollInterval, slower.pollInterval);
 }
 
 } // namespace

@@ -48,7 +48,7 @@ protected:
     // As it is typed at the terminal.
     void ask(const QString &request)
     {
-        actions().lineTerminal->trigger();
+        lineActions().terminal->trigger();
         advance(50);
         QWidget *field = QApplication::focusWidget();
         ASSERT_TRUE(terminal().isAncestorOf(field));
@@ -103,7 +103,7 @@ TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
 {
     plan({test::plannedEncoder(at3)});
     Project planned = project();
-    changeLine(planned, [](LinePlan &line) { line.wish.fractionBits = 28; });
+    changeLine(planned, [](LinePlan &line) { line.settings.fractionBits = 28; });
     shown->project().setProject(planned, {});
     connectPort(startPeer(QStringLiteral("--addresses 03")));
     ask(QStringLiteral("03F"));
@@ -117,7 +117,7 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     connectPort(port);
     ASSERT_TRUE(answers(at3) && answers(at5));
     window().findChild<StructureView *>()->choose(at3);
-    actions().swapWarningBytes->trigger();
+    lineActions().swapWarningBytes->trigger();
     EXPECT_TRUE(encodersOnLine(project())[0].swapsWarningBytes);
     EXPECT_FALSE(encodersOnLine(project())[1].swapsWarningBytes);
     const auto warnings = [this](Place number) { return line().encoder(number)->latest().warnings; };
@@ -129,7 +129,7 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     }));
 
     shown->project().undoStack().undo();
-    EXPECT_FALSE(actions().swapWarningBytes->isChecked());
+    EXPECT_FALSE(lineActions().swapWarningBytes->isChecked());
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x0098; }));
     shown->project().undoStack().redo();
     connectPort(port);
@@ -144,7 +144,7 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
     ASSERT_TRUE(answers(at3));
     const auto isSwapped = [this] { return line().explainOptions().swaps(LineAddress::of(at3.node)); };
     window().findChild<StructureView *>()->choose(at3);
-    actions().swapWarningBytes->trigger();
+    lineActions().swapWarningBytes->trigger();
     FoundEncoder found;
     found.address = LineAddress::of(at3.node);
     found.baudRate = 19'200;
@@ -152,7 +152,7 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
         Q_EMIT window().findChild<LineSearch *>()->takeOverWanted({found},
                                                                   QStringLiteral("kuebler-esc-rs485"));
     };
-    actions().removeFromLine->trigger();
+    lineActions().remove->trigger();
     EXPECT_FALSE(isSwapped());
     shown->project().undoStack().undo(); // the project has it again, the line has not
     takeOver();
@@ -166,7 +166,7 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
 
     shown->project().setProject({}, {});
     window().findChild<StructureView *>()->choose(at3);
-    actions().swapWarningBytes->trigger();
+    lineActions().swapWarningBytes->trigger();
     EXPECT_FALSE(isSwapped());
     ASSERT_TRUE(linePlan(project(), firstLine)) << "what is told of an encoder takes it into the project";
     EXPECT_FALSE(encodersOnLine(project()).at(0).swapsWarningBytes);
@@ -176,25 +176,26 @@ TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
 {
     plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
     Project planned = project();
-    changeLine(planned, [](LinePlan &line) { line.wish.fractionBits = 28; });
+    changeLine(planned, [](LinePlan &line) { line.settings.fractionBits = 28; });
     shown->project().setProject(planned, {});
     connectPort(startPeer(QStringLiteral("--addresses 03,05 --silent 03")));
     ASSERT_TRUE(answers(at5));
     ASSERT_TRUE(comes([&] { return line().encoder(at3)->latest().state == EncoderState::silent; }));
     window().findChild<StructureView *>()->choose(test::fraba);
-    actions().lineSettings->trigger();
+    lineActions().settings->trigger();
     click(form(), QStringLiteral("Determine"));
-    ASSERT_TRUE(comes([&] { return linePlan(project(), firstLine)->wish.fractionBits == 29; }))
+    ASSERT_TRUE(comes([&] { return linePlan(project(), firstLine)->settings.fractionBits == 29; }))
         << "05 is asked: it answers";
     EXPECT_EQ(line().fractionBits(), 29);
-    EXPECT_EQ(form().wish().fractionBits, 29);
+    EXPECT_EQ(form().settings().fractionBits, 29);
     ask(QStringLiteral("05F"));
     EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 1")); }));
     shown->project().undoStack().undo();
     EXPECT_EQ(project(), [&] {
         Project before = planned;
-        changeLine(before,
-                   [this](LinePlan &line) { line.wish.port = linePlan(project(), firstLine)->wish.port; });
+        changeLine(before, [this](LinePlan &line) {
+            line.settings.port = linePlan(project(), firstLine)->settings.port;
+        });
         return before;
     }());
 }
@@ -209,7 +210,7 @@ TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
     QObject::connect(&line(), &LineSession::fractionBitsDetermined, &line(),
                      [&](Place number, const Result<int> &) { asked = number; });
     window().findChild<StructureView *>()->choose(at5);
-    actions().lineSettings->trigger();
+    lineActions().settings->trigger();
     click(form(), QStringLiteral("Determine"));
     ASSERT_TRUE(comes([&] { return asked.has_value(); }));
     EXPECT_EQ(asked, at5);
@@ -221,15 +222,15 @@ TEST_F(LineAtPort, AfterAnotherBaudRateTheLinesIsOffered)
     connectPort(startPeer(QStringLiteral("--addresses 03")));
     ASSERT_TRUE(answers(at3));
     write(at3, Parameter::baudRate, 9'600);
-    actions().lineSettings->trigger();
+    lineActions().settings->trigger();
     ASSERT_TRUE(comes([&] { return said().contains(QStringLiteral("esc:03 (at 9600 Bd)")); }))
         << said().toStdString();
     click(form(), QStringLiteral("Set the line to 9600 Bd"));
     EXPECT_EQ(said(), QString());
-    EXPECT_EQ(form().wish().line.baudRate, 9'600);
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 9'600);
+    EXPECT_EQ(form().settings().serial.baudRate, 9'600);
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.serial.baudRate, 9'600);
     shown->project().undoStack().undo();
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 19'200);
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.serial.baudRate, 19'200);
 }
 
 TEST_F(LineAtPort, WhereOthersStandAtTheOldBaudRateItIsSaidWhichWillBeSilent)
@@ -239,7 +240,7 @@ TEST_F(LineAtPort, WhereOthersStandAtTheOldBaudRateItIsSaidWhichWillBeSilent)
     ASSERT_TRUE(answers(at3));
     ASSERT_TRUE(answers(at5));
     write(at3, Parameter::baudRate, 9'600);
-    actions().lineSettings->trigger();
+    lineActions().settings->trigger();
     ASSERT_TRUE(comes([&] { return said().contains(QStringLiteral("esc:03 (at 9600 Bd)")); }))
         << said().toStdString();
     EXPECT_FALSE(said().contains(QStringLiteral("esc:05")));

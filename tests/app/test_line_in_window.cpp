@@ -194,9 +194,9 @@ TEST_F(LineInWindow, WarningBytesAreSwappedForOneEncoderAndTheRawDigitsStay)
     choose(standing);
     ASSERT_TRUE(encoder(standing).start(ReadParameters{{Parameter::warnings}}));
     advance(1000);
-    ASSERT_TRUE(actions().swapWarningBytes->isEnabled());
-    ASSERT_FALSE(actions().swapWarningBytes->isChecked());
-    actions().swapWarningBytes->trigger();
+    ASSERT_TRUE(lineActions().swapWarningBytes->isEnabled());
+    ASSERT_FALSE(lineActions().swapWarningBytes->isChecked());
+    lineActions().swapWarningBytes->trigger();
     advance(2000);
     EXPECT_EQ(encoder(standing).latest().warnings, 0x0080);
     const QAbstractItemModel &values = *window().findChild<ParameterTable *>()->model();
@@ -206,12 +206,12 @@ TEST_F(LineInWindow, WarningBytesAreSwappedForOneEncoderAndTheRawDigitsStay)
     EXPECT_EQ(shownValues.filter(QStringLiteral("8000h, bytes swapped 0080h")).size(), 1);
 
     choose(turning);
-    EXPECT_FALSE(actions().swapWarningBytes->isChecked());
+    EXPECT_FALSE(lineActions().swapWarningBytes->isChecked());
     EXPECT_NE(encoder(turning).latest().warnings, 0x0080);
     choose(standing);
-    EXPECT_TRUE(actions().swapWarningBytes->isChecked());
+    EXPECT_TRUE(lineActions().swapWarningBytes->isChecked());
     choose(test::fraba);
-    EXPECT_FALSE(actions().swapWarningBytes->isEnabled());
+    EXPECT_FALSE(lineActions().swapWarningBytes->isEnabled());
 }
 
 // With the steps goes the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
@@ -377,14 +377,14 @@ TEST_F(LineInWindow, ItsMessagesStandWithThePlaces)
 
 TEST_F(LineInWindow, TheLineWorksWhileTheRingIsNotConnected)
 {
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(100);
     ASSERT_FALSE(bus().isOpen());
     choose(standing);
     EXPECT_TRUE(actions().alarmStop->isEnabled());
     EXPECT_TRUE(actions().operate->isEnabled());
     EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
-    actions().connectBus->trigger();
+    ringActions().connectBus->trigger();
     advance(100);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), standing) << "it stays chosen";
 }

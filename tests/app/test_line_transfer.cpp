@@ -164,7 +164,7 @@ TEST_F(TransferOnLine, CancelBeginsNoOther)
     ASSERT_TRUE(page().isBusy());
     {
         const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
-        auto *cancel = page().findChild<QPushButton *>(QStringLiteral("transferCancel"));
+        auto *cancel = page().findChild<QPushButton *>(QStringLiteral("cancelJob"));
         QTest::mouseClick(cancel, Qt::LeftButton);
         for (int i = 0; i < 100 && page().isBusy(); ++i)
             advance(5);

@@ -68,12 +68,12 @@ protected:
     // As the user connects it; positions are asked for now and then.
     void connectPort(const QString &port)
     {
-        actions().lineSettings->trigger();
+        lineActions().settings->trigger();
         auto &form = view<LineSettingsForm>();
-        LineSettings wish = form.wish();
-        wish.port = port;
-        wish.pollInterval = std::chrono::milliseconds(500);
-        form.setWish(wish);
+        LineSettings settings = form.settings();
+        settings.port = port;
+        settings.pollInterval = std::chrono::milliseconds(500);
+        form.setSettings(settings);
         QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
         advance(50);
     }
@@ -133,7 +133,7 @@ TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
     advance(50);
     const auto *model = static_cast<const StructureModel *>(tree().model());
     ASSERT_FALSE(model->indexOf(standingEncoder).isValid());
-    actions().lineSearch->trigger();
+    lineActions().search->trigger();
     ASSERT_TRUE(view<LineSearch>().isVisible());
     QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Search")), Qt::LeftButton);
     advance(20'000);
@@ -158,7 +158,7 @@ TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
 {
     PtyPair pty;
     LinePlan slow;
-    slow.wish.line.baudRate = 9'600;
+    slow.settings.serial.baudRate = 9'600;
     Project slowProject = project();
     setLinePlan(slowProject, firstLine, slow);
     shown->project().setProject(slowProject, {});
@@ -168,14 +168,14 @@ TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
     ASSERT_FALSE(linePlan(project(), firstLine));
     Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
     ASSERT_TRUE(linePlan(project(), firstLine));
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 9'600);
-    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, pty.path());
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.serial.baudRate, 9'600);
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.port, pty.path());
     EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(placeOnLine({7}))});
 }
 
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 {
-    actions().lineSearch->trigger();
+    lineActions().search->trigger();
     const auto before = line().places();
     const auto steps = shown->project().project();
     Q_EMIT view<LineSearch>().takeOverWanted({found({8}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
@@ -193,13 +193,27 @@ TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
     connectPort(pty.path());
     view<StructureView>().choose(standingEncoder);
     advance(50);
-    EXPECT_TRUE(actions().removeFromLine->isEnabled());
-    actions().removeFromLine->trigger();
+    EXPECT_TRUE(lineActions().remove->isEnabled());
+    lineActions().remove->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standingEncoder), nullptr);
     EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(placeOnLine({7}))});
     view<StructureView>().choose(test::fraba);
-    EXPECT_FALSE(actions().removeFromLine->isEnabled());
+    EXPECT_FALSE(lineActions().remove->isEnabled());
+}
+
+TEST_F(LineViewsTest, ThatAnEncoderAtAJobIsNotRemovedIsTold)
+{
+    view<StructureView>().choose(standingEncoder);
+    advance(50);
+    ASSERT_TRUE(line().encoder(standingEncoder)->start(ReadParameters{{Parameter::warnings}}));
+    lineActions().remove->trigger();
+    const auto *notice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
+    ASSERT_NE(line().encoder(standingEncoder), nullptr);
+    EXPECT_TRUE(notice->isVisible());
+    EXPECT_TRUE(notice->sentence().startsWith(QStringLiteral("A job is running at esc:05")));
+    advance(2000);
+    EXPECT_FALSE(notice->isVisible()) << "the job has ended";
 }
 
 TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
@@ -207,7 +221,7 @@ TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
     plan({test::plannedEncoder(standingEncoder)});
     view<StructureView>().choose(standingEncoder);
     advance(50);
-    actions().removeFromLine->trigger();
+    lineActions().remove->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standingEncoder), nullptr);
     EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(standingEncoder)});
@@ -233,16 +247,16 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     EXPECT_EQ(shown->line().training(), nullptr);
     EXPECT_FALSE(line().isOperating());
     EXPECT_TRUE(bus().isOperating()) << "the ring has its own";
-    EXPECT_EQ(linePlan(project(), firstLine)->wish, view<LineSettingsForm>().wish());
+    EXPECT_EQ(linePlan(project(), firstLine)->settings, view<LineSettingsForm>().settings());
     EXPECT_EQ(line().places(), (std::vector{standingEncoder, placeOnLine({7})}))
         << "the encoders of the project";
     EXPECT_EQ(findDevice(project(), standingEncoder)->station, QStringLiteral("Slide"));
 
-    actions().disconnectLine->trigger();
+    lineActions().disconnectLine->trigger();
     advance(50);
     EXPECT_EQ(shown->line().session(), nullptr);
-    EXPECT_FALSE(actions().disconnectLine->isEnabled());
-    actions().lineTraining->trigger();
+    EXPECT_FALSE(lineActions().disconnectLine->isEnabled());
+    lineActions().training->trigger();
     advance(200);
     EXPECT_NE(shown->line().training(), nullptr);
     EXPECT_EQ(line().encoder(standingEncoder)->latest().position, 0x1235);
@@ -250,11 +264,11 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 
 TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
 {
-    actions().lineSettings->trigger();
+    lineActions().settings->trigger();
     auto &form = view<LineSettingsForm>();
-    LineSettings wish = form.wish();
-    wish.port = QStringLiteral("/dev/there-is-none");
-    form.setWish(wish);
+    LineSettings settings = form.settings();
+    settings.port = QStringLiteral("/dev/there-is-none");
+    form.setSettings(settings);
     QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
     bool isTold = false;
     for (const auto *message : form.findChildren<InlineMessage *>())

@@ -77,6 +77,8 @@ TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
 {
     window().findChild<StructureView *>()->choose("6.0"_ring);
     advance(100);
+    EXPECT_FALSE(actions().zeroOut->isEnabled()) << "it has no words";
+    EXPECT_TRUE(actions().zeroOut->toolTip().startsWith(QStringLiteral("No connected device with an OUT")));
     actions().wizard->trigger();
     actions().zeroOut->trigger();
     actions().openIn32->trigger();

@@ -28,7 +28,7 @@ class OfflineEditing : public test::WindowTest
 protected:
     void goOffline()
     {
-        actions().disconnectBus->trigger();
+        ringActions().disconnectBus->trigger();
         advance(5);
         ASSERT_FALSE(bus().isOpen());
     }
@@ -63,7 +63,7 @@ TEST_F(OfflineEditing, WantedValuesOfThePlannedEncoderAreEdited)
     actions().undo->trigger();
     EXPECT_TRUE(wanted(baumer).empty());
     EXPECT_EQ(wanted(fraba).size(), 1U);
-    actions().connectBus->trigger();
+    ringActions().connectBus->trigger();
     advance(50);
     EXPECT_EQ(tree().current(), baumer);
     ASSERT_TRUE(want(256)) << "connected, it is the same column";
@@ -92,6 +92,25 @@ TEST_F(OfflineEditing, NothingThatSendsCanBeAskedFor)
     for (const QAction *action : {actions().wizard, actions().zeroOut, actions().replaceEncoder})
         EXPECT_TRUE(action->toolTip().startsWith(QStringLiteral("Not connected")))
             << action->toolTip().toStdString();
+}
+
+TEST_F(OfflineEditing, NorOfAPlannedDeviceThatIsNoEncoder)
+{
+    goOffline();
+    tree().choose("6.0"_ring);
+    EXPECT_FALSE(actions().zeroOut->isEnabled());
+}
+
+TEST_F(OfflineEditing, ATraceIsExportedWhereThereIsOne)
+{
+    EXPECT_TRUE(actions().exportTrace->isEnabled());
+    tree().choose(placeOnLine({0x05}));
+    EXPECT_FALSE(actions().exportTrace->isEnabled()) << "it has a terminal";
+    EXPECT_TRUE(actions().exportTrace->toolTip().startsWith(QStringLiteral("No connected encoder")));
+    tree().choose(fraba);
+    EXPECT_TRUE(actions().exportTrace->isEnabled());
+    goOffline();
+    EXPECT_FALSE(actions().exportTrace->isEnabled());
 }
 
 TEST_F(OfflineEditing, WhoChoosesKeepsTheFocus)

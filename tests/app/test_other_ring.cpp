@@ -33,7 +33,7 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
     monitors().openMonitor("6.1"_ring, MonitorKind::in32);
     window().findChild<StructureView *>()->choose("6.1"_ring);
     befall(TrainingFault::wireBreak, "6.0"_ring);
-    actions().readIn->trigger();
+    ringActions().readIn->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
     EXPECT_EQ(bus().structure().size(), 5U);
@@ -43,7 +43,7 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
     advance(200);
 
     befall(TrainingFault::wireBreak, "6.0"_ring, 0);
-    actions().readIn->trigger();
+    ringActions().readIn->trigger();
     advance(100);
     EXPECT_EQ(bus().structure().size(), 7U);
     EXPECT_TRUE(bus().isRunning());
@@ -53,7 +53,7 @@ TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
 {
     WordMonitor *monitor = monitors().monitors().front();
     befall(TrainingFault::wrongDevice, baumer);
-    actions().readIn->trigger();
+    ringActions().readIn->trigger();
     advance(100);
     EXPECT_EQ(monitors().monitors().front(), monitor);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
@@ -65,7 +65,7 @@ TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
 TEST_F(OtherRingTest, ASegmentIsSwitchedByItsAction)
 {
     window().findChild<StructureView *>()->choose("6.1"_ring);
-    actions().switchSegment->trigger();
+    ringActions().switchSegment->trigger();
     advance(10);
     EXPECT_TRUE(bus().latest().devices[6].inRing) << "it is asked for";
     auto *question = window().findChild<InlineMessage *>(QStringLiteral("masterMessage"));
@@ -73,9 +73,26 @@ TEST_F(OtherRingTest, ASegmentIsSwitchedByItsAction)
     QTest::mouseClick(question->findChild<QPushButton *>(), Qt::LeftButton);
     advance(10);
     EXPECT_FALSE(bus().latest().devices[6].inRing);
-    actions().switchSegment->trigger();
+    ringActions().switchSegment->trigger();
     advance(10);
     EXPECT_TRUE(bus().latest().devices[6].inRing);
+}
+
+TEST_F(OtherRingTest, OnlyTheSegmentOfAChosenDeviceOfTheRingIsSwitched)
+{
+    const QAction &action = *ringActions().switchSegment;
+    EXPECT_TRUE(action.isEnabled());
+    window().findChild<StructureView *>()->choose(placeOnLine({0x05}));
+    EXPECT_FALSE(action.isEnabled());
+    EXPECT_TRUE(action.toolTip().startsWith(QStringLiteral("No device with a segment"))) << "it says why";
+    window().findChild<StructureView *>()->choose(baumer);
+    EXPECT_TRUE(action.isEnabled());
+    ringActions().disconnectBus->trigger();
+    EXPECT_FALSE(action.isEnabled());
+    EXPECT_TRUE(action.toolTip().startsWith(QStringLiteral("The ring is not connected")));
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_TRUE(action.isEnabled());
 }
 
 TEST_F(OtherRingTest, InWatchNeitherIsReadInNorConfirmed)
@@ -83,7 +100,7 @@ TEST_F(OtherRingTest, InWatchNeitherIsReadInNorConfirmed)
     actions().watch->trigger();
     advance(10);
     const auto *notice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
-    for (QAction *action : {actions().readIn, actions().confirmDiagnostics}) {
+    for (QAction *action : {ringActions().readIn, ringActions().confirmDiagnostics}) {
         action->trigger();
         advance(50);
         EXPECT_TRUE(notice->isVisible());

@@ -4,6 +4,7 @@
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/program.h"
+#include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
@@ -133,9 +134,9 @@ TEST_F(RunningProgram, EveryBusIsOpenedByItsThread)
     setDevicesOn(plan, secondRing, {device});
     project.edit(std::move(plan), {});
     program.window()->findChild<StructureView *>()->choose(secondRing);
-    program.window()->actions().connectBus->trigger();
+    program.window()->findChild<RingActions *>()->connectBus->trigger();
     EXPECT_TRUE(waitFor([&] { return isOpen(secondRing); }));
-    program.window()->actions().disconnectBus->trigger();
+    program.window()->findChild<RingActions *>()->disconnectBus->trigger();
     EXPECT_TRUE(waitFor([&] { return !isOpen(secondRing); }));
     EXPECT_TRUE(isOpen(firstRing));
 }

@@ -5,11 +5,14 @@
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/line_plan.h"
+#include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
+#include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/role_label.h"
+#include "widgets/master/master_panel.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/insert_panel.h"
@@ -60,7 +63,7 @@ protected:
         setDevicesOn(after, secondRing, {device});
         shown->project().edit(std::move(after), {});
         choose(secondRing);
-        actions().connectBus->trigger();
+        ringActions().connectBus->trigger();
         advance(50);
     }
 };
@@ -94,7 +97,7 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     EXPECT_EQ(placeOnLine({5}).shown(), QStringLiteral("esc:05")) << "there is one line";
 
     choose(farFraba);
-    EXPECT_FALSE(actions().connectBus->isEnabled());
+    EXPECT_FALSE(ringActions().connectBus->isEnabled());
     actions().watch->trigger();
     advance(50);
     EXPECT_FALSE(busAt(secondRing).isOperating());
@@ -103,6 +106,100 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     advance(50);
     EXPECT_FALSE(busAt(secondRing).isRunning());
     EXPECT_TRUE(bus().isRunning());
+}
+
+TEST_F(SeveralBuses, AnEncoderThatIsOnlyPlannedTakesTheByteOrderAndIsNotRemovedFromItsLine)
+{
+    plan(secondLine, u"esc");
+    const Place place{secondLine, LineAddress{7}.node()};
+    Project after = shown->project().project();
+    ProjectDevice encoder = test::plannedEncoder(place);
+    setDevicesOn(after, secondLine, {encoder});
+    shown->project().edit(std::move(after), {});
+    const auto isSwapped = [&] { return shown->project().device(place).swapsWarningBytes; };
+    choose(place);
+    EXPECT_FALSE(lineActions().remove->isEnabled()) << "the structure editor does that";
+    ASSERT_TRUE(lineActions().swapWarningBytes->isEnabled());
+    lineActions().swapWarningBytes->trigger();
+    EXPECT_TRUE(isSwapped());
+    EXPECT_TRUE(lineActions().swapWarningBytes->isChecked());
+    actions().undo->trigger();
+    EXPECT_FALSE(isSwapped());
+    EXPECT_FALSE(lineActions().swapWarningBytes->isChecked());
+    choose(placeOnLine({5})); // of the training line
+    EXPECT_TRUE(lineActions().remove->isEnabled());
+    choose(test::fraba);
+    EXPECT_FALSE(lineActions().swapWarningBytes->isEnabled());
+}
+
+TEST_F(SeveralBuses, StopInTheMasterPanelStopsItsRingWhateverIsChosen)
+{
+    choose(placeOnLine({5}));
+    const EncoderBus &line = busAt(firstLine);
+    auto *panel = window().findChild<MasterPanel *>();
+    const auto click = [&](const QString &text) {
+        for (QPushButton *button : panel->findChildren<QPushButton *>())
+            if (button->text().remove(u'&') == text)
+                button->click();
+        advance(50);
+    };
+    click(QStringLiteral("Stop"));
+    EXPECT_FALSE(bus().isRunning());
+    EXPECT_TRUE(line.isRunning());
+    click(QStringLiteral("Start"));
+    EXPECT_TRUE(bus().isRunning());
+}
+
+TEST_F(SeveralBuses, TheTrainingLineGivesWayToAProjectThatHasAPortForIt)
+{
+    Project project;
+    LinePlan plan;
+    plan.settings.port = QStringLiteral("/dev/ttyUSB7");
+    setLinePlan(project, firstLine, plan);
+    setDevicesOn(project, firstLine, {test::plannedEncoder(placeOnLine({5}), QStringLiteral("Slide"))});
+    shown->project().setProject(project, {});
+    EXPECT_EQ(shown->plant().find(firstLine)->bus(), nullptr) << "its simulated encoders are not those";
+    choose(placeOnLine({5}));
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), placeOnLine({5})) << "as it is planned";
+    shown->project().setProject({}, {});
+    ASSERT_NE(shown->plant().find(firstLine)->bus(), nullptr);
+    EXPECT_TRUE(busAt(firstLine).isSimulated());
+}
+
+TEST_F(SeveralBuses, AnEncoderPlannedOnALineTakesTheByteOrderWhileTheTrainingLineOfItsNumberIsOpen)
+{
+    const Place place = placeOnLine({7}); // none of the training line
+    Project after = shown->project().project();
+    setEncodersOnLine(after, {test::plannedEncoder(placeOnLine({5})), test::plannedEncoder(place)});
+    shown->project().edit(std::move(after), {});
+    const auto isSwapped = [&](Place its) { return shown->project().device(its).swapsWarningBytes; };
+    choose(firstLine);
+    actions().structureEditor->trigger();
+    auto &plan = *window().findChild<StructureEditor *>()->findChild<QTreeView *>(QStringLiteral("plan"));
+    plan.setCurrentIndex(plan.model()->index(1, 0));
+    ASSERT_TRUE(lineActions().swapWarningBytes->isEnabled());
+    lineActions().swapWarningBytes->trigger();
+    EXPECT_TRUE(isSwapped(place));
+    EXPECT_TRUE(lineActions().swapWarningBytes->isChecked());
+    choose(placeOnLine({5}));
+    lineActions().swapWarningBytes->trigger();
+    EXPECT_FALSE(isSwapped(placeOnLine({5}))) << "the one of the training line is not the project's";
+}
+
+// The row of a bus is chosen by itself; the panels go on with the device they show.
+TEST_F(SeveralBuses, MonitorsAreOfTheDeviceThatIsShown)
+{
+    openSecondRing();
+    choose(test::fraba);
+    choose(secondRing);
+    ringActions().disconnectBus->trigger();
+    advance(50);
+    choose(secondRing);
+    EXPECT_TRUE(actions().openIn16->isEnabled()) << "the shown encoder is connected";
+    choose(farFraba);
+    EXPECT_FALSE(actions().openIn16->isEnabled());
+    choose(firstRing);
+    EXPECT_FALSE(actions().openIn16->isEnabled()) << "the shown encoder is not connected";
 }
 
 TEST_F(SeveralBuses, EachMonitorShowsItsOwnBus)
@@ -144,7 +241,7 @@ TEST_F(SeveralBuses, ARingThatIsNotPlannedAnyMoreStaysUntilItIsDisconnected)
     ASSERT_NE(shown->plant().find(secondRing), nullptr);
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
     choose(secondRing);
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(50);
     shown->project().edit(shown->project().project(), {}); // whatever changes next
     EXPECT_TRUE(cell(secondRing, StructureModel::stateColumn).isEmpty());
@@ -158,14 +255,14 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
     const auto connectLine = [&](BusId line, const QString &path) {
         Project after = shown->project().project();
         LinePlan settings;
-        settings.wish.port = path;
+        settings.settings.port = path;
         setLinePlan(after, line, settings);
         shown->project().edit(std::move(after), {});
         choose(line);
-        actions().lineSettings->trigger();
+        lineActions().settings->trigger();
         for (auto *form : window().findChildren<LineSettingsForm *>())
             if (form->isVisible()) {
-                form->setWish(settings.wish);
+                form->setSettings(settings.settings);
                 for (auto *button : form->findChildren<QPushButton *>())
                     if (button->text().remove(u'&') == QStringLiteral("Connect"))
                         button->click();
@@ -179,7 +276,7 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
     EXPECT_TRUE(cell(firstLine, StructureModel::deviceColumn).contains(one.path()));
     EXPECT_TRUE(cell(secondLine, StructureModel::deviceColumn).contains(two.path()));
     choose(firstLine);
-    actions().disconnectLine->trigger();
+    lineActions().disconnectLine->trigger();
     advance(50);
     EXPECT_FALSE(shown->plant().find(firstLine)->isOpen());
     EXPECT_TRUE(shown->plant().find(secondLine)->isOpen()) << "it is another one";
@@ -263,7 +360,7 @@ TEST_F(SeveralBuses, TheStructureEditorPlansTheChosenRing)
 
 TEST_F(SeveralBuses, ALineIsPlannedWhileNothingIsConnected)
 {
-    actions().disconnectBus->trigger();
+    ringActions().disconnectBus->trigger();
     advance(50);
     choose(test::fraba);
     plan(secondLine, u"esc");
@@ -304,7 +401,7 @@ TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
     advance(50);
     EXPECT_EQ(shown->plant().find(firstRing)->kind(), QStringLiteral("interbus"));
     choose(firstRing);
-    actions().connectBus->trigger();
+    ringActions().connectBus->trigger();
     advance(50);
     EXPECT_TRUE(bus().isOpen());
 }

@@ -19,6 +19,7 @@
 #include <QStatusBar>
 
 #include <gtest/gtest.h>
+#include <set>
 
 namespace codewheel {
 namespace {
@@ -71,11 +72,13 @@ private:
 
 TEST_P(SmallWindow, HoldsEveryPage)
 {
-    for (QAction *page :
+    std::set<const QWidget *> seen;
+    for (QAction *action :
          {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
           actions().transfer, actions().replaceEncoder, actions().projectPage}) {
-        page->trigger();
-        expectSmall(page->text());
+        action->trigger();
+        EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
+        expectSmall(action->text());
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/line_actions.h"
+#include "app/window/ring_actions.h"
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
 #include "ring/ring_session.h"
@@ -8,6 +10,7 @@
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
 
+#include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -36,6 +39,15 @@ protected:
     MainWindow &window() { return shown->window(); }
     RingSession &bus() { return shown->bus(); }
     const WindowActions &actions() { return window().actions(); }
+    const RingActions &ringActions() { return *window().findChild<RingActions *>(); }
+    const LineActions &lineActions() { return *window().findChild<LineActions *>(); }
+    const QWidget *page() // that is open in the middle
+    {
+        return window()
+            .centralWidget()
+            ->findChild<QStackedWidget *>(QString(), Qt::FindDirectChildrenOnly)
+            ->currentWidget();
+    }
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }
 

@@ -87,11 +87,12 @@ int main(int argc, char **argv)
     MessageStore store({});
     MessageModel messages(store);
     ProjectDocument project;
-    Plant plant({.catalog = catalog,
-                 .project = project,
-                 .dataFolder = {},
-                 .clock = [] { return QDateTime::currentDateTime(); },
-                 .trainingRing = [](const Catalog &) { return makeMovingRing(movingWords); }});
+    Plant plant(
+        {.catalog = catalog,
+         .project = project,
+         .dataFolder = {},
+         .clock = [] { return QDateTime::currentDateTime(); },
+         .training = RingAtWork::MakeTraining{[](const Catalog &) { return makeMovingRing(movingWords); }}});
     plant.openTraining();
     RingSession &bus = *plant.first<RingAtWork>()->bus();
     MainWindow window(settings, project);

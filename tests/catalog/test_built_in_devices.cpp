@@ -293,8 +293,8 @@ TEST(BuiltInDevices, KueblerParametersAreTheCommandsOfTheManual)
         for (const Row &row : rows) {
             const ParameterDescription *found = kuebler.find(row.parameter);
             ASSERT_NE(found, nullptr);
-            EXPECT_EQ(found->readCommand, esc::commandOf(row.read)) << row.read;
-            EXPECT_EQ(found->writeCommand, esc::commandOf(row.write)) << row.write;
+            EXPECT_EQ(found->readCommand, row.read) << row.read;
+            EXPECT_EQ(found->writeCommand, row.write) << row.write;
             EXPECT_EQ(found->readBit, row.bit);
             EXPECT_EQ(found->minimum, row.minimum);
             EXPECT_EQ(found->maximum, row.maximum);

@@ -119,8 +119,8 @@ TEST(DescriptionRules, TakeTheCommandsOfAnEncoderOnASerialLine)
         QString());
     ASSERT_TRUE(added) << added.error().reason.toStdString();
     const DeviceDescription &device = *catalog.find(u"some");
-    EXPECT_EQ(device.find(Parameter::steps)->readCommand, esc::Command::stepsPerTurn);
-    EXPECT_EQ(device.find(Parameter::steps)->writeCommand, esc::Command::writeStepsPerTurn);
+    EXPECT_EQ(device.find(Parameter::steps)->readCommand, "D");
+    EXPECT_EQ(device.find(Parameter::steps)->writeCommand, "GR");
     EXPECT_EQ(device.find(Parameter::scaling)->readBit, 2u);
     EXPECT_TRUE(device.find(Parameter::steps)->stored);
     EXPECT_FALSE(device.find(Parameter::scaling)->canBeWritten());

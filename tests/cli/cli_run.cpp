@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/project_of_call.h"
 #include "cli/ring/ring_access.h"
 
 #include <QJsonArray>
@@ -30,6 +31,22 @@ QJsonObject CliRun::json() const
     return document.object();
 }
 
+QJsonObject CliRun::lastJson() const
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(out).trimmed().split('\n').last()).object();
+}
+
+int runOn(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
+          const std::vector<BusAccess *> &links, const Terminal &terminal)
+{
+    const auto project = projectOf(command, arguments);
+    if (!project) {
+        ADD_FAILURE() << project.error().text.toStdString();
+        return -1;
+    }
+    return runCommand(command, arguments, *project ? &**project : nullptr, catalog, links, terminal);
+}
+
 CliRun runLine(const QString &line, const Person &person)
 {
     const QStringList words = line.split(u' ', Qt::SkipEmptyParts);
@@ -51,7 +68,7 @@ CliRun SharedBus::runLine(const QString &line, const Person &person)
         return {};
     return runWith(person, [&](const Terminal &terminal) {
         RingAccess ring(*m_training.bus);
-        return runCommand(*command, *arguments, m_catalog, {&ring}, terminal);
+        return runOn(*command, *arguments, m_catalog, {&ring}, terminal);
     });
 }
 

@@ -10,9 +10,13 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace codewheel {
 
+class BusAccess;
+struct Arguments;
+struct Subcommand;
 struct Terminal;
 
 // What a call of the command line left behind.
@@ -22,7 +26,8 @@ struct CliRun
     std::string out;
     std::string err;
 
-    QJsonObject json() const; // of `out`
+    QJsonObject json() const;     // of `out`
+    QJsonObject lastJson() const; // of its last line
 };
 
 // Who sits at the terminal: nobody, or somebody who types this.
@@ -34,6 +39,10 @@ struct Person
 
 // What `call` does for this person.
 CliRun runWith(const Person &person, const std::function<int(const Terminal &)> &call);
+
+// A command on these buses, with the project that its words name.
+int runOn(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
+          const std::vector<BusAccess *> &links, const Terminal &terminal);
 
 // A whole call, in this process. `line` is what stands behind codewheel-cli, split at spaces.
 CliRun runLine(const QString &line, const Person &person = {});

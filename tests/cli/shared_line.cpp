@@ -64,7 +64,7 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     CliRun run = runWith(person, [&](const Terminal &terminal) {
         LineAccess access(std::make_unique<CutLink>(m_line, m_cut), *link, m_catalog);
         access.keepLedger(arguments->value("--ledger"));
-        return runCommand(*command, *arguments, m_catalog, {&access}, terminal);
+        return runOn(*command, *arguments, m_catalog, {&access}, terminal);
     });
     while (held.came()) {
     }

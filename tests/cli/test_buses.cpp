@@ -16,13 +16,17 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr BusId secondRing{3};
 constexpr BusId secondLine{4};
@@ -66,7 +70,11 @@ protected:
             RingAccess two(*rings[1].bus);
             const auto left = line(firstLine);
             const auto right = line(secondLine);
-            return runCommand(command, *arguments, catalog, {&one, left.get(), &two, right.get()}, terminal);
+            if (const auto ledger = arguments->value("--ledger")) {
+                left->keepLedger(*ledger);
+                right->keepLedger(*ledger);
+            }
+            return runOn(command, *arguments, catalog, {&one, left.get(), &two, right.get()}, terminal);
         });
     }
     CliRun run(const char *words) { return run(QString::fromLatin1(words).split(u' ')); }
@@ -205,6 +213,11 @@ TEST_F(CliBuses, ACommandOfOneKindAsksWhichBus)
               0);
     EXPECT_TRUE(rings[0].bus->isRunning());
     EXPECT_FALSE(rings[1].bus->isRunning());
+    const QJsonObject told = run({QStringLiteral("terminal"), QStringLiteral("05P"), QStringLiteral("--bus"),
+                                  QStringLiteral("Gate 2"), QStringLiteral("--json")})
+                                 .lastJson();
+    EXPECT_EQ(told[u"bus"], 4);
+    EXPECT_EQ(told[u"busName"], QStringLiteral("Gate 2"));
     const CliRun wrong = run({QStringLiteral("master"), QStringLiteral("--bus"), QStringLiteral("Gate 1")});
     EXPECT_EQ(wrong.exit, 2) << "a line has no master";
 }
@@ -227,6 +240,69 @@ TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
     for (const BusId line : {firstLine, secondLine})
         EXPECT_EQ(devicesOn(found, line).size(), 3U);
     EXPECT_EQ(findDevice(found, {secondLine, LineAddress{0x12}.node()})->station, QStringLiteral("Top"));
+}
+
+// The encoders 05 of both lines tell the same serial number.
+TEST_F(CliBuses, WhatIsListedOfSeveralBusesIsToldWithItsBus)
+{
+    const QString ledger = folder.filePath(QStringLiteral("ledger.sqlite"));
+    const auto on = [&](const char *command, const char *place, const char *more) {
+        return run({QString::fromLatin1(command), QString::fromLatin1(place), QString::fromLatin1(more),
+                    QStringLiteral("--yes"), QStringLiteral("--ledger"), ledger});
+    };
+    ASSERT_EQ(on("write", "Gate 1/05", "steps=864").exit, 0);
+    EXPECT_THAT(runLine(QStringLiteral("ledger --ledger ") + ledger).out, HasSubstr("  esc:05  "));
+    EXPECT_THAT(run({QStringLiteral("restore"), QStringLiteral("Gate 1/05"), QStringLiteral("--list"),
+                     QStringLiteral("--ledger"), ledger})
+                    .out,
+                Not(HasSubstr("Gate 1")));
+    ASSERT_EQ(on("write", "Gate 2/05", "steps=999").exit, 0);
+    ASSERT_EQ(on("write", "Gate 2/12", "steps=999").exit, 0);
+    const CliRun list = run({QStringLiteral("restore"), QStringLiteral("Gate 1/05"), QStringLiteral("--list"),
+                             QStringLiteral("--ledger"), ledger});
+    EXPECT_THAT(list.out, HasSubstr("  Gate 1/esc:05  steps="));
+    EXPECT_THAT(list.out, HasSubstr("  Gate 2/esc:05  steps="));
+    ASSERT_EQ(on("write", "Gate 1/05", "steps=864").exit, 0);
+    const std::string unnamed = runLine(QStringLiteral("ledger --ledger ") + ledger).out;
+    EXPECT_THAT(unnamed, HasSubstr("  2/esc:05  "));
+    EXPECT_THAT(unnamed, HasSubstr("  4/esc:12  "));
+    EXPECT_THAT(run({QStringLiteral("ledger"), QStringLiteral("--ledger"), ledger}).out,
+                HasSubstr("  Gate 2/esc:12  "));
+}
+
+TEST_F(CliBuses, AFaultPlanIsForOneRing)
+{
+    project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondRing, "interbus", "Gate")};
+    project.devices.clear();
+    ASSERT_TRUE(saveProject(project, file));
+    const QString call =
+        QStringLiteral("master --after 31000 --json --bus %1 --link project --project %2 --fault-plan ")
+            .arg(QStringLiteral("Gate"), file) +
+        QStringLiteral(CODEWHEEL_ROOT "/resources/examples/faults.json");
+    EXPECT_EQ(errorKey(runLine(call)), "busNotUnique");
+    EXPECT_EQ(errorKey(runLine(call + QStringLiteral(" --fault-bus Door"))), "unknownBus");
+    const auto told = [&](const char *ring) {
+        return runLine(call + QStringLiteral(" --fault-bus ") + QString::fromLatin1(ring)).json();
+    };
+    EXPECT_GT(told("Gate")[u"messages"].toArray().size(), told("Crane")[u"messages"].toArray().size());
+    EXPECT_EQ(told("Gate")[u"busName"], QStringLiteral("Gate"));
+    EXPECT_EQ(told("Gate")[u"bus"], 3);
+}
+
+// What another program saves in between gives no second answer.
+TEST_F(CliBuses, TheProjectIsReadOnce)
+{
+    project.buses = {planned(firstRing, "interbus", "Crane")};
+    project.devices.clear();
+    for (const char *call : {"compare %1", "scan --project %1", "store %1", "compare %1 --link project"}) {
+        ASSERT_TRUE(saveProject(project, file));
+        const int watch = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+        ::inotify_add_watch(watch, QFile::encodeName(file).constData(), IN_OPEN | IN_CLOSE);
+        runLine(QString::fromLatin1(call).arg(file));
+        std::array<char, 4'096> events{}; // of a file, they have no names
+        EXPECT_EQ(::read(watch, events.data(), events.size()), ssize_t{2 * sizeof(inotify_event)}) << call;
+        ::close(watch);
+    }
 }
 
 // From the words of the call on.
@@ -273,7 +349,7 @@ TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
     project.devices.erase(project.devices.begin());
     ASSERT_TRUE(saveProject(project, file));
     LinePlan plan;
-    plan.wish.port = QStringLiteral("/dev/none");
+    plan.settings.port = QStringLiteral("/dev/none");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --link interbus:training --json").arg(file))),
               "notAllCompared");
 }
@@ -283,7 +359,7 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
     project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondLine, "esc", "Gate")};
     project.devices.erase(project.devices.begin());
     LinePlan plan;
-    plan.wish.port = QStringLiteral("/dev/none");
+    plan.settings.port = QStringLiteral("/dev/none");
     setLinePlan(project, secondLine, plan);
     ASSERT_TRUE(saveProject(project, file));
     const QString report = folder.filePath(QStringLiteral("report.html"));
@@ -299,10 +375,10 @@ TEST_F(CliBuses, ALinkHasTheNumberOfTheBusThatIsMeant)
 {
     const auto numberAt = [this](const char *link) {
         const auto links = linksMeant(QString::fromLatin1(link), &project);
-        return (*links->front()(catalog, {}))->bus().id().number;
+        return (*links->front()(catalog))->bus().id().number;
     };
     LinePlan right;
-    right.wish.port = QStringLiteral("/dev/ttyRight");
+    right.settings.port = QStringLiteral("/dev/ttyRight");
     setLinePlan(project, secondLine, right);
     EXPECT_EQ(numberAt("esc:/dev/ttyRight"), 4);
     EXPECT_GT(numberAt("esc:/dev/ttyOther"), 4) << "none of the lines is there";
@@ -341,17 +417,20 @@ TEST(CliLinks, OfSeveralKindsWithASchemeTheProtocolChooses)
     EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=esc,baud=9600"), "esc");
     EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=other,rate=1"), "reached");
     EXPECT_EQ(keyOf("esc:ttyUSB0"), "protocolMissing");
-    EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=modbus"), "protocolMissing");
+    EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=modbus"), "unknownProtocol");
 }
 
 TEST(CliLinks, WhereOneKindHasTheSchemeNoProtocolIsNeeded)
 {
     EXPECT_TRUE(linksMeant(QStringLiteral("esc:ttyUSB0,protocol=esc"), nullptr));
-    EXPECT_EQ(linksMeant(QStringLiteral("esc:ttyUSB0,protocol=modbus"), nullptr).error().key,
-              QStringLiteral("protocolMissing"));
+    EXPECT_EQ(
+        linksMeant(QStringLiteral("esc:training,protocol=interbus"), nullptr).error().text,
+        QStringLiteral("\"interbus\" is not spoken at esc:training. What protocol= can name there: esc."));
     EXPECT_EQ(linksMeant(QStringLiteral("interbus:training"), nullptr)->size(), 1U);
     EXPECT_EQ(linksMeant(QStringLiteral("interbus:com1"), nullptr).error().key,
               QStringLiteral("unknownLink"));
+    EXPECT_EQ(linksMeant(QStringLiteral("interbus:training,foo=1"), nullptr).error().text,
+              QStringLiteral("The link interbus:training has no settings. Leave \"foo=1\" out."));
 }
 
 } // namespace

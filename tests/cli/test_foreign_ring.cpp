@@ -3,6 +3,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/ring/ring_access.h"
+#include "cli/stop_signals.h"
 #include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/scripted_link.h"
@@ -36,7 +37,7 @@ protected:
         std::ostringstream err;
         RingAccess ring(m_bus);
         const int exit =
-            runCommand(command, {.rest = rest, .options = {}}, m_catalog, {&ring}, Terminal{in, out, err});
+            runOn(command, {.rest = rest, .options = {}}, m_catalog, {&ring}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
 
@@ -44,6 +45,28 @@ protected:
     const Catalog m_catalog = Catalog::builtIn();
     RingSession m_bus;
 };
+
+TEST_F(CliForeignRing, AMonitorOfWordsEndsWithItsLink)
+{
+    m_link->failAt(500);
+    const CliRun run = this->run(monitorCommand, {QStringLiteral("1.0")});
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The link failed: "));
+    EXPECT_THAT(run.out, HasSubstr("OUT means")) << "what was seen until then";
+    EXPECT_LT(m_link->exchanges(), 1'000);
+}
+
+TEST_F(CliForeignRing, CtrlCEndsAMonitorOfWords)
+{
+    StopSignals held; // so that it is for the command alone
+    m_link->answerWith([this](std::size_t, Word) {
+        if (m_link->exchanges() == 500)
+            std::raise(SIGINT);
+        return Word{0};
+    });
+    EXPECT_EQ(run(monitorCommand, {QStringLiteral("1.0")}).exit, 0);
+    EXPECT_LT(m_link->exchanges(), 1'000);
+}
 
 TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)
 {

@@ -31,16 +31,16 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
 {
     EXPECT_EQ(linksMeant(QStringLiteral("training"), nullptr)->size(), 2U);
     EXPECT_TRUE(lineLink("esc:training").isSimulated());
-    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
-    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.line, SerialSettings());
+    EXPECT_EQ(lineLink("esc:ttyUSB0").settings.port, QStringLiteral("ttyUSB0"));
+    EXPECT_EQ(lineLink("esc:ttyUSB0").settings.serial, SerialSettings());
     const LineLink all =
         lineLink("esc:/dev/pts/5,baud=9600,format=7e1,time-out=250,retries=0,quiet=0,poll=20,"
                  "top-speed=3000,fraction-bits=28,swap-warnings=1,low-latency=0");
-    EXPECT_EQ(all.wish.port, QStringLiteral("/dev/pts/5"));
-    EXPECT_EQ(all.wish.line, (SerialSettings{9'600, 7, SerialSettings::Parity::even, 1, false}));
-    EXPECT_EQ(all.wish.timing.answerTimeOut, 250ms);
-    EXPECT_EQ(all.wish.timing.retries, 0);
-    EXPECT_EQ(all.wish.timing.quietAfterWrite, 0ms);
+    EXPECT_EQ(all.settings.port, QStringLiteral("/dev/pts/5"));
+    EXPECT_EQ(all.settings.serial, (SerialSettings{9'600, 7, SerialSettings::Parity::even, 1, false}));
+    EXPECT_EQ(all.settings.timing.answerTimeOut, 250ms);
+    EXPECT_EQ(all.settings.timing.retries, 0);
+    EXPECT_EQ(all.settings.timing.quietAfterWrite, 0ms);
     EXPECT_EQ(all.driver().positionInterval, 20ms);
     EXPECT_EQ(all.driver().topSpeed, 3'000);
     EXPECT_EQ(all.driver().fractionBits, 28);
@@ -54,9 +54,9 @@ TEST(CliLineLink, SettingsGoAsFarAsInTheProject)
 {
     const LineLink most =
         lineLink("esc:ttyUSB0,baud=10000000,time-out=60000,retries=20,quiet=60000,poll=60000");
-    EXPECT_EQ(most.wish.line.baudRate, 10'000'000);
-    EXPECT_EQ(most.wish.timing.retries, 20);
-    EXPECT_EQ(lineLink("esc:ttyUSB0,baud=50").wish.line.baudRate, 50);
+    EXPECT_EQ(most.settings.serial.baudRate, 10'000'000);
+    EXPECT_EQ(most.settings.timing.retries, 20);
+    EXPECT_EQ(lineLink("esc:ttyUSB0,baud=50").settings.serial.baudRate, 50);
     for (const char *beyond :
          {"esc:ttyUSB0,baud=10000001", "esc:ttyUSB0,baud=49", "esc:ttyUSB0,time-out=60001",
           "esc:ttyUSB0,retries=21", "esc:ttyUSB0,quiet=60001"})
@@ -67,9 +67,9 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
 {
     Project project;
     LinePlan line;
-    line.wish.port = QStringLiteral("/dev/ttyUSB3");
-    line.wish.fractionBits = 28;
-    line.wish.line.baudRate = 4'800;
+    line.settings.port = QStringLiteral("/dev/ttyUSB3");
+    line.settings.fractionBits = 28;
+    line.settings.serial.baudRate = 4'800;
     line.adapter.serialNumber = QStringLiteral("A50285BI");
     setLinePlan(project, firstLine, line);
     for (const LineAddress address : {LineAddress{3}, LineAddress{5}})
@@ -77,9 +77,9 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     project.devices[1].swapsWarningBytes = true;
     const auto link = lineOnLink(QStringLiteral("esc:project,fraction-bits=30"), &project);
     ASSERT_TRUE(link);
-    EXPECT_EQ(link->wish.port, QStringLiteral("/dev/ttyUSB3"));
-    EXPECT_EQ(link->wish.line.baudRate, 4'800);
-    EXPECT_EQ(link->wish.fractionBits, 30);
+    EXPECT_EQ(link->settings.port, QStringLiteral("/dev/ttyUSB3"));
+    EXPECT_EQ(link->settings.serial.baudRate, 4'800);
+    EXPECT_EQ(link->settings.fractionBits, 30);
     EXPECT_EQ(link->adapter, line.adapter);
     EXPECT_FALSE(link->explainOptions().swaps({3}));
     EXPECT_TRUE(link->explainOptions().swaps({5}));
@@ -87,8 +87,6 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
         << "whatever the port";
     const auto none = lineOnLink(QStringLiteral("esc:project,swap-warnings=0"), &project);
     EXPECT_FALSE(none->explainOptions().swaps({5}));
-    EXPECT_TRUE(needsProject(QStringLiteral("esc:project")));
-    EXPECT_FALSE(needsProject(QStringLiteral("esc:projector")));
 
     const Project without;
     EXPECT_EQ(lineOnLink(QStringLiteral("esc:project"), &without).error().key,
@@ -110,6 +108,8 @@ TEST(CliLineLink, WhatIsWrongIsNamed)
     EXPECT_EQ(refusal("esc:ttyUSB0,fraction-bits=31"), "lineSettingOutOfRange");
     EXPECT_EQ(refusal("esc:ttyUSB0,format=9N1"), "lineFormatWrong");
     EXPECT_EQ(refusal("esc:ttyUSB0,format=8N"), "lineFormatWrong");
+    EXPECT_EQ(refusal("esc:ttyUSB0,baud=9600,baud=19200"), "linkSettingGivenTwice");
+    EXPECT_EQ(refusal("esc:ttyUSB0,format=8N1,format=8N1"), "linkSettingGivenTwice");
 }
 
 } // namespace

@@ -134,8 +134,8 @@ TEST(CliLineProgram, AProjectLeadsToAllItsLines)
     Project project = *loadProject(file);
     ASSERT_EQ(project.buses.size(), 1U);
     LinePlan other = *linePlan(project, firstLine);
-    EXPECT_EQ(QStringLiteral("esc:") + other.wish.port, left.link());
-    other.wish.port = right.link().sliced(4);
+    EXPECT_EQ(QStringLiteral("esc:") + other.settings.port, left.link());
+    other.settings.port = right.link().sliced(4);
     project.buses.push_back({{4}, QStringLiteral("esc"), QStringLiteral("Right"), KindData(other)});
     project.devices.push_back(project.devices.back());
     project.devices.back().bus = {4};

@@ -31,7 +31,7 @@ protected:
         EXPECT_TRUE(arguments);
         return runWith({}, [&](const Terminal &terminal) {
             BusAccess access(bus, QStringLiteral("plain"));
-            return runCommand(command, *arguments, catalog, {&access}, terminal);
+            return runOn(command, *arguments, catalog, {&access}, terminal);
         });
     }
 

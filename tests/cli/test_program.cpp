@@ -64,6 +64,14 @@ TEST(CliProgram, SpeaksTheLanguageOfTheSystem)
     EXPECT_THAT(start(line, QStringLiteral("de_DE.UTF-8")).out, HasSubstr("In Betrieb, Position 76367"));
 }
 
+TEST(CliProgram, WhatIsKnownIsToldInTheLanguageOfTheSystem)
+{
+    const Ended run = start(QStringLiteral("clone 03 05 --dry-run"), QStringLiteral("de_DE.UTF-8"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("(gelesen)"));
+    EXPECT_THAT(run.out, testing::Not(testing::ContainsRegex("[(](read|echoed|told)[)]")));
+}
+
 // Save what docs/command-line.md names as texts in the user's language.
 TEST(CliProgram, JsonIsTheSameInEveryLanguage)
 {

@@ -59,7 +59,7 @@ protected:
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments);
         RingAccess ring(m_bus);
-        const int exit = runCommand(command, *arguments, m_catalog, {&ring}, Terminal{in, out, err});
+        const int exit = runOn(command, *arguments, m_catalog, {&ring}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
     QString nameAt(Place number) const { return m_bus.encoder(number)->device().key; }

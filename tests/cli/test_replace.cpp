@@ -50,8 +50,7 @@ protected:
         std::istringstream in(person.types);
         std::ostringstream out;
         std::ostringstream err;
-        const int exit =
-            runCommand(command, *arguments, catalog, {&ring}, Terminal{in, out, err, person.isThere});
+        const int exit = runOn(command, *arguments, catalog, {&ring}, Terminal{in, out, err, person.isThere});
         return {exit, out.str(), err.str()};
     }
     EncoderSession &fraba() { return *shared.bus().encoder("1.0"_ring); }

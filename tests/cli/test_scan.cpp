@@ -30,6 +30,17 @@ TEST(CliScan, NamesEachParticipant)
     EXPECT_EQ(shared.bus().latest().cycle, 0u);
 }
 
+TEST(CliScan, WhatIsForALineIsRefusedOnARingAlone)
+{
+    for (const char *option : {"--all-rates", "--master", "--first 05", "--last 05"}) {
+        const CliRun run =
+            runLine(QStringLiteral("scan --json --link interbus:training ") + QLatin1String(option));
+        EXPECT_EQ(run.exit, 2) << option;
+        EXPECT_EQ(run.json()[u"error"][u"key"], QStringLiteral("optionOfOtherBus")) << option;
+        EXPECT_THAT(run.err, testing::HasSubstr("Serial line")) << option;
+    }
+}
+
 TEST(CliScan, TellsProgramsTheSame)
 {
     const QJsonArray participants = runLine(QStringLiteral("scan --json")).json()[u"participants"].toArray();

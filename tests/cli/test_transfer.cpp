@@ -119,7 +119,7 @@ TEST_F(CliTransfer, AnEncoderThatRefusesIsNamedAndTheExitCodeTellsIt)
 TEST_F(CliTransfer, APlaceOrAFileThatIsNotThereIsRefused)
 {
     EXPECT_EQ(errorKey(runIt("transfer @ 9.0 --json")), "noSuchProjectDevice");
-    EXPECT_EQ(errorKey(runIt("transfer nowhere.codewheel --json")), "fileNotReadable");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("transfer nowhere.codewheel --json"))), "fileNotReadable");
     project.devices.clear();
     save();
     EXPECT_EQ(errorKey(runIt("store @ --json")), "projectEmpty");

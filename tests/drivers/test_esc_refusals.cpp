@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_values.h"
 #include "drivers/make_driver.h"
-#include "drivers/planned_words.h"
+#include "drivers/protocol.h"
 #include "drivers/values_to_write.h"
 #include "encoder/hex.h"
 #include "tests/drivers/esc_bench.h"
@@ -31,7 +31,7 @@ TEST(EscRefusals, WhatTheEncoderCannotDo)
         {WriteCams{}, RefusalId::camsNotSupported},
         {ResetToDefault{}, RefusalId::resetNotSupported},
         {SwitchMode{.mode = Mode::velocity}, RefusalId::velocityNotSupported},
-        {SwitchMode{.mode = Mode::cam, .camProgram = 1}, RefusalId::jobNotSupported},
+        {SwitchMode{.mode = Mode::cam, .camProgram = 1}, RefusalId::camsNotSupported},
         {EndParameterization{}, RefusalId::jobNotSupported},
         {ReadParameters{}, RefusalId::nothingToDo},
         {ReadParameters{{Parameter::temperature}}, RefusalId::parameterNotSupported},
@@ -157,8 +157,8 @@ TEST(EscValues, BothReadingsOfAnAddress)
 TEST(EscSteps, ArePlannedForReviewAndCounted)
 {
     const std::vector<Known> known{{Parameter::lineAddress, 0x12, Evidence::read, {}}};
-    const auto steps =
-        plannedSteps(kuebler(), known, writing({{Parameter::steps, 864}, {Parameter::direction, 1}}));
+    const auto steps = plannedSteps(kuebler(), writing({{Parameter::steps, 864}, {Parameter::direction, 1}}),
+                                    {.known = known});
     ASSERT_TRUE(steps);
     EXPECT_EQ(eepromWritesOf(*steps, kuebler()), 3) << "GR, GF, GD";
     std::vector<std::string> writes;
@@ -166,10 +166,10 @@ TEST(EscSteps, ArePlannedForReviewAndCounted)
         if (writesValue(step))
             writes.push_back(step.line.toStdString());
     EXPECT_EQ(writes, (std::vector<std::string>{"12GR00000360", "12GF03600000", "12GD1"}));
-    const auto preset = plannedSteps(kuebler(), {}, SetPreset{.value = 0x5200});
+    const auto preset = plannedSteps(kuebler(), SetPreset{.value = 0x5200});
     ASSERT_TRUE(preset);
     EXPECT_EQ(eepromWritesOf(*preset, kuebler()), 1);
-    EXPECT_FALSE(plannedSteps(kuebler(), {}, SetPreset{}));
+    EXPECT_FALSE(plannedSteps(kuebler(), SetPreset{}));
 }
 
 TEST(EscSteps, ADriverIsMadeForTheLineAndNotForTheBus)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Descriptions that slipped past the catalog: what they lack is refused, nothing is sent in its place.
 #include "catalog/catalog.h"
-#include "drivers/planned_words.h"
+#include "drivers/protocol.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ protected:
     }
     static std::optional<RefusalId> refusalOf(const DeviceDescription &device, const Job &job)
     {
-        const auto steps = plannedSteps(device, {{Parameter::startUpMode, 1, Evidence::told, {}}}, job);
+        const auto steps =
+            plannedSteps(device, job, {.known = {{Parameter::startUpMode, 1, Evidence::told, {}}}});
         return steps ? std::nullopt : std::optional(steps.error().id);
     }
 

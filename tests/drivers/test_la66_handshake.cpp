@@ -364,9 +364,9 @@ INSTANTIATE_TEST_SUITE_P(
             WriteParameters{.values = {{Parameter::direction, 0}}, .previous = {}, .initialisePreset = true},
             RefusalId::presetNeedsValue},
         BadRodInput{"mode", SwitchMode{}, RefusalId::velocityNotSupported},
-        BadRodInput{"reset", ResetToDefault{}, RefusalId::jobNotSupported},
-        BadRodInput{"cams", ReadCams{{1}, {}}, RefusalId::jobNotSupported},
-        BadRodInput{"writeCams", WriteCams{}, RefusalId::jobNotSupported}),
+        BadRodInput{"reset", ResetToDefault{}, RefusalId::resetNotSupported},
+        BadRodInput{"cams", ReadCams{{1}, {}}, RefusalId::camsNotSupported},
+        BadRodInput{"writeCams", WriteCams{}, RefusalId::camsNotSupported}),
     [](const auto &row) { return row.param.name; });
 
 TEST(La66Driver, ByHandItWaitsBeforeEachChangeOfOut)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "drivers/planned_words.h"
+#include "drivers/protocol.h"
 #include "drivers/values_to_write.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ protected:
     std::vector<Word> wordsOf(QStringView device, const std::vector<Known> &known, const Job &job,
                               Word out = 0x0000'0000)
     {
-        const auto steps = plannedSteps(*catalog.find(device), known, job, {}, out);
+        const auto steps = plannedSteps(*catalog.find(device), job, {.known = known, .out = out});
         EXPECT_TRUE(steps);
         std::vector<Word> words;
         for (const Step &step : steps.value_or(std::vector<Step>{}))
@@ -86,7 +86,7 @@ TEST_F(PlannedWords, OfARodAreThreeForEachService)
                 ElementsAre(0x4600'03E8, 0xC600'03E8, 0x4600'03E8, 0x0000'0000));
     EXPECT_THAT(wordsOf(u"tr-la66", {}, SendWords{{0xC100'0001, 0x0000'0000}}),
                 ElementsAre(0x4100'0001, 0xC100'0001, 0x4100'0001, 0x0000'0000));
-    const auto steps = plannedSteps(*catalog.find(u"tr-la66"), {}, length);
+    const auto steps = plannedSteps(*catalog.find(u"tr-la66"), length);
     const auto writing = std::ranges::find_if(*steps, writesValue);
     ASSERT_NE(writing, steps->end());
     EXPECT_EQ(writing->out, 0xC200'C350u);
@@ -96,7 +96,7 @@ TEST_F(PlannedWords, OfARodAreThreeForEachService)
 TEST_F(PlannedWords, AreRefusedWhereTheInputIsBad)
 {
     const auto steps =
-        plannedSteps(*catalog.find(u"baumer-gxp6w"), {},
+        plannedSteps(*catalog.find(u"baumer-gxp6w"),
                      WriteParameters{.values = {{Parameter::revolutions, 20'000}}, .previous = {}});
     ASSERT_FALSE(steps);
     EXPECT_EQ(steps.error().id, RefusalId::valueOutOfRange);

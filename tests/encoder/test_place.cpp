@@ -77,15 +77,15 @@ TEST(Place, IsReadAsItIsTyped)
     EXPECT_EQ(Place::parse(u"12"), twelve);
     EXPECT_EQ(Place::parse(u"esc:12"), twelve);
     EXPECT_EQ(Place::parse(u"1f"), placeOnLine({31}));
-    EXPECT_TRUE(twelve.isOnLine());
-    EXPECT_FALSE(Place::parse(u"1.2")->isOnLine());
+    EXPECT_TRUE(twelve.isAddress());
+    EXPECT_FALSE(Place::parse(u"1.2")->isAddress());
 }
 
 // Manual, "Masteraddress: 00": the place of an encoder that is alone on its line, and not no place.
 TEST(Place, MayBeTheMasterAddressOfASerialLine)
 {
     const Place alone = placeOnLine(LineAddress::master());
-    EXPECT_TRUE(alone.isOnLine());
+    EXPECT_TRUE(alone.isAddress());
     EXPECT_FALSE(alone.isEmpty());
     EXPECT_EQ(Place::parse(u"00"), alone);
     EXPECT_EQ(Place::parse(u"esc:00"), alone);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "drivers/planned_words.h"
+#include "drivers/protocol.h"
 #include "drivers/values_to_write.h"
 #include "journal/eeprom_cost.h"
 #include "ring/ring_session.h"
@@ -145,10 +145,10 @@ TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
     const std::vector<Known> inPositionMode{{Parameter::startUpMode, 1, Evidence::told, {}}};
     const DeviceDescription &device = bus.encoder(unnamed)->device();
     for (const Job &job : {Job(SetPreset{.value = 1000}), Job(write)})
-        EXPECT_EQ(eepromWritesOf(*plannedSteps(device, inPositionMode, job), device), 2);
+        EXPECT_EQ(eepromWritesOf(*plannedSteps(device, job, {.known = inPositionMode}), device), 2);
     const DeviceDescription &baumer = bus.encoder("2.0"_ring)->device();
     EXPECT_EQ(of(2, SetPreset{.value = 1000}), 1);
-    EXPECT_EQ(eepromWritesOf(*plannedSteps(baumer, {}, write), baumer), 1);
+    EXPECT_EQ(eepromWritesOf(*plannedSteps(baumer, write), baumer), 1);
 }
 
 TEST_F(EepromCost, OfWritingBackWhatWasBefore)

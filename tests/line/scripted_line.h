@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/request_driver.h"
+#include "drivers/esc_request_driver.h"
 #include "esc_line/byte_link.h"
 
 #include <deque>
@@ -87,9 +87,10 @@ public:
     std::optional<int> wantedBaudRate() const override { return m_baudRate; }
     void setFractionBits(int bits) override { m_fractionBits = bits; }
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
-    std::vector<Message> takeMessages() override { return {}; }
+    std::vector<Message> takeMessages() override { return std::exchange(m_messages, {}); }
 
     void moveTo(LineAddress address) { m_address = address; }
+    void say(Message message) { m_messages.push_back(std::move(message)); } // with the next request
     void speakAt(int baudRate) { m_baudRate = baudRate; }
     std::optional<int> fractionBits() const { return m_fractionBits; } // as it was told
 
@@ -102,6 +103,7 @@ private:
     Reading m_reading;
     std::optional<JobId> m_job;
     std::vector<Event> m_events;
+    std::vector<Message> m_messages;
 };
 
 } // namespace codewheel

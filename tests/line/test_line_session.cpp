@@ -56,6 +56,31 @@ TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
     EXPECT_GT(line->shown(place)->figures.answers, 2U);
 }
 
+TEST_F(LineSessionTest, WhatADriverSaysStandsAtThePlaceOnItsOwnLine)
+{
+    constexpr BusId fourth{4};
+    auto made = std::make_unique<ScriptedLink>();
+    PollingDriver *driver = nullptr;
+    LineSession other(
+        std::move(made), catalog, QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
+        [&](const DeviceDescription &, LineAddress address) {
+            auto polling = std::make_unique<PollingDriver>(address, 10ms);
+            driver = polling.get();
+            return polling;
+        },
+        nullptr, fourth);
+    std::vector<Message> said;
+    QObject::connect(&other, &LineSession::messaged, &other,
+                     [&](const Message &message) { said.push_back(message); });
+    ASSERT_TRUE(other.open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(other.add({5}, rs485));
+    driver->say({.id = MessageId::encoderSilent});
+    other.advance(1s);
+    const auto found = std::ranges::find(said, MessageId::encoderSilent, &Message::id);
+    ASSERT_NE(found, said.end());
+    EXPECT_EQ(found->place, (Place{fourth, LineAddress{5}.node()}));
+}
+
 TEST_F(LineSessionTest, WhatIsShownIsOldOncePollingStops)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));

@@ -88,7 +88,7 @@ TEST(KeptAdapter, OneThatWasKeptIsLookedForFromTheBeginning)
 TEST(KeptAdapter, AProjectKeepsIt)
 {
     LinePlan line;
-    line.wish.port = QStringLiteral("ttyUSB0");
+    line.settings.port = QStringLiteral("ttyUSB0");
     KeptAdapter first = keptAdapterOf(line);
     EXPECT_FALSE(first.adapter());
     ASSERT_TRUE(first.find({adapter("/dev/ttyUSB1", "B7", "1-4:1.0"), ours}));

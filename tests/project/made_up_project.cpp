@@ -120,11 +120,11 @@ LinePlan Maker::line()
 {
     using std::chrono::milliseconds;
     LinePlan line;
-    LineSettings &wish = line.wish;
+    LineSettings &wish = line.settings;
     wish.port = text();
-    wish.line = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
-                 static_cast<SerialSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
-    wish.timing.character = wish.line.timeOf(1);
+    wish.serial = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
+                   static_cast<SerialSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
+    wish.timing.character = wish.serial.timeOf(1);
     wish.timing.answerTimeOut = milliseconds(1 + below(10'000));
     wish.timing.retries = static_cast<int>(below(11));
     wish.timing.quietAfterWrite = milliseconds(below(10'001));

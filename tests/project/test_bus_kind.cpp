@@ -47,6 +47,7 @@ public:
     QString usualName() const override { return QStringLiteral("Lamps"); }
     KindData usual() const override { return KindData(LampPlan()); }
     QString linkText(const KindData &) const override { return QStringLiteral("mains"); }
+    bool isTraining(const KindData & /*settings*/) const override { return true; }
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus, const Catalog &) const override
     {
         std::vector<BusNode> nodes;

@@ -21,7 +21,7 @@ Project encoders(int count)
 QStringList findings(const Project &project)
 {
     QStringList texts;
-    for (const Finding &finding : checkProject(project))
+    for (const Finding &finding : checkProject(project, processAddresses(project)))
         texts << QStringLiteral("%1 %2: %3")
                      .arg(finding.device)
                      .arg(finding.severity == Severity::fault ? QStringLiteral("fault")

@@ -64,7 +64,7 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
     const auto project = projectFromJson(example(), fileName);
     ASSERT_TRUE(project && linePlan(*project, firstLine));
     LinePlan line;
-    line.wish.port = QStringLiteral("/dev/ttyUSB0");
+    line.settings.port = QStringLiteral("/dev/ttyUSB0");
     line.adapter = {0x0403, 0x6001, QStringLiteral("A50285BI"), QStringLiteral("1-2.4:1.0")};
     ProjectDevice encoder;
     encoder.standAt(placeOnLine({0x12}));
@@ -86,8 +86,8 @@ TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
         fileName);
     ASSERT_TRUE(project && linePlan(*project, firstLine));
     LinePlan line;
-    line.wish.line.baudRate = 4'800;
-    line.wish.timing.character = line.wish.line.timeOf(1);
+    line.settings.serial.baudRate = 4'800;
+    line.settings.timing.character = line.settings.serial.timeOf(1);
     EXPECT_EQ(*linePlan(*project, firstLine), line);
 }
 
@@ -99,9 +99,9 @@ TEST(ProjectJson, ASerialLineMayHaveAllThatTheCommandLineGives)
             "timeOut": 60000, "retries": 20, "quietAfterWrite": 60000, "pollInterval": 60000}})",
         fileName);
     ASSERT_TRUE(project && linePlan(*project, firstLine));
-    EXPECT_EQ(linePlan(*project, firstLine)->wish.line.baudRate, 10'000'000);
-    EXPECT_EQ(linePlan(*project, firstLine)->wish.timing.answerTimeOut, std::chrono::seconds(60));
-    EXPECT_EQ(linePlan(*project, firstLine)->wish.timing.retries, 20);
+    EXPECT_EQ(linePlan(*project, firstLine)->settings.serial.baudRate, 10'000'000);
+    EXPECT_EQ(linePlan(*project, firstLine)->settings.timing.answerTimeOut, std::chrono::seconds(60));
+    EXPECT_EQ(linePlan(*project, firstLine)->settings.timing.retries, 20);
 }
 
 // Kübler manual, "Masteraddress: 00"
@@ -203,6 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"version\": 2,", "\"version\": 2.0,", 3, "version", "whole number from 1"},
         Breakage{"\"version\": 2,", "\"version\": \"1\",", 3, "version", "whole number from 1"},
         Breakage{"\"name\": \"Ring\"", "\"name\": \"Ring/1\"", 9, "buses[0].name", "has no \"/\""},
+        Breakage{"\"name\": \"Ring\"", "\"name\": \" \"", 9, "buses[0].name", "needs a name"},
         Breakage{"\"title\": \"Crane 1\"", "\"title\": 1", 4, "title", "text in quotation marks"},
         Breakage{"\"title\"", "\"titel\"", 4, "titel", "not known"},
         Breakage{"\"title\"", "\"buses\"", 5, "buses", "stands here twice"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "journal/ledger.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 #include "project/project_take_over.h"
 #include "report/deviations.h"
 #include "report/kept_counts.h"
@@ -133,6 +135,51 @@ TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
                 Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("1.0: configured K3 37h, found K2 36h"));
+}
+
+// Two rings with the same places, each with something that differs, wanted and noted.
+ReportInput twoRings()
+{
+    ReportInput input = exampleInput();
+    input.project.buses.front().name = QStringLiteral("Crane 1");
+    planBus(input.project, BusId{3}, *busKind(QString::fromLatin1(interbusKind))).name =
+        QStringLiteral("Crane 2");
+    std::vector<ProjectDevice> same = input.project.devices;
+    for (ProjectDevice &device : same)
+        device.bus = BusId{3};
+    same[1].outAddress = 1;
+    same[2].note = QStringLiteral("In the cabinet");
+    setDevicesOn(input.project, BusId{3}, std::move(same));
+    return input;
+}
+
+TEST(CommissioningReport, SamePlacesOfTwoRingsAreToldApart)
+{
+    const ReportInput input = twoRings();
+    const Report report = reportOf(input);
+    EXPECT_THAT(rowsOf(sectionOf(report, "Deviations")),
+                ElementsAre("Crane 1/1.0 | Crane 1, hoist | Steps | 4096 steps | 8192 steps | read",
+                            "Crane 2/1.0 | Crane 1, hoist | Steps | 4096 steps | 8192 steps | read",
+                            StartsWith("Crane 2/2.0 | ")));
+    EXPECT_THAT(rowsOf(sectionOf(report, "EEPROM writes by this program")),
+                Contains(StartsWith("Crane 2/2.0 | ")));
+    EXPECT_THAT(factsOf(sectionOf(report, "Notes").blocks), ElementsAre("Crane 2/3.0: In the cabinet"));
+    sectionOf(report, "Crane 1/1.0: FRABA OCD-IB K3, Crane 1, hoist");
+    sectionOf(report, "Crane 2/1.0: FRABA OCD-IB K3, Crane 1, hoist");
+}
+
+TEST(CommissioningReport, BusesThatWereNotComparedAreNamed)
+{
+    ReportInput input = twoRings();
+    input.connected[firstRing].devices = structureOf(input.project);
+    EXPECT_THAT(factsOf({reportOf(input).facts}),
+                Contains("Bus: connected as configured; not compared: Crane 2"));
+    EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
+                Contains("Not compared with connected ones: Crane 2."));
+    input.connected[BusId{3}].devices = {};
+    EXPECT_THAT(factsOf({reportOf(input).facts}),
+                Contains("Bus: not connected as configured; lines that differ: 3"));
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")), Contains(StartsWith("Crane 2 | 1.0: ")));
 }
 
 TEST(CommissioningReport, AMakeOfAnotherDeviceCodeIsNotBelieved)

@@ -65,6 +65,15 @@ TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
     EXPECT_TRUE(html.contains("Written, confirmed by the handshake"));
 }
 
+TEST_F(TransferReports, NameTheBusWhereSeveralHaveThePlace)
+{
+    setBusNames({{baumer.bus, QStringLiteral("Crane 2")}});
+    const TransferAccount account{.encoders = {{.place = baumer}}};
+    const QString heading = reportOf(account, catalog, {}).sections.front().heading;
+    setBusNames({});
+    EXPECT_EQ(heading, QStringLiteral("Crane 2/2.0"));
+}
+
 TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
 {
     const TransferPlan plan = planTransfer(

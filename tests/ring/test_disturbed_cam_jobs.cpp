@@ -92,10 +92,16 @@ protected:
         return {.programs = {wanted(1), wanted(2)}, .afterwards = afterwards};
     }
 
-    // How many of the jobs failed.
-    static int atEachCycle(const Job &job, const Act &disturb, const Act &check)
+    struct Ends
     {
         int failed = 0;
+        int cancelled = 0; // of those that failed
+        int restored = 0;
+        bool areSlow = false; // one took twice as long as undisturbed
+    };
+    static Ends atEachCycle(const Job &job, const Act &disturb, const Act &check)
+    {
+        Ends ends;
         const auto undisturbed = make();
         undisturbed->begin(job);
         const auto length = undisturbed->finish();
@@ -106,16 +112,21 @@ protected:
             driven->begin(job);
             driven->cycles(k);
             disturb(*driven);
-            EXPECT_TRUE(driven->finish()) << "the job does not end";
+            const auto rest = driven->finish();
+            EXPECT_TRUE(rest) << "the job does not end";
             if (!driven->outcome())
                 break;
-            failed += driven->outcome()->result ? 0 : 1;
+            const Outcome &outcome = *driven->outcome();
+            ends.failed += outcome.result ? 0 : 1;
+            ends.cancelled += !outcome.result && outcome.result.error().id == RefusalId::cancelled ? 1 : 0;
+            ends.restored += outcome.restored ? 1 : 0;
+            ends.areSlow = ends.areSlow || k + rest.value_or(0) > 2 * length.value_or(0);
             EXPECT_EQ(driven->outcome()->leftIn, driven->state());
             driven->cycles(camRestart);
             EXPECT_EQ(driven->out(), 0u);
             check(*driven);
         }
-        return failed;
+        return ends;
     }
 
     // Asks the encoder itself, the one it is in first: to leave a program changes what is saved.
@@ -144,7 +155,7 @@ protected:
     }
     static void cancelAtEachCycle(OnCancel how, bool slow, const Act &check)
     {
-        atEachCycle(
+        const Ends ends = atEachCycle(
             write(),
             [how, slow](DrivenEncoder &driven) {
                 driven.encoder().setSlow(slow);
@@ -155,6 +166,8 @@ protected:
                 driven.encoder().setSlow(false);
                 check(driven);
             });
+        EXPECT_GT(ends.cancelled, 0);
+        EXPECT_EQ(ends.restored > 0, how == OnCancel::restorePrevious);
     }
 };
 
@@ -190,14 +203,14 @@ TEST_F(DisturbedCams, AReadIsWhatTheEncoderHas)
 
 TEST_F(DisturbedCams, ByAPowerCycle)
 {
-    const int failed = atEachCycle(
+    const Ends ends = atEachCycle(
         write(SwitchMode{}), [](DrivenEncoder &driven) { driven.encoder().powerCycle(); }, expectWrittenIfOk);
-    EXPECT_GT(failed, 0);
+    EXPECT_GT(ends.failed, 0);
 }
 
 TEST_F(DisturbedCams, ByAPowerCycleOfASlowEncoder)
 {
-    const int failed = atEachCycle(
+    const Ends ends = atEachCycle(
         write(SwitchMode{}),
         [](DrivenEncoder &driven) {
             driven.encoder().setSlow(true);
@@ -208,7 +221,7 @@ TEST_F(DisturbedCams, ByAPowerCycleOfASlowEncoder)
             driven.encoder().setSlow(false);
             expectWrittenIfOk(driven);
         });
-    EXPECT_GT(failed, 0);
+    EXPECT_GT(ends.failed, 0);
 }
 
 TEST_F(DisturbedCams, ByTheLossOfTheParameters)
@@ -223,13 +236,14 @@ TEST_F(DisturbedCams, ByTheLossOfTheParameters)
 
 TEST_F(DisturbedCams, ByAnEncoderThatIsSlowAtLast)
 {
-    atEachCycle(
+    const Ends ends = atEachCycle(
         write(), [](DrivenEncoder &driven) { driven.encoder().setSlow(true); },
         [](DrivenEncoder &driven) {
             EXPECT_TRUE(driven.outcome()->result);
             driven.encoder().setSlow(false);
             expectWrittenIfOk(driven);
         });
+    EXPECT_TRUE(ends.areSlow);
 }
 
 TEST_F(DisturbedCams, NoPositionIsSetByAnyOfTheWords)

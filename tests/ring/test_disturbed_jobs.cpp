@@ -3,6 +3,7 @@
 // driver says is what the simulated encoder has.
 #include "tests/ring/driven_encoder.h"
 
+#include <algorithm>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,6 +66,17 @@ protected:
     {
         int ok = 0;
         int failed = 0;
+        int cancelled = 0; // of those that failed
+        int restored = 0;
+        int longest = 0; // cycles that a job took
+
+        void add(const Outcome &outcome, int cycles)
+        {
+            ++(outcome.result ? ok : failed);
+            cancelled += !outcome.result && outcome.result.error().id == RefusalId::cancelled ? 1 : 0;
+            restored += outcome.restored ? 1 : 0;
+            longest = std::max(longest, cycles);
+        }
     };
     // Disturbs a fresh job in cycle 0, 1, 2, ..., and checks each end.
     static Ends atEachCycle(const Job &job, const Act &disturb, const Act &check)
@@ -78,10 +90,11 @@ protected:
             driven->begin(job);
             driven->cycles(k);
             disturb(*driven);
-            EXPECT_TRUE(driven->finish()) << "the job does not end";
+            const auto rest = driven->finish();
+            EXPECT_TRUE(rest) << "the job does not end";
             if (!driven->outcome())
                 break;
-            ++(driven->outcome()->result ? ends.ok : ends.failed);
+            ends.add(*driven->outcome(), k + rest.value_or(0));
             EXPECT_EQ(driven->outcome()->leftIn, driven->state());
             driven->cycles(longEnoughToRestart);
             check(*driven);
@@ -161,12 +174,13 @@ TEST_P(DisturbedJob, AWriteToAnEncoderSwitchedOffEnds)
 
 TEST_P(DisturbedJob, AnEncoderThatIsSlowAtLastIsWrittenAllTheSame)
 {
-    atEachCycle(
+    const Ends ends = atEachCycle(
         write(), [](DrivenEncoder &driven) { driven.encoder().setSlow(true); },
         [](DrivenEncoder &driven) {
             EXPECT_TRUE(driven.outcome()->result);
             expectWrittenIfOk(driven);
         });
+    EXPECT_GT(ends.longest, 2 * lengthOf(write())) << "it was slow";
 }
 
 class CancelledJob : public DisturbedJob
@@ -174,7 +188,7 @@ class CancelledJob : public DisturbedJob
 protected:
     static void cancelAtEachCycle(const Job &job, OnCancel how, bool slow, const Act &check)
     {
-        atEachCycle(
+        const Ends ends = atEachCycle(
             job,
             [how, slow](DrivenEncoder &driven) {
                 driven.encoder().setSlow(slow);
@@ -182,6 +196,8 @@ protected:
                 driven.driver().cancel(how, Instant{});
             },
             check);
+        EXPECT_GT(ends.cancelled, 0);
+        EXPECT_EQ(ends.restored > 0, how == OnCancel::restorePrevious);
     }
     static void expectBefore(DrivenEncoder &driven)
     {

@@ -34,11 +34,14 @@ LinkUnderTest failing(int n)
 INSTANTIATE_TEST_SUITE_P(ScriptedLink, ProcessDataLinkContract,
                          testing::Values(quick(), slow(), failing(1), failing(2), failing(3)));
 
-INSTANTIATE_TEST_SUITE_P(TrainingBus, ProcessDataLinkContract,
-                         testing::Values(LinkUnderTest{"training bus", [] {
-                                                           return std::move(
-                                                               makeTrainingBus(Catalog::builtIn()).link);
-                                                       }}));
+LinkUnderTest trainingBus()
+{
+    return {.name = "training bus",
+            .make = [] { return std::move(makeTrainingBus(Catalog::builtIn()).link); },
+            .neverBlocks = true};
+}
+
+INSTANTIATE_TEST_SUITE_P(TrainingBus, ProcessDataLinkContract, testing::Values(trainingBus()));
 
 } // namespace
 } // namespace codewheel

@@ -32,10 +32,10 @@ RingStructure mixedRing()
 }
 
 // Two encoders, one of them of an unknown make, and a digital input.
-class RingSessionTest : public testing::Test
+class BusSessionTest : public testing::Test
 {
 protected:
-    RingSessionTest()
+    BusSessionTest()
     {
         auto link = std::make_unique<ScriptedLink>(mixedRing());
         m_link = link.get();
@@ -76,7 +76,7 @@ protected:
     std::vector<RefusalId> m_refused;
 };
 
-TEST_F(RingSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
+TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
 {
     m_link->setPeerOut({wordA, 0, 0});
     open(RingSession::Start::watching);
@@ -91,7 +91,7 @@ TEST_F(RingSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
     EXPECT_EQ(m_bus->dateTime(m_bus->latest().at), QDateTime(QDate(2026, 3, 1), QTime(14, 2, 0, 3), Qt::UTC));
 }
 
-TEST_F(RingSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
+TEST_F(BusSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
 {
     m_link->lose();
     const auto opened = m_bus->open(RingSession::Start::watching);
@@ -102,7 +102,7 @@ TEST_F(RingSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
     EXPECT_THAT(m_bus->places(), IsEmpty());
 }
 
-TEST_F(RingSessionTest, EncodersAreDescribedByTheirKeyOrByTheirIdCode)
+TEST_F(BusSessionTest, EncodersAreDescribedByTheirKeyOrByTheirIdCode)
 {
     open(RingSession::Start::watching);
     EXPECT_THAT(m_bus->places(), ElementsAre(firstPlace, secondPlace, thirdPlace));
@@ -114,7 +114,7 @@ TEST_F(RingSessionTest, EncodersAreDescribedByTheirKeyOrByTheirIdCode)
     EXPECT_EQ(m_bus->channel("9.0"_ring), nullptr);
 }
 
-TEST_F(RingSessionTest, AStagedWordStaysUntilItStandsOnTheBus)
+TEST_F(BusSessionTest, AStagedWordStaysUntilItStandsOnTheBus)
 {
     open(RingSession::Start::operating);
     channel()->stage(wordA);
@@ -130,7 +130,7 @@ TEST_F(RingSessionTest, AStagedWordStaysUntilItStandsOnTheBus)
     EXPECT_EQ(messages().back(), MessageId::wordWritten);
 }
 
-TEST_F(RingSessionTest, AWordStagedWhileAnotherIsOnItsWayStays)
+TEST_F(BusSessionTest, AWordStagedWhileAnotherIsOnItsWayStays)
 {
     open(RingSession::Start::operating);
     channel()->stage(wordA);
@@ -141,7 +141,7 @@ TEST_F(RingSessionTest, AWordStagedWhileAnotherIsOnItsWayStays)
     EXPECT_EQ(channel()->staged(), wordB);
 }
 
-TEST_F(RingSessionTest, WritingIsAnsweredAtOnce)
+TEST_F(BusSessionTest, WritingIsAnsweredAtOnce)
 {
     open(RingSession::Start::watching);
     channel()->stage(wordA);
@@ -159,7 +159,7 @@ TEST_F(RingSessionTest, WritingIsAnsweredAtOnce)
     EXPECT_EQ(m_bus->channel(thirdPlace)->write().error().id, RefusalId::sendingNotSupported);
 }
 
-TEST_F(RingSessionTest, ALateRefusalComesAsASignalAndKeepsTheStagedWord)
+TEST_F(BusSessionTest, ALateRefusalComesAsASignalAndKeepsTheStagedWord)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
@@ -173,7 +173,7 @@ TEST_F(RingSessionTest, ALateRefusalComesAsASignalAndKeepsTheStagedWord)
     EXPECT_EQ(m_link->peerOut()[0], 0u);
 }
 
-TEST_F(RingSessionTest, AJobRunsAndItsEndIsReported)
+TEST_F(BusSessionTest, AJobRunsAndItsEndIsReported)
 {
     open(RingSession::Start::operating);
     std::vector<Exchange> rows;
@@ -197,14 +197,14 @@ TEST_F(RingSessionTest, AJobRunsAndItsEndIsReported)
     EXPECT_EQ(m_messages.back().at, std::chrono::milliseconds(3));
 }
 
-TEST_F(RingSessionTest, AJobIsRefusedAtOnceInWatch)
+TEST_F(BusSessionTest, AJobIsRefusedAtOnceInWatch)
 {
     open(RingSession::Start::watching);
     EXPECT_EQ(encoder()->start(SendWords{{wordA}}).error().id, RefusalId::watchOnly);
     EXPECT_EQ(encoder()->runningJob(), std::nullopt);
 }
 
-TEST_F(RingSessionTest, ANextJobCanBeStartedWhenOneHasFinished)
+TEST_F(BusSessionTest, ANextJobCanBeStartedWhenOneHasFinished)
 {
     open(RingSession::Start::operating);
     int started = 1;
@@ -219,7 +219,7 @@ TEST_F(RingSessionTest, ANextJobCanBeStartedWhenOneHasFinished)
     EXPECT_EQ(m_outcomes.size(), 3u);
 }
 
-TEST_F(RingSessionTest, AlarmStopEndsTheJobAndZeroesTheRing)
+TEST_F(BusSessionTest, AlarmStopEndsTheJobAndZeroesTheRing)
 {
     open(RingSession::Start::operating);
     m_bus->channel(secondPlace)->stage(wordB);
@@ -234,7 +234,7 @@ TEST_F(RingSessionTest, AlarmStopEndsTheJobAndZeroesTheRing)
     EXPECT_THAT(devicesWithOut(*m_bus), IsEmpty());
 }
 
-TEST_F(RingSessionTest, OutOfOneDeviceCanBeZeroed)
+TEST_F(BusSessionTest, OutOfOneDeviceCanBeZeroed)
 {
     m_link->setPeerOut({wordA, wordB, 0});
     open(RingSession::Start::operating);
@@ -245,7 +245,7 @@ TEST_F(RingSessionTest, OutOfOneDeviceCanBeZeroed)
     EXPECT_THAT(devicesWithOut(*m_bus), ElementsAre(firstPlace));
 }
 
-TEST_F(RingSessionTest, ClosingEndsJobsAndTellsSo)
+TEST_F(BusSessionTest, ClosingEndsJobsAndTellsSo)
 {
     open(RingSession::Start::operating);
     int states = 0;
@@ -267,7 +267,7 @@ TEST_F(RingSessionTest, ClosingEndsJobsAndTellsSo)
     EXPECT_EQ(m_link->exchanges(), 2);
 }
 
-TEST_F(RingSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
+TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
@@ -290,7 +290,7 @@ TEST_F(RingSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     EXPECT_EQ(before->known(Parameter::steps)->value, 255);
 }
 
-TEST_F(RingSessionTest, AnotherRingAfterALostLinkIsTakenOver)
+TEST_F(BusSessionTest, AnotherRingAfterALostLinkIsTakenOver)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
@@ -320,7 +320,7 @@ TEST_F(RingSessionTest, AnotherRingAfterALostLinkIsTakenOver)
 }
 
 // The bus thread has found the other ring already when it is started with the one of before.
-TEST_F(RingSessionTest, AJobForARingThatIsNoMoreEndsOnce)
+TEST_F(BusSessionTest, AJobForARingThatIsNoMoreEndsOnce)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
@@ -342,7 +342,7 @@ TEST_F(RingSessionTest, AJobForARingThatIsNoMoreEndsOnce)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u));
 }
 
-TEST_F(RingSessionTest, StopHoldsForALostLinkAndStartTriesAtOnce)
+TEST_F(BusSessionTest, StopHoldsForALostLinkAndStartTriesAtOnce)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
@@ -364,7 +364,7 @@ TEST_F(RingSessionTest, StopHoldsForALostLinkAndStartTriesAtOnce)
     EXPECT_TRUE(m_bus->isRunning());
 }
 
-TEST_F(RingSessionTest, AnAlarmStopOnALostLinkIsCarriedOutOnceItIsBack)
+TEST_F(BusSessionTest, AnAlarmStopOnALostLinkIsCarriedOutOnceItIsBack)
 {
     open(RingSession::Start::operating);
     m_bus->channel(secondPlace)->stage(wordB);
@@ -381,7 +381,7 @@ TEST_F(RingSessionTest, AnAlarmStopOnALostLinkIsCarriedOutOnceItIsBack)
     EXPECT_FALSE(m_bus->isOperating());
 }
 
-TEST_F(RingSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
+TEST_F(BusSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
 {
     open(RingSession::Start::operating);
     m_bus->channel(secondPlace)->stage(wordB);
@@ -393,7 +393,7 @@ TEST_F(RingSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
 }
 
-TEST_F(RingSessionTest, TimeIsThatOfTheLinksClock)
+TEST_F(BusSessionTest, TimeIsThatOfTheLinksClock)
 {
     open(RingSession::Start::watching);
     m_link->wait(std::chrono::seconds(5)); // it goes by itself
@@ -402,7 +402,7 @@ TEST_F(RingSessionTest, TimeIsThatOfTheLinksClock)
     EXPECT_EQ(m_bus->now(), std::chrono::milliseconds(5'010));
 }
 
-TEST_F(RingSessionTest, ClosingFromAHandlerTellsTheRest)
+TEST_F(BusSessionTest, ClosingFromAHandlerTellsTheRest)
 {
     open(RingSession::Start::operating);
     ASSERT_TRUE(encoder()->start(SendWords{{wordA, wordA, wordA}}));
@@ -413,7 +413,7 @@ TEST_F(RingSessionTest, ClosingFromAHandlerTellsTheRest)
     EXPECT_EQ(messages().back(), MessageId::busStopped);
 }
 
-TEST_F(RingSessionTest, WhatIsToldIsKnownUntilItIsTakenBack)
+TEST_F(BusSessionTest, WhatIsToldIsKnownUntilItIsTakenBack)
 {
     open(RingSession::Start::watching);
     EXPECT_EQ(encoder()->known(Parameter::steps), std::nullopt);
@@ -429,7 +429,7 @@ TEST_F(RingSessionTest, WhatIsToldIsKnownUntilItIsTakenBack)
     EXPECT_THAT(m_drivers[0]->known(), IsEmpty());
 }
 
-TEST_F(RingSessionTest, WhatADriverLearnsReplacesAndRemovesWhatWasKnown)
+TEST_F(BusSessionTest, WhatADriverLearnsReplacesAndRemovesWhatWasKnown)
 {
     open(RingSession::Start::watching);
     encoder()->tell(Parameter::steps, 255);
@@ -445,7 +445,7 @@ TEST_F(RingSessionTest, WhatADriverLearnsReplacesAndRemovesWhatWasKnown)
     EXPECT_EQ(changes, 1);
 }
 
-TEST_F(RingSessionTest, AnEncoderThatLostItsParametersIsKnownNoMore)
+TEST_F(BusSessionTest, AnEncoderThatLostItsParametersIsKnownNoMore)
 {
     open(RingSession::Start::watching);
     encoder()->tell(Parameter::steps, 255);
@@ -461,7 +461,7 @@ TEST_F(RingSessionTest, AnEncoderThatLostItsParametersIsKnownNoMore)
     EXPECT_THAT(m_drivers[0]->known(), IsEmpty());
 }
 
-TEST_F(RingSessionTest, APictureIsToldOnceHoweverManyCyclesItTook)
+TEST_F(BusSessionTest, APictureIsToldOnceHoweverManyCyclesItTook)
 {
     open(RingSession::Start::watching);
     int updates = 0;
@@ -479,7 +479,7 @@ TEST_F(RingSessionTest, APictureIsToldOnceHoweverManyCyclesItTook)
     EXPECT_EQ(updates, 1);
 }
 
-TEST_F(RingSessionTest, RunsByAThreadOfItsOwnAndEndsWithIt)
+TEST_F(BusSessionTest, RunsByAThreadOfItsOwnAndEndsWithIt)
 {
     for (int i = 0; i < 50; ++i) {
         m_outcomes.clear();

@@ -23,10 +23,10 @@ SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
     };
 }
 
-class TrainingRingSession : public testing::Test
+class TrainingBusSession : public testing::Test
 {
 protected:
-    TrainingRingSession()
+    TrainingBusSession()
     {
         EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
         QObject::connect(m_bus.encoder(fraba), &EncoderSession::finished, &m_bus,
@@ -51,7 +51,7 @@ protected:
     std::optional<Outcome> m_outcome;
 };
 
-TEST_F(TrainingRingSession, Sets255StepsAndReadsThemBack)
+TEST_F(TrainingBusSession, Sets255StepsAndReadsThemBack)
 {
     finish(WriteParameters{.values = {{Parameter::steps, 255},
                                       {Parameter::revolutions, 1},
@@ -72,7 +72,7 @@ TEST_F(TrainingRingSession, Sets255StepsAndReadsThemBack)
     EXPECT_EQ(encoder().known(Parameter::steps)->evidence, Evidence::read);
 }
 
-TEST_F(TrainingRingSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
+TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
 {
     finish(ReadParameters{{Parameter::steps}});
     ASSERT_TRUE(encoder().known(Parameter::steps));
@@ -82,7 +82,7 @@ TEST_F(TrainingRingSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
     EXPECT_FALSE(encoder().known(Parameter::steps));
 }
 
-TEST_F(TrainingRingSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
+TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
 {
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
     m_bus.advance(3);
@@ -94,7 +94,7 @@ TEST_F(TrainingRingSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
     EXPECT_EQ(m_outcome->result.error().id, RefusalId::alarmStop);
 }
 
-TEST_F(TrainingRingSession, WhatIsShownIsOldOnceTheBusStops)
+TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
 {
     std::vector<Freshness::Reason> told;
     QObject::connect(&encoder(), &EncoderSession::freshnessChanged, &m_bus,
@@ -116,7 +116,7 @@ TEST_F(TrainingRingSession, WhatIsShownIsOldOnceTheBusStops)
                                  Freshness::Reason::stopped, Freshness::Reason::disconnected}));
 }
 
-TEST_F(TrainingRingSession, WhatIsBehindASwitchedOffSegmentIsOld)
+TEST_F(TrainingBusSession, WhatIsBehindASwitchedOffSegmentIsOld)
 {
     const Place behind = m_bus.places().back();
     m_bus.switchSegment(DeviceNumber::of(behind.node).segment, false);
@@ -126,7 +126,7 @@ TEST_F(TrainingRingSession, WhatIsBehindASwitchedOffSegmentIsOld)
 }
 
 // It was pressed, and the lid was closed before the next cycle.
-TEST_F(TrainingRingSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
+TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
 {
     bool hasSlept = false;
     QObject::connect(&m_bus, &RingSession::messaged, &m_bus, [&](const Message &message) {
@@ -145,7 +145,7 @@ TEST_F(TrainingRingSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
 }
 
 // Closing the lid in the midst of a handshake.
-TEST_F(TrainingRingSession, AfterTheComputerSleptNothingMoreIsSent)
+TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
 {
     std::vector<Message> messages;
     QObject::connect(&m_bus, &RingSession::messaged, &m_bus,

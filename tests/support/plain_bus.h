@@ -21,6 +21,9 @@ inline constexpr BusId plainId{9};
 inline constexpr Place plainHoist{plainId, NodeId("n:1")};
 inline constexpr Place plainGate{plainId, NodeId("n:2")};
 inline constexpr Place plainLamp{plainId, NodeId("n:3")};
+inline constexpr std::array plainColumns{TrafficColumn::time,      TrafficColumn::sinceLast,
+                                         TrafficColumn::direction, TrafficColumn::bytes,
+                                         TrafficColumn::meaning,   TrafficColumn::remark};
 
 class PlainEncoder final : public EncoderSession
 {
@@ -106,7 +109,7 @@ class PlainBus final : public EncoderBus
 {
 public:
     explicit PlainBus(const Catalog &catalog)
-        : EncoderBus(plainId, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
+        : EncoderBus(plainId, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC), plainColumns)
         , m_catalog(catalog)
         , m_outline({plainNode(plainHoist.node, QStringLiteral("Hoist encoder")),
                      plainNode(plainGate.node, QStringLiteral("Gate encoder")),
@@ -156,6 +159,7 @@ public:
     void setRunning(bool) override {}
     void setOperate(bool) override {}
     void alarmStop() override {}
+    using EncoderBus::tellTraffic;
 
 private:
     EncoderSession *encoderAt(NodeId node) const override
@@ -185,6 +189,7 @@ public:
     QString usualName() const override { return QStringLiteral("Plain"); }
     KindData usual() const override { return KindData(24); }
     QString linkText(const KindData &) const override { return QStringLiteral("by hand"); }
+    bool isTraining(const KindData & /*settings*/) const override { return true; }
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus, const Catalog &) const override
     {
         std::vector<BusNode> nodes;

@@ -240,6 +240,26 @@ TEST_F(RingAndLine, ThePositionBeforeAnEncoderFellSilentIsKept)
     EXPECT_EQ(kept(withLastPositions(project, positions, buses))->position, 0x1235);
 }
 
+TEST_F(RingAndLine, OfASimulatedLineInThePlaceOfAPortNothingIsKeptOrReported)
+{
+    const LastPositions positions(buses);
+    pass(100ms);
+    round.start({jobsToStore(onLine(standing), false)}, JobRound::AfterRefusal::goOn);
+    pass(5s);
+    Project project = projectWith({standing});
+    LinePlan plan;
+    plan.settings.port = QStringLiteral("/dev/ttyUSB0");
+    setLinePlan(project, firstLine, plan);
+    const Project kept = withLastPositions(project, positions, buses);
+    EXPECT_FALSE(findDevice(kept, standing)->lastPosition);
+    ReportInput input{.project = project, .version = {}, .now = {}};
+    addConnected(input, buses);
+    EXPECT_FALSE(input.connected.contains(firstLine));
+    EXPECT_FALSE(input.live.contains(standing));
+    EXPECT_FALSE(input.writes.contains(standing));
+    EXPECT_TRUE(input.writes.contains(fraba)) << "its ring is planned for training";
+}
+
 TEST_F(RingAndLine, TheReportTellsOfEncodersOfBoth)
 {
     round.start({jobsToStore(onLine(standing), false)}, JobRound::AfterRefusal::goOn);

@@ -5,7 +5,7 @@
 #include "simulator/simulated_la66.h"
 #include "simulator/simulated_ring_link.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 
 namespace codewheel::test {
 

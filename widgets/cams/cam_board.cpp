@@ -10,9 +10,10 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QGridLayout>
-#include <QLabel>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -29,14 +30,13 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     : QWidget(parent)
     , m_sheet(sheet)
     , m_strip(new CamProgramStrip(sheet, this))
-    , m_note(new QLabel(this))
+    , m_note(wrappedLabel(this))
     , m_table(new CamTable(sheet, this))
     , m_ruler(new CamRuler(sheet, this))
     , m_scroll(new QScrollBar(Qt::Horizontal, this))
     , m_shift(new CamShiftSpin(this))
     , m_word(new CamWordPicture(this))
 {
-    m_note->setWordWrap(true);
     m_note->setFont(textFont(TextSize::small));
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -50,15 +50,9 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     rows->addWidget(makeZoom(), 1, 0);
     rows->addWidget(m_scroll, 1, 1);
     rows->setColumnStretch(1, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::unit);
-    layout->addWidget(m_strip);
-    layout->addWidget(m_note);
-    layout->addLayout(rows);
     m_shifting = makeWord();
-    layout->addWidget(m_shifting);
-    layout->addStretch(1);
+    layOutColumn(this, {m_strip, m_note, rows, m_shifting, Stretch{1}},
+                 {.spacing = grid::unit, .margins = QMargins()});
     setFocusProxy(m_table);
     connectParts();
     showScale();

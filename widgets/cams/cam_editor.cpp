@@ -214,21 +214,11 @@ void CamEditor::readPrograms(CamJobs::Purpose purpose, const std::vector<unsigne
     });
 }
 
-void CamEditor::read()
-{
-    readPrograms(CamJobs::Purpose::read, {m_sheet->number()});
-}
-
 void CamEditor::readAll()
 {
     std::vector<unsigned> all(m_sheet->abilities().programs);
     std::iota(all.begin(), all.end(), 1U);
     readPrograms(CamJobs::Purpose::read, all);
-}
-
-void CamEditor::compare()
-{
-    readPrograms(CamJobs::Purpose::compare, {m_sheet->number()});
 }
 
 void CamEditor::write()
@@ -269,16 +259,6 @@ void CamEditor::reviewPrograms(const std::vector<CamProgram> &programs)
         m_review->review(*session(), programs, afterwards);
         m_pages->setCurrentWidget(m_review);
     });
-}
-
-void CamEditor::runHere()
-{
-    start(CamJobs::Purpose::switchMode, SwitchMode{.mode = Mode::cam, .camProgram = m_sheet->number()});
-}
-
-void CamEditor::positionMode()
-{
-    start(CamJobs::Purpose::switchMode, SwitchMode{.mode = Mode::position});
 }
 
 void CamEditor::readRange()

@@ -65,7 +65,6 @@ private:
         std::optional<std::int64_t> toldLargest;
     };
     enum class Cause { input, refusal, outcome, file };
-    using Slot = void (CamEditor::*)();
 
     void makeTools();
     void makeMenu();
@@ -82,16 +81,11 @@ private:
     void showRunningJob();
     QString note(const Reading &reading) const;
 
-    void read();
     void readAll();
-    void compare();
     void write();
     void writeAll();
-    void runHere();
-    void positionMode();
     void readRange();
     void bringBack();
-    void clearProgram();
     void askLoad();
     void askLoadProgram();
     void askSave();

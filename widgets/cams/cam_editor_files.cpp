@@ -3,9 +3,9 @@
 #include "cams/check_cams.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
+#include "project/file_access.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_editor.h"
-#include "widgets/cams/cam_file_io.h"
 #include "widgets/job/outcome_text.h"
 #include "widgets/look/save_file.h"
 
@@ -50,13 +50,19 @@ void CamEditor::askSaveProgram()
 // Made for this encoder, with no position above what it has.
 tl::expected<CamFile, QString> CamEditor::open(const QString &path) const
 {
-    auto file = loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
-    if (file && m_encoder.isThere() && !suits(*file, m_encoder.device(), m_catalog.find(file->device)))
-        return tl::unexpected(otherDeviceText(*file, m_encoder.device(), QFileInfo(path).fileName()));
-    for (const CamProgram &program : file ? file->programs : std::vector<CamProgram>())
+    const QString name = QFileInfo(path).fileName();
+    const auto largest = m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt;
+    auto file = readWholeFile(path, largestCamFile).and_then([&](const QByteArray &json) {
+        return camFileFromJson(json, name, largest);
+    });
+    if (!file)
+        return tl::unexpected(refusalText(file.error()));
+    if (m_encoder.isThere() && !suits(*file, m_encoder.device(), m_catalog.find(file->device)))
+        return tl::unexpected(otherDeviceText(*file, m_encoder.device(), name));
+    for (const CamProgram &program : file->programs)
         if (const auto checked = check(program, m_sheet->abilities(), m_sheet->largest()); !checked)
             return tl::unexpected(refusalText(checked.error()));
-    return file;
+    return *file;
 }
 
 bool CamEditor::load(const QString &path)
@@ -113,8 +119,9 @@ bool CamEditor::keep(const QString &path, const std::vector<CamProgram> &program
     CamFile file{.device = m_encoder.device().key, .totalRange = {}, .programs = programs};
     if (m_sheet->knowsLargest())
         file.totalRange = m_sheet->largest() + 1;
-    if (const auto saved = saveCamFile(path, file); !saved) {
-        say(Cause::file, Role::fault, saved.error());
+    if (const auto saved = replaceFile(path, camFileToJson(file), OldFile::goes); !saved) {
+        say(Cause::file, Role::fault,
+            tr("%1 was not saved: %2", "file, reason").arg(path, whyNotWritten(saved.error())));
         return false;
     }
     withdraw(Cause::file);

@@ -10,6 +10,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/age_timer.h"
 
@@ -18,7 +19,6 @@
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
@@ -57,25 +57,17 @@ void CamEditor::makePages()
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_scroll);
     m_pages->addWidget(m_review);
-    auto *column = new QVBoxLayout;
-    column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
-    column->setSpacing(grid::unit);
-    column->addWidget(m_message);
-    column->addWidget(m_mode);
-    column->addWidget(m_range);
-    column->addWidget(m_pages, 1);
-    column->addWidget(m_job);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->setSpacing(grid::unit);
-    layout->addWidget(m_tools);
-    layout->addLayout(column);
+    layOutColumn(this,
+                 {m_tools, layOutColumn({m_message, m_mode, m_range, {m_pages, 1}, m_job},
+                                        {.spacing = grid::unit,
+                                         .margins = QMargins(grid::margin, 0, grid::margin, grid::margin)})},
+                 {.spacing = grid::unit, .margins = QMargins()});
 }
 
 void CamEditor::makeTools()
 {
     setUpToolBar(*m_tools);
-    const auto makeTool = [this](const Tool &tool, Slot slot) {
+    const auto makeTool = [this](const Tool &tool, auto slot) {
         QAction *action = addTool(*this, *m_tools, tool);
         connect(action, &QAction::triggered, this, slot);
         return action;
@@ -83,13 +75,13 @@ void CamEditor::makeTools()
     m_jobActions = {
         makeTool({Icon::read, tr("Read"), Qt::CTRL | Qt::Key_R,
                   tr("Read this program from the encoder; the position is away meanwhile")},
-                 &CamEditor::read),
+                 [this] { readPrograms(CamJobs::Purpose::read, {m_sheet->number()}); }),
         makeTool({Icon::write, tr("Write..."), Qt::CTRL | Qt::Key_Return,
                   tr("Show what will be written before anything is sent")},
                  &CamEditor::write),
         makeTool({Icon::compare, tr("Compare"), Qt::CTRL | Qt::Key_D,
                   tr("Read this program and say what differs; nothing is changed")},
-                 &CamEditor::compare),
+                 [this] { readPrograms(CamJobs::Purpose::compare, {m_sheet->number()}); }),
     };
     m_tools->addSeparator();
     // Their keys are those of the window: what is undone is the last step of the project.
@@ -116,16 +108,20 @@ void CamEditor::makeTools()
 
 void CamEditor::makeMenu()
 {
-    const auto add = [this](const QString &text, const QString &tip, Slot slot) {
+    const auto add = [this](const QString &text, const QString &tip, auto slot) {
         QAction *action = m_menu->addAction(text);
         action->setToolTip(tip);
         connect(action, &QAction::triggered, this, slot);
         return action;
     };
     m_modeActions << add(tr("&Run this program in the encoder"),
-                         tr("Cam mode: IN shows the cams of this program"), &CamEditor::runHere)
+                         tr("Cam mode: IN shows the cams of this program"),
+                         [this] {
+                             start(CamJobs::Purpose::switchMode,
+                                   SwitchMode{.mode = Mode::cam, .camProgram = m_sheet->number()});
+                         })
                   << add(tr("Back to &position mode"), tr("IN shows the position again"),
-                         &CamEditor::positionMode);
+                         [this] { start(CamJobs::Purpose::switchMode, SwitchMode{.mode = Mode::position}); });
     m_jobActions << m_modeActions;
     m_menu->addSeparator();
     m_jobActions << add(tr("Read &all programs"),
@@ -143,7 +139,10 @@ void CamEditor::makeMenu()
                          &CamEditor::askSaveProgram);
     m_menu->addSeparator();
     m_fileActions << add(tr("&Clear this program"), tr("All eight cams inactive, shift 0; can be undone"),
-                         &CamEditor::clearProgram);
+                         [this] {
+                             const CamProgram empty{.number = m_sheet->number()};
+                             m_sheet->document().setProgram(empty, tr("Clear program %1").arg(empty.number));
+                         });
     m_menu->setToolTipsVisible(true);
 
     auto *more =
@@ -191,12 +190,6 @@ void CamEditor::connectParts()
             showRange(); // by what is wanted
     });
     connect(m_sheet, &CamSheet::largestChanged, this, [this] { withdraw(Cause::input); });
-}
-
-void CamEditor::clearProgram()
-{
-    m_sheet->document().setProgram(CamProgram{.number = m_sheet->number()},
-                                   tr("Clear program %1").arg(m_sheet->number()));
 }
 
 } // namespace codewheel

@@ -3,8 +3,8 @@
 
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -25,15 +25,9 @@ CamModeBar::CamModeBar(QWidget *parent)
     describe(m_position, "afterwardsPosition", tr("IN shows the position again (20800000)"));
     describe(m_cams, "afterwardsCams", tr("Cam mode"), tr("IN goes on showing the cams"));
     m_cancel->setToolTip(tr("Nothing is sent (Esc)"));
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(grid::margin);
-    buttons->addStretch();
-    for (QPushButton *button : {m_position, m_cams, m_cancel})
-        buttons->addWidget(button);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_question);
-    layout->addLayout(buttons);
+    layOutColumn(
+        this, {m_question, layOutRow({Stretch{}, m_position, m_cams, m_cancel}, {.spacing = grid::margin})},
+        {.margins = QMargins()});
     connect(m_position, &QPushButton::clicked, this, [this] { answer({.mode = Mode::position}); });
     connect(m_cams, &QPushButton::clicked, this,
             [this] { answer({.mode = Mode::cam, .camProgram = m_program}); });

@@ -8,9 +8,9 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 
 namespace codewheel {
@@ -26,12 +26,11 @@ QString complaint(const RefusalArgument &given)
 
 CamRangeBar::CamRangeBar(QWidget *parent)
     : QWidget(parent)
-    , m_text(new QLabel(this))
+    , m_text(wrappedLabel(this))
     , m_read(new QPushButton(lineIcon(Icon::read), tr("Read &it"), this))
     , m_largest(new PositionInput(1, largestCamPosition, complaint, this))
     , m_tell(new QPushButton(tr("&Take it"), this))
 {
-    m_text->setWordWrap(true);
     m_read->setToolTip(
         tr("Reads steps and revolutions. That sends words, and takes the position away for some "
            "cycles."));
@@ -40,13 +39,8 @@ CamRangeBar::CamRangeBar(QWidget *parent)
     m_largest->setPlaceholderText(tr("largest position"));
     m_largest->setMaximumWidth(35 * grid::unit);
     m_tell->setToolTip(tr("Takes the largest position as said; nothing is sent"));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(grid::margin);
-    row->addWidget(m_text, 1);
-    row->addWidget(m_read);
-    row->addWidget(m_largest);
-    row->addWidget(m_tell);
+    layOutRow(this, {{m_text, 1}, m_read, m_largest, m_tell},
+              {.spacing = grid::margin, .margins = QMargins()});
     connect(m_read, &QPushButton::clicked, this, &CamRangeBar::readRequested);
     connect(m_tell, &QPushButton::clicked, this, &CamRangeBar::tell);
     connect(m_largest, &QLineEdit::returnPressed, this, &CamRangeBar::tell);

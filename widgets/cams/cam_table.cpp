@@ -8,9 +8,9 @@
 #include "widgets/cams/position_input.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/quiet_table.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QKeyEvent>
 
 namespace codewheel {
@@ -75,20 +75,13 @@ CamTable::CamTable(CamSheet &sheet, QWidget *parent)
     , m_model(new CamTableModel(sheet, this))
 {
     auto *delegate = new CamDelegate(sheet, this);
-    setModel(m_model);
+    setUpQuietTable(*this, *m_model, tr("Cams of the program"));
     setItemDelegate(delegate);
-    setAccessibleName(tr("Cams of the program"));
-    setSelectionMode(QAbstractItemView::SingleSelection);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
-    setWordWrap(false);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     horizontalHeader()->setMinimumSectionSize(1);
     setCurrentIndex(m_model->index(0, CamTableModel::startColumn));
     connect(delegate, &CamDelegate::inputChecked, this, &CamTable::inputChecked);

@@ -114,27 +114,19 @@ QVariant CamTableModel::headerCell(int column, int role) const
         return QVariant((isPosition(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    const bool isTip = role == Qt::ToolTipRole;
-    switch (column) {
-    case camColumn:
-        return isTip ? tr("Ticked: the cam is active. Only active cams come on.") : tr("Cam");
-    case startColumn:
-        return isTip ? tr("First position on which the cam is on, in steps") : tr("Start");
-    case stopColumn:
-        return isTip ? tr("Last position on which the cam is on, in steps; smaller than the start: through "
-                          "zero")
-                     : tr("Stop");
-    case hysteresisColumn:
-        return isTip ? tr("Steps behind an edge until the cam goes back") : tr("Hysteresis");
-    case polarityColumn:
-        return isTip ? tr("Ticked: the cam is on outside of its positions") : tr("Inverted");
-    case stateColumn:
-        return isTip ? tr("What the encoder shows now in cam mode; in position mode, what these cams would "
-                          "be")
-                     : tr("Now");
-    default:
-        return isTip ? tr("Whether the encoder is known to have the same") : tr("Encoder");
-    }
+    if (role == Qt::DisplayRole)
+        return QStringList{tr("Cam"),      tr("Start"), tr("Stop"),   tr("Hysteresis"),
+                           tr("Inverted"), tr("Now"),   tr("Encoder")}
+            .at(column);
+    return QStringList{
+        tr("Ticked: the cam is active. Only active cams come on."),
+        tr("First position on which the cam is on, in steps"),
+        tr("Last position on which the cam is on, in steps; smaller than the start: through zero"),
+        tr("Steps behind an edge until the cam goes back"),
+        tr("Ticked: the cam is on outside of its positions"),
+        tr("What the encoder shows now in cam mode; in position mode, what these cams would be"),
+        tr("Whether the encoder is known to have the same")}
+        .at(column);
 }
 
 QVariant CamTableModel::cell(const CamRow &row, int column, int role) const

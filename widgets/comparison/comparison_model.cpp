@@ -57,16 +57,8 @@ void ComparisonModel::compare(const PlanEdits &plan, const ConnectedBus &connect
 
 QVariant ComparisonModel::headerCell(int column, int role) const
 {
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case configuredColumn:
-        return tr("Configured (project)");
-    case connectedColumn:
-        return tr("Connected");
-    default:
-        return tr("Difference");
-    }
+    const QStringList heads{tr("Configured (project)"), tr("Connected"), tr("Difference")};
+    return role == Qt::DisplayRole ? heads.at(column) : QVariant();
 }
 
 QVariant ComparisonModel::cell(const ComparisonRow &row, int column, int role) const
@@ -74,18 +66,10 @@ QVariant ComparisonModel::cell(const ComparisonRow &row, int column, int role) c
     const bool isDifference = column == differenceColumn;
     if (role == Qt::DecorationRole && isDifference)
         return lineIcon(roleIcon(roleOf(row.kind)), roleOf(row.kind));
-    if (role == Qt::ToolTipRole)
+    if (role == Qt::ToolTipRole || (role == Qt::DisplayRole && isDifference))
         return row.text.isEmpty() ? comparisonKindName(row.kind) : row.text;
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case configuredColumn:
-        return row.configured.isEmpty() ? QStringLiteral("-") : row.configured;
-    case connectedColumn:
-        return row.connected.isEmpty() ? QStringLiteral("-") : row.connected;
-    default:
-        return row.text.isEmpty() ? comparisonKindName(row.kind) : row.text;
-    }
+    const QString &device = column == configuredColumn ? row.configured : row.connected;
+    return role != Qt::DisplayRole ? QVariant() : device.isEmpty() ? QStringLiteral("-") : device;
 }
 
 } // namespace codewheel

@@ -7,13 +7,13 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QCheckBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include <numeric>
 
@@ -39,7 +39,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
     , m_model(new ComparisonModel(this))
     , m_table(describe(new QTableView(this), "comparison", tr("Configured and connected bus"),
                        tr("Choose the lines that are to be taken over.")))
-    , m_summary(new QLabel(this))
+    , m_summary(wrappedLabel(this, "comparisonSummary"))
     , m_onlyDifferences(describe(new QCheckBox(tr("On&ly differences"), this), "onlyDifferences",
                                  tr("Hides the lines that are the same")))
     , m_lineIntoProject(describe(new QPushButton(tr("Chosen lines into the &project"), this),
@@ -47,16 +47,13 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
                                  tr("Plans the chosen lines as they are connected; can be undone")))
     , m_allIntoProject(describe(new QPushButton(tr("&All into the project"), this), "allIntoProject",
                                 tr("Plans the whole bus as it is connected; can be undone")))
-    , m_message(new InlineMessage(this))
+    , m_message(named(new InlineMessage(this), "comparisonMessage"))
     , m_empty(new EmptyState(Icon::compare, tr("The bus is not connected."),
                              tr("Connect to compare it with the project."), this))
     , m_top(new QHBoxLayout)
     , m_buttons(new QGridLayout)
 {
     m_edits.setBus(bus, kind);
-    m_summary->setObjectName(QStringLiteral("comparisonSummary"));
-    m_summary->setWordWrap(true);
-    m_message->setObjectName(QStringLiteral("comparisonMessage"));
     m_table->setModel(m_model);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
@@ -84,14 +81,8 @@ void ComparisonPage::arrange()
     m_buttons->setSpacing(grid::unit);
     m_buttons->addWidget(m_lineIntoProject, 0, 0);
     m_buttons->addWidget(m_allIntoProject, 0, 1);
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    rows->setSpacing(grid::unit);
-    rows->addLayout(m_top);
-    rows->addWidget(m_message);
-    rows->addWidget(m_empty, 1);
-    rows->addWidget(m_table, 1);
-    rows->addLayout(m_buttons);
+    layOutColumn(this, {m_top, m_message, {m_empty, 1}, {m_table, 1}, m_buttons},
+                 {.spacing = grid::unit, .margins = allAround(grid::margin)});
 }
 
 void ComparisonPage::setBus(EncoderBus *bus)

@@ -4,7 +4,6 @@
 #include "catalog/hex_code.h"
 #include "catalog/value_text.h"
 #include "encoder/device_error_name.h"
-#include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -39,10 +38,8 @@ private:
 
 QString rangeText(const ParameterDescription &parameter)
 {
-    if (parameter.parameter == Parameter::scalingFactor) // the bits that mean this follow from the line
-        return QStringLiteral("%1 ... %2")
-            .arg(QLocale().toString(esc::smallestFactor, 'f', 5),
-                 QLocale().toString(esc::largestFactor, 'f', 1));
+    if (parameter.form != nullptr && parameter.form->rangeText != nullptr)
+        return parameter.form->rangeText();
     if (parameter.choices.empty())
         return QStringLiteral("%1 ... %2")
             .arg(valueText(parameter, parameter.minimum), valueText(parameter, parameter.maximum));
@@ -79,7 +76,7 @@ void DeviceHtml::addTable(const QStringList &header, const QList<QStringList> &r
 void DeviceHtml::addIdentity()
 {
     QList<QStringList> rows{{tr("Manual"), m_device.manual}, {tr("Profile"), profileName(m_device.profile)}};
-    if (m_device.profile != Profile::esc) {
+    if (m_device.hasWords()) {
         rows += {tr("Device code"), hexCode(m_device.deviceCode, 4)};
         rows +=
             {tr("Words IN / OUT"), QStringLiteral("%1 / %2").arg(m_device.inWords).arg(m_device.outWords)};

@@ -9,6 +9,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -29,9 +30,7 @@ DevicePanel::DevicePanel(const Buses &buses, const Catalog &catalog, QWidget *pa
     m_page->setTabChangesFocus(true);
     m_page->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    rows->setSpacing(grid::margin);
+    auto *rows = layOut<QVBoxLayout>(this, grid::margin, grid::margin);
     rows->addWidget(m_naming);
     rows->addWidget(m_page, 1);
     rows->addWidget(m_empty, 1);

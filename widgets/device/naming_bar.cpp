@@ -8,6 +8,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -57,9 +58,7 @@ NamingBar::NamingBar(const Catalog &catalog, QWidget *parent)
     choiceLabel->setBuddy(m_choice);
     fields->addRow(choiceLabel, m_choice);
 
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins({});
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(this, grid::unit);
     rows->addWidget(m_question);
     rows->addLayout(fields);
     rows->addWidget(m_reading);

@@ -7,6 +7,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -19,9 +20,7 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read what is missing"), this))
     , m_message(new InlineMessage(this))
 {
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::unit);
+    auto *layout = layOut<QVBoxLayout>(this, grid::unit);
     layout->addWidget(m_message);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
     describe(m_read, "readMissing", tr("Read what the dial needs"),

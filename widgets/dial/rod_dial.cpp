@@ -8,6 +8,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
 #include "widgets/parameters/value_field.h"
@@ -45,9 +46,7 @@ RodDial::RodDial(QWidget *parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(grid::unit);
     row->setColumnStretch(0, 1);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addWidget(m_rod, 1);
     column->addWidget(m_missing);
     column->addWidget(m_readStatus, 0, Qt::AlignHCenter);

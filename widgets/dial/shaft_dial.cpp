@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/shaft_dial.h"
 
+#include "catalog/device_description.h"
 #include "catalog/position_format.h"
 #include "drivers/position_scale.h"
 #include "encoder/hex.h"
@@ -9,7 +10,6 @@
 #include "widgets/dial/state_note.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/monitor/position_range.h"
 
 #include <QVBoxLayout>
@@ -86,7 +86,7 @@ std::optional<ShaftDial::Scale> ShaftDial::scale() const
     if (!m_missing->isEmpty() || !steps || !revolutions)
         return std::nullopt;
     // An encoder on a serial line tells the steps of one turn.
-    const std::int64_t turns = isOnLine(m_encoder->device()) ? 1 : revolutions->value;
+    const std::int64_t turns = !m_encoder->device().hasWords() ? 1 : revolutions->value;
     Scale scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
                 .clockwise = countsClockwise(*m_encoder),
                 .total = {}};

@@ -5,30 +5,50 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QCheckBox>
 #include <QEvent>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <utility>
 
 namespace codewheel {
+namespace {
+
+constexpr int mostTold = 4; // encoders; the table above needs the room
+
+QString placesOf(const std::vector<QPointer<EncoderSession>> &encoders)
+{
+    QStringList places;
+    for (const auto &encoder : encoders)
+        places << encoder->place().shown();
+    return places.join(u' ');
+}
+
+// Places may be typed with commas between them, and have blanks in their names.
+QString inBlanks(QString text)
+{
+    static const QRegularExpression between(QStringLiteral("[\\s,;]+"));
+    return u' ' + text.replace(between, QStringLiteral(" ")).trimmed() + u' ';
+}
+
+} // namespace
 
 EepromGate::EepromGate(QWidget *parent)
     : QWidget(parent)
-    , m_count(new QLabel(this))
+    , m_count(wrappedLabel(this, "eepromCount"))
     , m_icon(new QLabel(this))
-    , m_text(new QLabel(this))
+    , m_text(wrappedLabel(this, "eepromConcern"))
     , m_nevertheless(describe(new QCheckBox(tr("Write &nevertheless"), this), "writeNevertheless",
                               tr("The EEPROM was written as often as the manual speaks of")))
     , m_place(describe(new QLineEdit(this), "typedPlace", tr("Place, to write nevertheless"),
                        tr("The place of the encoder, so that nothing is written beyond the limit by "
                           "accident")))
 {
-    m_count->setObjectName(QStringLiteral("eepromCount"));
-    m_text->setObjectName(QStringLiteral("eepromConcern"));
-    m_count->setWordWrap(true);
-    m_text->setWordWrap(true);
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(grid::unit);
@@ -45,60 +65,77 @@ EepromGate::EepromGate(QWidget *parent)
 
 void EepromGate::setWrites(EncoderSession &encoder, int planned)
 {
-    if (m_encoder != &encoder) {
-        if (m_encoder)
-            m_encoder->disconnect(this);
-        m_encoder = &encoder;
-        m_concern = EepromConcern::none;
-        connect(&encoder, &EncoderSession::eepromCountChanged, this, [this] {
+    m_isOne = true;
+    take({{&encoder, planned}});
+}
+
+void EepromGate::setWrites(std::vector<EepromWrites> writes)
+{
+    m_isOne = false;
+    take(std::move(writes));
+}
+
+void EepromGate::take(std::vector<EepromWrites> writes)
+{
+    for (const EepromWrites &one : m_writes)
+        if (one.encoder)
+            one.encoder->disconnect(this);
+    m_writes = std::move(writes);
+    for (const EepromWrites &one : m_writes)
+        connect(one.encoder, &EncoderSession::eepromCountChanged, this, [this] {
             showConcern();
             Q_EMIT changed();
         });
-    }
-    m_planned = planned;
     showConcern();
 }
 
 void EepromGate::showConcern()
 {
-    if (!m_encoder)
-        return;
-    const bool isKept = m_encoder->eepromCount().by != CountedBy::session;
-    const EepromConcern concern = eepromConcern(*m_encoder, m_planned);
-    if (std::exchange(m_concern, concern) != concern) {
-        m_nevertheless->setChecked(false);
-        m_place->clear();
+    QStringList texts;
+    Encoders asked;
+    Encoders typed;
+    for (const auto &[encoder, planned] : m_writes) {
+        const EepromConcern concern = encoder ? eepromConcern(*encoder, planned) : EepromConcern::none;
+        if (concern == EepromConcern::none)
+            continue;
+        const QString text = eepromConcernText(*encoder, planned);
+        texts << (m_isOne ? text : QStringLiteral("%1: %2").arg(encoder->place().shown(), text));
+        (concern == EepromConcern::typed ? typed : asked).push_back(encoder);
     }
-    const QString place = m_encoder->place().shown();
-    const QString ask = tr("Type %1 to write nevertheless").arg(place);
+    if (std::exchange(m_asked, asked) != asked)
+        m_nevertheless->setChecked(false);
+    if (std::exchange(m_typed, typed) != typed)
+        m_place->clear();
+    if (texts.size() > mostTold)
+        texts = texts.first(mostTold) << tr("Other encoders as well: %1.").arg(texts.size() - mostTold);
+    const EncoderSession *one = m_isOne ? m_writes.front().encoder.data() : nullptr;
+    const bool isKept = one && one->eepromCount().by != CountedBy::session;
+    const QString ask = tr("Type %1 to write nevertheless").arg(placesOf(m_typed));
     m_place->setPlaceholderText(ask);
     m_place->setAccessibleName(ask);
-    m_count->setText(isKept ? eepromCountText(*m_encoder) : QString());
+    m_count->setText(isKept ? eepromCountText(*one) : QString());
     m_count->setVisible(isKept);
-    m_text->setText(eepromConcernText(*m_encoder, m_planned));
-    m_text->setVisible(concern != EepromConcern::none);
-    m_icon->setVisible(concern != EepromConcern::none);
-    m_nevertheless->setVisible(concern == EepromConcern::question);
-    m_place->setVisible(concern == EepromConcern::typed);
-    setVisible(isKept || concern != EepromConcern::none);
+    m_text->setText(texts.join(u'\n'));
+    m_text->setVisible(!texts.isEmpty());
+    m_icon->setVisible(!texts.isEmpty());
+    m_nevertheless->setVisible(!m_asked.empty());
+    m_place->setVisible(!m_typed.empty());
+    setVisible(isKept || !texts.isEmpty());
     drawIcon();
 }
 
 bool EepromGate::isOpen() const
 {
-    switch (m_concern) {
-    case EepromConcern::question:
-        return m_nevertheless->isChecked();
-    case EepromConcern::typed:
-        return m_encoder && m_place->text().trimmed() == m_encoder->place().shown();
-    default:
-        return true;
-    }
+    const QString typed = inBlanks(m_place->text());
+    const bool allTyped = std::ranges::all_of(m_typed, [&](const QPointer<EncoderSession> &encoder) {
+        return encoder && typed.contains(inBlanks(encoder->place().shown()));
+    });
+    return allTyped && (m_asked.empty() || m_nevertheless->isChecked());
 }
 
 void EepromGate::drawIcon()
 {
-    const Role role = m_concern == EepromConcern::typed ? Role::fault : Role::attention;
+    const Role role = m_typed.empty() ? Role::attention : Role::fault;
     m_icon->setPixmap(
         lineIcon(roleIcon(role), role).pixmap(QSize(grid::smallIcon, grid::smallIcon), devicePixelRatioF()));
 }

@@ -12,9 +12,17 @@ class QLineEdit;
 
 namespace codewheel {
 
-// Stands where a job is about to be started that writes to an EEPROM: by what the writes are counted, and,
-// from three quarters of what the manual states, what has to be known or agreed to before. Whoever starts the
-// job asks isOpen(). In the reviews of wizard, parameters and cams, and in EepromQuestion.
+// What is about to be written to an EEPROM at most.
+struct EepromWrites
+{
+    QPointer<EncoderSession> encoder;
+    int planned = 0;
+};
+
+// Stands where jobs are about to be started that write to EEPROMs: by what the writes of an encoder are
+// counted, and, from three quarters of what the manual states, what has to be known or agreed to before: a
+// tick, and beyond what the manual guarantees the place typed. Whoever starts the job asks isOpen(). In the
+// reviews of wizard, parameters and cams, in transfers, and in EepromQuestion.
 class EepromGate : public QWidget
 {
     Q_OBJECT
@@ -22,8 +30,10 @@ class EepromGate : public QWidget
 public:
     explicit EepromGate(QWidget *parent = nullptr);
 
-    // So many writes at most. What was agreed to holds as long as encoder and concern stay the same.
+    // What was agreed to holds as long as encoders and concern stay the same.
     void setWrites(EncoderSession &encoder, int planned);
+    // Of several encoders: each that gives cause for concern is told by its place.
+    void setWrites(std::vector<EepromWrites> writes);
     bool isOpen() const;
 
 Q_SIGNALS:
@@ -33,12 +43,15 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    void take(std::vector<EepromWrites> writes);
     void showConcern();
     void drawIcon();
 
-    QPointer<EncoderSession> m_encoder;
-    int m_planned = 0;
-    EepromConcern m_concern = EepromConcern::none;
+    std::vector<EepromWrites> m_writes;
+    bool m_isOne = true;
+    using Encoders = std::vector<QPointer<EncoderSession>>;
+    Encoders m_asked; // to be ticked
+    Encoders m_typed; // whose places are to be typed
     QLabel *m_count;
     QLabel *m_icon;
     QLabel *m_text;

@@ -3,6 +3,7 @@
 
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/layouts.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -10,7 +11,6 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
@@ -48,10 +48,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
     QPushButton *write = buttons->addButton(Question::tr("&Write"), QDialogButtonBox::AcceptRole);
     describe(write, "writeToEeprom", Question::tr("Starts what was asked for"));
     write->setEnabled(gate->isOpen());
-    auto *layout = new QVBoxLayout(&dialog);
-    layout->addWidget(question);
-    layout->addWidget(gate);
-    layout->addWidget(buttons);
+    layOutColumn(&dialog, {question, gate, buttons});
     QObject::connect(gate, &EepromGate::changed, write, [=] { write->setEnabled(gate->isOpen()); });
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
@@ -17,16 +18,6 @@ struct Functions
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
 };
-
-// "EEPROM writes: 1, by this program so far: 12. The manual states about 200 in all."
-QString costText(const EncoderSession &encoder)
-{
-    QString text =
-        Functions::tr("EEPROM writes: 1; by this program so far: %1.").arg(encoder.eepromCount().writes);
-    if (const auto budget = encoder.can().eepromBudget)
-        text += u' ' + Functions::tr("The manual states about %1 in all.").arg(*budget);
-    return text;
-}
 
 bool confirm(QWidget *window, const QString &question, const QStringList &paragraphs, const QString &doIt,
              const QString &toolTip)
@@ -95,7 +86,7 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
         {Functions::tr("FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
                        "60000000 is sent for one bus cycle. It works as often as you want.")
              .arg(value),
-         costText(encoder)},
+         eepromCostText(encoder, 1)},
         Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
 }
 
@@ -106,10 +97,11 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
             ? Functions::tr("Afterwards the encoder is read, to see what it has then.")
             : Functions::tr("It cannot be read: afterwards it is taken to have the factory settings of its "
                             "manual.");
-    return confirm(
-        window, Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
-        {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)), costText(encoder), after},
-        Functions::tr("&Reset"), Functions::tr("Sends 0E000000, then run. This cannot be taken back."));
+    return confirm(window, Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
+                   {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)),
+                    eepromCostText(encoder, 1), after},
+                   Functions::tr("&Reset"),
+                   Functions::tr("Sends 0E000000, then run. This cannot be taken back."));
 }
 
 } // namespace codewheel

@@ -9,11 +9,11 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/save_file.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
@@ -33,16 +33,8 @@ AccountView::AccountView(QWidget *parent)
     describe(m_text, "account", tr("What was written where"), tr("What became of each value"));
     describe(m_save, "saveAccount", tr("As plain text, or as a web page if the name ends in .html"));
     describe(m_copy, "copyAccount", tr("Copies the text"));
-    auto *buttons = new QHBoxLayout;
-    buttons->addWidget(m_save);
-    buttons->addWidget(m_copy);
-    buttons->addStretch(1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_text, 1);
-    layout->addWidget(m_message);
-    layout->addLayout(buttons);
+    layOutColumn(this, {{m_text, 1}, m_message, layOutRow({m_save, m_copy, Stretch{1}})},
+                 {.spacing = grid::margin, .margins = QMargins()});
     setFocusProxy(m_save);
     connect(m_save, &QPushButton::clicked, this, &AccountView::saveAs);
     connect(m_copy, &QPushButton::clicked, this, &AccountView::copy);

@@ -4,12 +4,12 @@
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/known_text.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/models/device_traits.h"
 
 #include <QDialog>
-#include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -78,21 +78,17 @@ CancelSituation situationOf(const EncoderSession &encoder, const Progress &progr
 
 CancelQuestion::CancelQuestion(QWidget *parent)
     : QWidget(parent)
-    , m_text(new QLabel(this))
+    , m_text(wrappedLabel(this))
     , m_restore(new QPushButton(tr("&Restore values from before"), this))
     , m_run(new QPushButton(tr("R&un with what it has"), this))
     , m_leave(new QPushButton(tr("&Leave in parameterization"), this))
     , m_goOn(new QPushButton(tr("&Go on with the handshake"), this))
 {
-    m_text->setWordWrap(true);
     m_restore->setToolTip(tr("Writes the values from before again"));
     m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid"));
     m_leave->setToolTip(tr("OUT goes back to 0, and the encoder keeps the state it is in"));
     m_goOn->setToolTip(tr("The job goes on"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget *part : QList<QWidget *>{m_text, m_restore, m_run, m_leave, m_goOn})
-        layout->addWidget(part);
+    layOutColumn(this, {m_text, m_restore, m_run, m_leave, m_goOn}, {.margins = QMargins()});
     connect(m_restore, &QPushButton::clicked, this, [this] { answer(OnCancel::restorePrevious); });
     connect(m_run, &QPushButton::clicked, this, [this] { answer(OnCancel::runWithWhatItHas); });
     connect(m_leave, &QPushButton::clicked, this, [this] { answer(OnCancel::leaveAsIs); });
@@ -130,8 +126,7 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
     dialog.setObjectName(QStringLiteral("cancelQuestion"));
     dialog.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
     auto *question = new CancelQuestion(&dialog);
-    auto *layout = new QVBoxLayout(&dialog);
-    layout->addWidget(question);
+    layOutColumn(&dialog, {question});
     std::optional<OnCancel> answer;
     QObject::connect(question, &CancelQuestion::answered, &dialog, [&](OnCancel how) {
         answer = how;

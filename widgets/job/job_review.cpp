@@ -7,13 +7,14 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_cells.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 
@@ -40,7 +41,7 @@ JobReview::JobReview(const char *id, QWidget *parent)
     , m_model(new ReviewTable(this))
     , m_table(new QTableView(this))
     , m_problem(new InlineMessage(this))
-    , m_notes(new QLabel(this))
+    , m_notes(wrappedLabel(this))
     , m_gate(new EepromGate(this))
     , m_options(new QHBoxLayout)
     , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
@@ -59,7 +60,6 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // no value may be out of sight
     m_table->setMinimumHeight(2 * grid::largeIcon);
     WrappedCells::useIn(*m_table);
-    m_notes->setWordWrap(true);
     m_writeAll->setToolTip(tr("Writes everything that is wanted once more. That costs EEPROM writes."));
     m_write->setObjectName(QLatin1String(id));
     m_write->setAccessibleName(tr("Write what is shown"));
@@ -68,17 +68,9 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_cancel->setToolTip(tr("Back; nothing is sent (Esc)"));
 
     m_options->addWidget(m_writeAll, 1);
-    auto *buttons = new QHBoxLayout;
-    buttons->addWidget(m_write, 1);
-    buttons->addWidget(m_cancel);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_table, 1);
-    layout->addWidget(m_problem);
-    layout->addWidget(m_notes);
-    layout->addWidget(m_gate);
-    layout->addLayout(m_options);
-    layout->addLayout(buttons);
+    layOutColumn(this,
+                 {{m_table, 1}, m_problem, m_notes, m_gate, m_options, layOutRow({{m_write, 1}, m_cancel})},
+                 {.margins = QMargins()});
 
     connect(m_writeAll, &QCheckBox::toggled, this, &JobReview::showContents);
     connect(m_gate, &EepromGate::changed, this, &JobReview::allow);

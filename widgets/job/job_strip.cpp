@@ -1,44 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/job_strip.h"
 
-#include "widgets/job/cancel_question.h"
+#include "widgets/job/job_cancel.h"
 #include "widgets/job/step_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 
 namespace codewheel {
 
 JobStrip::JobStrip(QWidget *parent)
-    : QWidget(parent)
-    , m_step(new QLabel(this))
-    , m_bar(new QProgressBar(this))
-    , m_cancel(describe(new QPushButton(tr("&Cancel"), this), "cancelJob",
-                        tr("Ends the job; asks how to leave the encoder")))
-    , m_question(new CancelQuestion(this))
-{
-    m_step->setWordWrap(true);
-    m_bar->setTextVisible(false);
-    m_bar->setAccessibleName(tr("Progress of the job"));
-    m_bar->setFixedHeight(2 * grid::unit);
-    m_question->hide();
+    : JobStrip(nullptr, parent)
+{}
 
+JobStrip::JobStrip(JobRound &round, QWidget *parent)
+    : JobStrip(&round, parent)
+{
+    connect(&round, &JobRound::progressed, this, &JobStrip::showRound);
+}
+
+JobStrip::JobStrip(JobRound *round, QWidget *parent)
+    : QWidget(parent)
+    , m_round(round)
+    , m_step(wrappedLabel(this, "jobProgress"))
+    , m_encoders(
+          describe(new QProgressBar(this), tr("Encoders done"), tr("Encoders done, of all that were chosen")))
+    , m_bar(describe(new QProgressBar(this), tr("Progress of the job"), tr("Steps of the running job")))
+    , m_button(describe(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this), "cancelJob",
+                        round ? tr("Ends the job, after asking how to leave the encoder; the others are not "
+                                   "begun")
+                              : tr("Ends the job; asks how to leave the encoder")))
+    , m_question(round ? nullptr : new CancelQuestion(this))
+    , m_cancel(new JobCancel(this, m_question))
+{
+    layOut();
+    connect(m_button, &QPushButton::clicked, this, &JobStrip::cancel);
+    connect(m_cancel, &JobCancel::leaves, this, &JobStrip::leave);
+    connect(m_cancel, &JobCancel::goesOn, this, &JobStrip::goOn);
+}
+
+void JobStrip::layOut()
+{
     auto *row = new QHBoxLayout;
-    row->addWidget(m_bar, 1);
-    row->addWidget(m_cancel);
+    for (QProgressBar *bar : {m_encoders, m_bar}) {
+        bar->setTextVisible(false);
+        bar->setFixedHeight(2 * grid::unit);
+        row->addWidget(bar, 1);
+    }
+    m_encoders->setVisible(m_round != nullptr);
+    row->addWidget(m_button);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_step);
     layout->addLayout(row);
-    layout->addWidget(m_question);
-
-    connect(m_cancel, &QPushButton::clicked, this, &JobStrip::cancel);
-    connect(m_question, &CancelQuestion::answered, this, &JobStrip::leave);
-    connect(m_question, &CancelQuestion::goesOn, this, &JobStrip::goOn);
+    if (m_question)
+        layout->addWidget(m_question);
+    setFocusProxy(m_button);
 }
 
 void JobStrip::setEncoder(EncoderSession *encoder)
@@ -46,66 +68,85 @@ void JobStrip::setEncoder(EncoderSession *encoder)
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
+    m_cancel->begin(encoder);
     if (encoder != nullptr)
         connect(encoder, &EncoderSession::progressed, this, &JobStrip::showProgress);
 }
 
 void JobStrip::begin()
 {
-    m_progress = {};
-    m_asksIfTaken = false;
+    m_cancel->begin(m_encoder);
     m_step->setText(tr("The job begins."));
     m_bar->setRange(0, 0);
-    goOn();
+    m_button->setEnabled(true);
 }
 
 void JobStrip::showProgress(const Progress &progress)
 {
-    m_progress = progress;
     const int count = static_cast<int>(progress.steps.size());
     m_bar->setRange(0, count);
     m_bar->setValue(progress.index);
+    QStringList sentences = roundTexts();
     if (progress.index < count)
-        m_step->setText(tr("Step %1 of %2: %3")
-                            .arg(progress.index + 1)
-                            .arg(count)
-                            .arg(stepText(m_encoder->device(),
-                                          progress.steps[static_cast<std::size_t>(progress.index)])));
-    if (!m_question->isHidden() || (m_asksIfTaken && progress.hasTaken))
-        ask(); // it may have taken more
+        sentences << tr("Step %1 of %2: %3")
+                         .arg(progress.index + 1)
+                         .arg(count)
+                         .arg(stepText(m_encoder->device(),
+                                       progress.steps[static_cast<std::size_t>(progress.index)]));
+    if (!sentences.isEmpty())
+        m_step->setText(sentences.join(u' '));
+    m_cancel->follow(progress);
 }
 
-// Before the encoder has taken anything, OUT goes back to 0 and that is all.
+void JobStrip::showRound()
+{
+    if (m_encoder != m_round->encoder()) {
+        m_encoder = m_round->encoder();
+        m_cancel->begin(m_encoder);
+    }
+    if (!m_encoder)
+        return;
+    m_encoders->setRange(0, m_round->progress().encoders);
+    m_encoders->setValue(m_round->progress().encoder);
+    showProgress(m_round->jobProgress());
+}
+
+QStringList JobStrip::roundTexts() const
+{
+    if (m_round == nullptr)
+        return {};
+    const RoundProgress at = m_round->progress();
+    QStringList texts{tr("Encoder %1 of %2: %3.").arg(at.encoder + 1).arg(at.encoders).arg(at.place.shown())};
+    if (m_round->beginsNoOther() && at.encoder + 1 < at.encoders)
+        texts << tr("No other is begun.");
+    return texts;
+}
+
 void JobStrip::cancel()
 {
     if (!m_encoder)
         return;
-    if (m_progress.hasTaken) {
-        ask();
-    } else {
-        leave(OnCancel::ifNothingTaken);
-        m_asksIfTaken = true;
-    }
-}
-
-void JobStrip::ask()
-{
-    m_asksIfTaken = false;
-    m_cancel->setEnabled(false);
-    m_question->ask(*m_encoder, situationOf(*m_encoder, m_progress));
+    m_button->setEnabled(false);
+    if (m_round)
+        m_round->beginNothingElse();
+    m_cancel->cancel();
 }
 
 void JobStrip::goOn()
 {
-    m_question->hide();
-    m_cancel->setEnabled(true);
+    m_button->setEnabled(true);
+    if (m_round && m_round->encoder()) {
+        m_round->finishThisEncoder();
+        showRound();
+    }
 }
 
 void JobStrip::leave(OnCancel how)
 {
-    m_question->hide();
-    m_cancel->setEnabled(false);
-    if (m_encoder)
+    m_button->setEnabled(false);
+    if (m_round)
+        m_round->cancel(how);
+    else if (m_encoder)
         m_encoder->cancel(how);
 }
 

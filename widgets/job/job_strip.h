@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
+#include "transfer/job_round.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -13,33 +13,40 @@ class QPushButton;
 namespace codewheel {
 
 class CancelQuestion;
+class JobCancel;
 
-// Where a job of the encoder stands, with Cancel. Once the encoder has taken something, Cancel asks how to
-// leave it; the job goes on meanwhile.
+// Where a job stands, with Cancel: the job of an encoder, in its panels, or a round of jobs, encoder i of n,
+// in transfers.
 class JobStrip : public QWidget
 {
     Q_OBJECT
 
 public:
     explicit JobStrip(QWidget *parent = nullptr);
+    // Cancel begins no other encoder, whatever becomes of the one that runs. The round must outlive it.
+    explicit JobStrip(JobRound &round, QWidget *parent = nullptr);
 
     void setEncoder(EncoderSession *encoder);
     void begin();
+    void cancel();
 
 private:
+    JobStrip(JobRound *round, QWidget *parent);
+    void layOut();
     void showProgress(const Progress &progress);
-    void cancel();
-    void ask();
+    void showRound();
+    QStringList roundTexts() const;
     void goOn();
     void leave(OnCancel how);
 
+    JobRound *m_round; // null: one encoder
     QPointer<EncoderSession> m_encoder;
-    Progress m_progress;
-    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
     QLabel *m_step;
+    QProgressBar *m_encoders; // of a round
     QProgressBar *m_bar;
-    QPushButton *m_cancel;
-    CancelQuestion *m_question;
+    QPushButton *m_button;
+    CancelQuestion *m_question; // null: asked in a dialog
+    JobCancel *m_cancel;
 };
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
 #include "widgets/look/fonts.h"
 #include "widgets/models/table_model_base.h"
 
@@ -10,7 +11,7 @@ namespace codewheel {
 
 struct ReviewColumn
 {
-    enum class Kind : std::uint8_t { text, value, code }; // code: a word or a request
+    enum class Kind : std::uint8_t { text, value, number, code }; // code: a word or a request
 
     QString title;
     Kind kind = Kind::text;
@@ -18,14 +19,22 @@ struct ReviewColumn
 
 struct ReviewRow
 {
+    enum class Kind : std::uint8_t { head, value, note }; // head: of an encoder, where there are several
+
     QStringList cells;
     QStringList tips{}; // in place of the cells; an empty one: the cell itself
+    QString tip{};      // in place of all of them
+    Kind kind = Kind::value;
+    Place place{}; // of the encoder, where there are several
+    bool canBeChosen = false;
+    bool isThere = false; // left out
+    bool isHindered = false;
 
     friend bool operator==(const ReviewRow &, const ReviewRow &) = default;
 };
 
-// What a job will change or send, row by row: in the review of parameters, cams and wizard.
-class ReviewTable final : public TableModelBase<ReviewRow>
+// What a job will change or send, row by row: in the review of parameters, cams and wizard, and in transfers.
+class ReviewTable : public TableModelBase<ReviewRow>
 {
     Q_OBJECT
 
@@ -33,7 +42,7 @@ public:
     using TableModelBase::TableModelBase;
 
     void setColumns(std::vector<ReviewColumn> columns, TextSize size = TextSize::normal);
-    // Nothing happens where they are there already: what is pointed at stays.
+    // Keeps what is there as far as it is the same: what is pointed at stays.
     void show(std::vector<ReviewRow> rows);
 
 protected:

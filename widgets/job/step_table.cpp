@@ -1,49 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/step_table.h"
 
+#include "catalog/device_description.h"
 #include "drivers/write_plan.h"
 #include "encoder/hex.h"
 #include "widgets/job/step_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
-#include "widgets/models/device_traits.h"
 
 #include <QCoreApplication>
 
 namespace codewheel {
 namespace {
 
-QString stateText(StepState state)
+struct StateLook
 {
-    switch (state) {
-    case StepState::planned:
-        break;
-    case StepState::next:
-        return StepTable::tr("next");
-    case StepState::sent:
-        return StepTable::tr("sent");
-    case StepState::done:
-        return StepTable::tr("done");
-    case StepState::failed:
-        return StepTable::tr("failed");
-    }
-    return {};
-}
+    QString text;
+    QVariant icon;
+};
 
-QVariant stateIcon(StepState state)
+StateLook lookOf(StepState state)
 {
     switch (state) {
     case StepState::planned:
         break;
     case StepState::next:
-        return lineIcon(Icon::next);
+        return {StepTable::tr("next"), lineIcon(Icon::next)};
     case StepState::sent:
-        return lineIcon(Icon::step);
+        return {StepTable::tr("sent"), lineIcon(Icon::step)};
     case StepState::done:
-        return lineIcon(Icon::ok, Role::running);
+        return {StepTable::tr("done"), lineIcon(Icon::ok, Role::running)};
     case StepState::failed:
-        return lineIcon(Icon::fault, Role::fault);
+        return {StepTable::tr("failed"), lineIcon(Icon::fault, Role::fault)};
     }
     return {};
 }
@@ -57,8 +46,8 @@ StepTable::StepTable(Stage stage, QObject *parent)
 
 void StepTable::showSteps(const DeviceDescription &device, const std::vector<Step> &steps)
 {
-    if (m_isOnLine != isOnLine(device)) {
-        m_isOnLine = isOnLine(device);
+    if (m_isOnLine != !device.hasWords()) {
+        m_isOnLine = !device.hasWords();
         setRows({});
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -150,7 +139,7 @@ QVariant StepTable::cell(const StepRow &row, int at, int role) const
         return strong;
     }
     if (role == Qt::DecorationRole && column == state)
-        return stateIcon(row.state);
+        return lookOf(row.state).icon;
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     switch (column) {
@@ -161,7 +150,7 @@ QVariant StepTable::cell(const StepRow &row, int at, int role) const
     case in:
         return row.in ? hexWord(*row.in) : QString();
     default:
-        return stateText(row.state);
+        return lookOf(row.state).text;
     }
 }
 

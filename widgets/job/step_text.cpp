@@ -2,8 +2,7 @@
 #include "widgets/job/step_text.h"
 
 #include "catalog/explain_word.h"
-#include "esc/esc_explain.h"
-#include "esc_line/typed_request.h"
+#include "drivers/protocol.h"
 
 #include <QCoreApplication>
 
@@ -19,13 +18,6 @@ struct StepText
 Mode modeOf(StepKind kind)
 {
     return kind == StepKind::camParameter || kind == StepKind::camReadOut ? Mode::cam : Mode::position;
-}
-
-QString requestStepText(const Step &step)
-{
-    const QString line = QString::fromLatin1(step.line);
-    const auto request = readRequest(line);
-    return request ? esc::requestText(*request) : StepText::tr("Send %1").arg(line);
 }
 
 } // namespace
@@ -50,7 +42,7 @@ QString stepText(const DeviceDescription &device, const Step &step)
     case StepKind::manufacturerPreset:
         return StepText::tr("Set the position to the preset, for one bus cycle");
     case StepKind::request:
-        return requestStepText(step);
+        return protocolOf(device).requestText(step.line);
     case StepKind::service:
     case StepKind::serviceBit:
     case StepKind::switchMode:

@@ -88,22 +88,12 @@ QString FoundEncoderModel::text(const FoundEncoder &row, int column) const
 
 QVariant FoundEncoderModel::headerCell(int column, int role) const
 {
+    static constexpr const char *titles[] = {QT_TR_NOOP("Address"), QT_TR_NOOP("Baud rate"),
+                                             QT_TR_NOOP("Serial number"), QT_TR_NOOP("Device code"),
+                                             QT_TR_NOOP("Version")};
     if (role == Qt::TextAlignmentRole)
         return QVariant((column == baudRate ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case address:
-        return tr("Address");
-    case baudRate:
-        return tr("Baud rate");
-    case serialNumber:
-        return tr("Serial number");
-    case deviceCode:
-        return tr("Device code");
-    default:
-        return tr("Version");
-    }
+    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
 }
 
 QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) const
@@ -119,7 +109,7 @@ QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) 
     case Qt::FontRole:
         return column == version ? QVariant() : QVariant(numberFont());
     case Qt::TextAlignmentRole:
-        return QVariant((column == baudRate ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return headerCell(column, role);
     default:
         return {};
     }

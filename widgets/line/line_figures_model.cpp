@@ -10,15 +10,42 @@
 namespace codewheel {
 namespace {
 
-QString millisecondText(Instant time)
+// A count, or a time.
+struct FigureRow
 {
-    constexpr double microseconds = 1'000.0;
-    return QLocale().toString(static_cast<double>(time.count()) / microseconds, 'f', 1);
-}
+    const char *title;
+    std::uint64_t LineFigures::*count;
+    Instant LineFigures::AnswerTime::*time;
+};
 
-QString countText(std::uint64_t count)
+constexpr FigureRow figureRows[] = {
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Requests"), &LineFigures::requests, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answers"), &LineFigures::answers, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Time-outs"), &LineFigures::timeOuts, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Retries"), &LineFigures::retries, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Unanswered"), &LineFigures::unanswered, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Garbage bytes"), &LineFigures::garbageBytes, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Late bytes"), &LineFigures::lateBytes, {}},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, shortest, ms"),
+     {},
+     &LineFigures::AnswerTime::shortest},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, median, ms"),
+     {},
+     &LineFigures::AnswerTime::median},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, longest, ms"),
+     {},
+     &LineFigures::AnswerTime::longest},
+};
+constexpr int figureCount = static_cast<int>(std::size(figureRows));
+
+QString figureText(const LineFigures &figures, const FigureRow &row)
 {
-    return QLocale().toString(qulonglong{count});
+    if (row.count != nullptr)
+        return QLocale().toString(qulonglong{figures.*row.count});
+    if (!figures.answerTime)
+        return QStringLiteral("\u2013");
+    const std::chrono::duration<double, std::milli> time = *figures.answerTime.*row.time;
+    return QLocale().toString(time.count(), 'f', 1);
 }
 
 } // namespace
@@ -54,41 +81,14 @@ int LineFiguresModel::columnCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
 }
 
-QString LineFiguresModel::text(const LineFigures &figures, int figure)
-{
-    switch (figure) {
-    case requests:
-        return countText(figures.requests);
-    case answers:
-        return countText(figures.answers);
-    case timeOuts:
-        return countText(figures.timeOuts);
-    case retries:
-        return countText(figures.retries);
-    case unanswered:
-        return countText(figures.unanswered);
-    case garbageBytes:
-        return countText(figures.garbageBytes);
-    case lateBytes:
-        return countText(figures.lateBytes);
-    default:
-        break;
-    }
-    if (!figures.answerTime)
-        return QStringLiteral("\u2013");
-    const auto &time = *figures.answerTime;
-    return millisecondText(figure == shortest ? time.shortest
-                           : figure == median ? time.median
-                                              : time.longest);
-}
-
 QVariant LineFiguresModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
         return {};
     switch (role) {
     case Qt::DisplayRole:
-        return text(m_columns[static_cast<std::size_t>(index.column())].figures, index.row());
+        return figureText(m_columns[static_cast<std::size_t>(index.column())].figures,
+                          figureRows[index.row()]);
     case Qt::TextAlignmentRole:
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole:
@@ -108,32 +108,8 @@ QVariant LineFiguresModel::headerData(int section, Qt::Orientation orientation, 
     }
     if (role == Qt::TextAlignmentRole)
         return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case requests:
-        return tr("Requests");
-    case answers:
-        return tr("Answers");
-    case timeOuts:
-        return tr("Time-outs");
-    case retries:
-        return tr("Retries");
-    case unanswered:
-        return tr("Unanswered");
-    case garbageBytes:
-        return tr("Garbage bytes");
-    case lateBytes:
-        return tr("Late bytes");
-    case shortest:
-        return tr("Answer time, shortest, ms");
-    case median:
-        return tr("Answer time, median, ms");
-    case longest:
-        return tr("Answer time, longest, ms");
-    default:
-        return {};
-    }
+    const bool isTitle = role == Qt::DisplayRole && section >= 0 && section < figureCount;
+    return isTitle ? tr(figureRows[section].title) : QVariant();
 }
 
 } // namespace codewheel

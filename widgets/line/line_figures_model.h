@@ -15,20 +15,6 @@ class LineFiguresModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
-    enum Figure {
-        requests,
-        answers,
-        timeOuts,
-        retries,
-        unanswered,
-        garbageBytes,
-        lateBytes,
-        shortest,
-        median,
-        longest
-    };
-    static constexpr int figureCount = longest + 1;
-
     using QAbstractTableModel::QAbstractTableModel;
 
     // Tells the views only what has changed.
@@ -47,8 +33,6 @@ private:
 
         friend bool operator==(const Column &, const Column &) = default;
     };
-
-    static QString text(const LineFigures &figures, int figure);
 
     std::vector<Column> m_columns{Column{}};
 };

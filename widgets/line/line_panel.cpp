@@ -6,7 +6,7 @@
 #include "widgets/line/line_figures_model.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
-#include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 
 #include <QFormLayout>
@@ -47,24 +47,16 @@ QString latencyText(LowLatency latency)
 } // namespace
 
 LinePanel::LinePanel(QWidget *parent)
-    : QScrollArea(parent)
-    , m_content(new QWidget(this))
-    , m_state(new RoleLabel(m_content))
-    , m_note(new InlineMessage(m_content))
+    : ScrolledPanel(tr("Serial line"), linePanelHeight, parent)
+    , m_state(new RoleLabel(content()))
     , m_figures(new LineFiguresModel(this))
-    , m_table(describe(new QTableView(m_content), tr("Figures of the line and its encoders"),
+    , m_table(describe(new QTableView(content()), tr("Figures of the line and its encoders"),
                        tr("Since the line was opened. Times are from the end of a request to the end of its "
                           "answer; the median is that of the newest 1000.")))
-    , m_dropped(new QLabel(m_content))
+    , m_dropped(new QLabel(content()))
 {
-    setAccessibleName(tr("Serial line"));
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    column->setSpacing(grid::margin);
+    auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
     column->addWidget(m_state);
-    column->addWidget(m_note);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
@@ -82,23 +74,12 @@ LinePanel::LinePanel(QWidget *parent)
     m_dropped->hide();
     column->addWidget(m_dropped);
     column->addStretch(1);
-    setWidget(m_content);
     showState();
 }
 
 LinePanel::~LinePanel()
 {
     m_table->setModel(nullptr);
-}
-
-QLabel *LinePanel::addLine(QFormLayout &form, const QString &caption, const QString &toolTip)
-{
-    auto *value = describe(new QLabel(m_content), caption, toolTip);
-    value->setTextFormat(Qt::PlainText);
-    value->setWordWrap(true);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    form.addRow(caption, value);
-    return value;
 }
 
 void LinePanel::makeTable()
@@ -112,7 +93,7 @@ void LinePanel::makeTable()
     // Calm: columns are as wide as their headers and ten digits, whatever the figures are.
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setFixedHeight(LineFiguresModel::figureCount * m_table->verticalHeader()->defaultSectionSize() +
+    m_table->setFixedHeight(m_figures->rowCount() * m_table->verticalHeader()->defaultSectionSize() +
                             m_table->horizontalHeader()->sizeHint().height() +
                             m_table->horizontalScrollBar()->sizeHint().height() + grid::unit);
 }
@@ -129,14 +110,6 @@ void LinePanel::setLine(LineSession *line)
     }
     showState();
     showFigures();
-}
-
-void LinePanel::setNote(const QString &sentence)
-{
-    if (sentence.isEmpty())
-        m_note->withdraw();
-    else
-        m_note->showMessage(Role::attention, sentence);
 }
 
 void LinePanel::showState()
@@ -172,13 +145,6 @@ void LinePanel::showFigures()
         m_dropped->setText(
             sentence(tr("%1 rows of the terminal were lost: the window was busy for too long."),
                      {QLocale().toString(qulonglong{shown.droppedRows})}));
-}
-
-QSize LinePanel::sizeHint() const
-{
-    const QSize content = m_content->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), linePanelHeight)};
 }
 
 } // namespace codewheel

@@ -8,6 +8,7 @@
 #include "widgets/line/replay_model.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 
 #include <QLabel>
@@ -22,6 +23,18 @@ namespace {
 
 constexpr int writesNamed = 10; // writes in the question; the table has all
 
+std::vector<ShownTraffic> shownRows(const LineRecord &record, LineTraffic &traffic)
+{
+    std::vector<ShownTraffic> rows;
+    rows.reserve(record.rows.size());
+    for (const auto &[what, typed] : record.rows) {
+        TrafficRow &row = rows.emplace_back(ShownTraffic{traffic.row(what)}).what;
+        row.isTyped = typed;
+        row.time = WallTime(record.begin).dateTime(row.at);
+    }
+    return rows;
+}
+
 bool writes(const ReplayStep &step)
 {
     return esc::shapeOf(step.request.command).writes;
@@ -32,7 +45,7 @@ bool writes(const ReplayStep &step)
 LineRecordView::LineRecordView(QWidget *parent)
     : QWidget(parent)
     , m_replay(new LineReplay(this))
-    , m_rows(new LineRowModel(this))
+    , m_rows(new TrafficModel(lineTrafficColumns, static_cast<int>(LineRecord::mostRows), this))
     , m_steps(new ReplayModel(this))
     , m_title(new QLabel(this))
     , m_table(new LineRowTable(*m_rows, tr("Rows of the saved session"), this))
@@ -46,9 +59,7 @@ LineRecordView::LineRecordView(QWidget *parent)
     m_stepTable->setMinimumHeight(2 * grid::largeIcon);
     m_stepTable->hide();
 
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(this, grid::unit, grid::unit);
     auto *top = new QHBoxLayout;
     top->setSpacing(grid::unit);
     top->addWidget(m_title, 1);
@@ -111,7 +122,8 @@ void LineRecordView::setLine(LineSession *line)
 void LineRecordView::setExplainOptions(const esc::ExplainOptions &options)
 {
     m_options = options;
-    m_rows->setExplainOptions(options);
+    m_traffic.setExplainOptions(options);
+    m_rows->tellMeaningsChanged();
     m_steps->setExplainOptions(options);
 }
 
@@ -119,7 +131,8 @@ void LineRecordView::showRecord(const LineRecord &record, const QString &name)
 {
     m_replay->cancel();
     m_record = record;
-    m_rows->setRecord(record);
+    m_traffic = LineTraffic(m_options);
+    m_rows->setRows(shownRows(record, m_traffic));
     m_steps->setSteps({});
     m_stepTable->hide();
     m_question->withdraw();

@@ -3,6 +3,7 @@
 
 #include "esc/esc_explain.h"
 #include "esc_line/line_replay.h"
+#include "esc_line/row_text.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -14,10 +15,10 @@ class QTableView;
 namespace codewheel {
 
 class InlineMessage;
-class LineRowModel;
 class LineRowTable;
 class LineSession;
 class ReplayModel;
+class TrafficModel;
 
 // A kept session of a serial line: to be looked at, and sent again to the line there is. Reads only, unless a
 // question that names the writes is answered otherwise. Used by the terminal.
@@ -31,7 +32,6 @@ public:
     void setLine(LineSession *line); // null: none
     void setExplainOptions(const esc::ExplainOptions &options);
     void showRecord(const LineRecord &record, const QString &name);
-    bool isReplaying() const { return m_replay->isRunning(); }
 
 Q_SIGNALS:
     void left(); // back to the line
@@ -50,7 +50,8 @@ private:
     LineRecord m_record;
     esc::ExplainOptions m_options;
     LineReplay *m_replay;
-    LineRowModel *m_rows;
+    LineTraffic m_traffic;
+    TrafficModel *m_rows;
     ReplayModel *m_steps;
     QLabel *m_title;
     QPushButton *m_start = nullptr;

@@ -3,6 +3,7 @@
 
 #include "widgets/line/line_row_table.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -12,9 +13,7 @@ namespace codewheel {
 LineRowOptions::LineRowOptions(LineRowTable &table, QWidget *parent)
     : QWidget(parent)
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins({});
-    row->setSpacing(grid::margin);
+    auto *row = layOut<QHBoxLayout>(this, grid::margin);
     auto *polls = addBox(tr("Hide position polls"),
                          tr("Leaves out the position requests of the polling and their answers. They are "
                             "kept, and shown again when this is cleared."),
@@ -27,9 +26,9 @@ LineRowOptions::LineRowOptions(LineRowTable &table, QWidget *parent)
         Q_EMIT changed();
     });
     connect(text, &QCheckBox::toggled, &table,
-            [&table](bool on) { table.showColumn(LineRowModel::text, on); });
+            [&table](bool on) { table.showColumn(TrafficColumn::text, on); });
     connect(hex, &QCheckBox::toggled, &table,
-            [&table](bool on) { table.showColumn(LineRowModel::bytes, on); });
+            [&table](bool on) { table.showColumn(TrafficColumn::bytes, on); });
 }
 
 QCheckBox *LineRowOptions::addBox(const QString &text, const QString &toolTip, bool isOn)

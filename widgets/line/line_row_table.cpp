@@ -17,7 +17,25 @@ constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the t
 
 } // namespace
 
-LineRowTable::LineRowTable(LineRowModel &rows, const QString &name, QWidget *parent)
+LineRowFilter::LineRowFilter(TrafficModel &rows, QObject *parent)
+    : QSortFilterProxyModel(parent)
+    , m_rows(rows)
+{
+    setSourceModel(&rows);
+}
+
+void LineRowFilter::hidePolls(bool hide)
+{
+    m_hidesPolls = hide;
+    invalidateFilter();
+}
+
+bool LineRowFilter::filterAcceptsRow(int row, const QModelIndex &) const
+{
+    return !m_hidesPolls || !m_rows.rowAt(row).what.isRoutine();
+}
+
+LineRowTable::LineRowTable(TrafficModel &rows, const QString &name, QWidget *parent)
     : QTableView(parent)
     , m_rows(rows)
     , m_filter(new LineRowFilter(rows, this))
@@ -43,9 +61,9 @@ LineRowTable::~LineRowTable()
     setModel(nullptr);
 }
 
-void LineRowTable::showColumn(LineRowModel::Column column, bool show)
+void LineRowTable::showColumn(TrafficColumn column, bool show)
 {
-    setColumnHidden(column, !show);
+    setColumnHidden(m_rows.columnOf(column), !show);
 }
 
 void LineRowTable::setColumnWidths()
@@ -54,15 +72,17 @@ void LineRowTable::setColumnWidths()
     const QFontMetrics texts(font());
     const int gap = 2 * grid::margin;
     int word = 0;
-    for (const auto kind : {esc::LineRow::Kind::sent, esc::LineRow::Kind::answer, esc::LineRow::Kind::echo,
-                            esc::LineRow::Kind::garbage, esc::LineRow::Kind::late})
+    for (const auto kind :
+         {TrafficKind::sent, TrafficKind::answer, TrafficKind::echo, TrafficKind::garbage, TrafficKind::late})
         word = std::max(word, texts.horizontalAdvance(tr("%1, typed").arg(rowKindWord(kind))));
-    setColumnWidth(LineRowModel::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
-    setColumnWidth(LineRowModel::kind, word + grid::smallIcon + gap);
-    setColumnWidth(LineRowModel::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
-    setColumnWidth(LineRowModel::meaning, lineMeaningLetters * texts.averageCharWidth());
-    setColumnWidth(LineRowModel::bytes,
-                   numbers.horizontalAdvance(QString(qsizetype{3} * shownBytes, u'0')) + gap);
+    const auto setWidth = [this](TrafficColumn column, int width) {
+        setColumnWidth(m_rows.columnOf(column), width);
+    };
+    setWidth(TrafficColumn::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
+    setWidth(TrafficColumn::direction, word + grid::smallIcon + gap);
+    setWidth(TrafficColumn::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
+    setWidth(TrafficColumn::meaning, lineMeaningLetters * texts.averageCharWidth());
+    setWidth(TrafficColumn::bytes, numbers.horizontalAdvance(QString(qsizetype{3} * shownBytes, u'0')) + gap);
     verticalHeader()->setDefaultSectionSize(std::max({grid::smallIcon, numbers.height(), texts.height()}) +
                                             grid::unit);
 }
@@ -87,10 +107,10 @@ QString LineRowTable::exportText() const
 {
     QString text;
     for (int row = 0; row < m_filter->rowCount(); ++row) {
-        const ShownLineRow &shown = m_rows.rowAt(m_filter->mapToSource(m_filter->index(row, 0)).row());
-        QStringList cells{m_rows.dateTimeText(shown)};
-        for (int column = LineRowModel::kind; column <= LineRowModel::bytes; ++column)
-            cells << m_rows.cellText(shown, column, ControlCharacters::pictures);
+        const ShownTraffic &shown = m_rows.rowAt(m_filter->mapToSource(m_filter->index(row, 0)).row());
+        QStringList cells{shown.what.time.toString(Qt::ISODateWithMs)};
+        for (int column = 1; column < m_rows.columnCount(); ++column)
+            cells << m_rows.cellText(shown, m_rows.columnAt(column), ControlCharacters::pictures);
         text += cells.join(u'\t') + u'\n';
     }
     return text;

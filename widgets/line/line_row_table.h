@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/line/line_row_filter.h"
-#include "widgets/line/line_row_model.h"
+#include "esc_line/row_text.h"
+#include "widgets/models/traffic_model.h"
 
+#include <QSortFilterProxyModel>
 #include <QTableView>
 
 namespace codewheel {
+
+// The rows of a line, without those of the position polling where that is wanted: they would push away what
+// was typed. What is hidden is kept.
+class LineRowFilter : public QSortFilterProxyModel
+{
+    Q_OBJECT
+
+public:
+    explicit LineRowFilter(TrafficModel &rows, QObject *parent = nullptr);
+
+    void hidePolls(bool hide);
+    bool hidesPolls() const { return m_hidesPolls; }
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
+
+private:
+    TrafficModel &m_rows;
+    bool m_hidesPolls = true;
+};
 
 // The rows of a line as a table: hides the polling and columns as wanted, copies and exports what it shows.
 // Used by the terminal and by the view of a kept session.
@@ -15,11 +36,11 @@ class LineRowTable : public QTableView
     Q_OBJECT
 
 public:
-    LineRowTable(LineRowModel &rows, const QString &name, QWidget *parent = nullptr);
+    LineRowTable(TrafficModel &rows, const QString &name, QWidget *parent = nullptr);
     ~LineRowTable() override;
 
     LineRowFilter &filter() { return *m_filter; }
-    void showColumn(LineRowModel::Column column, bool show);
+    void showColumn(TrafficColumn column, bool show);
 
     // The rows chosen, or all that are shown: a row a line, tabs between the columns.
     void copy() const;
@@ -32,7 +53,7 @@ protected:
 private:
     void setColumnWidths();
 
-    LineRowModel &m_rows;
+    TrafficModel &m_rows;
     LineRowFilter *m_filter;
 };
 

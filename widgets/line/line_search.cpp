@@ -11,6 +11,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 
 #include <QCheckBox>
@@ -79,9 +80,7 @@ LineSearch::LineSearch(QWidget *parent)
                              tr("Each address is asked for its serial number. Nothing is written."), this))
 {
     setAccessibleName(tr("Search for encoders"));
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    rows->setSpacing(grid::margin);
+    auto *rows = layOut<QVBoxLayout>(this, grid::margin, grid::unit);
     makeFields();
     rows->addWidget(m_progress);
     rows->addWidget(m_message);
@@ -188,7 +187,7 @@ void LineSearch::setLine(LineSession *line)
     if (line) {
         ScanWish atItsRate = wish();
         atItsRate.baudRates = {line->settings().baudRate};
-        setWish(atItsRate);
+        setSettings(atItsRate);
         connect(line, &LineSession::scanProgressed, this, &LineSearch::showProgress);
         connect(line, &LineSession::scanEnded, this, &LineSearch::showEnd);
         connect(line, &LineSession::stateChanged, this, &LineSearch::showWhatIsPossible);
@@ -216,7 +215,7 @@ ScanWish LineSearch::wish() const
     return wish;
 }
 
-void LineSearch::setWish(const ScanWish &wish)
+void LineSearch::setSettings(const ScanWish &wish)
 {
     m_first->setValue(wish.first.value);
     m_last->setValue(wish.last.value);

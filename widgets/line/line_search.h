@@ -43,7 +43,7 @@ public:
     // What those that are found may be: an encoder does not tell its interface.
     void setDevices(const std::vector<Device> &devices);
     ScanWish wish() const;
-    void setWish(const ScanWish &wish);
+    void setSettings(const ScanWish &wish);
     // Says which of those that were wanted could not be taken over, since they answer at another baud rate
     // than the line's.
     void showLeft(const std::vector<FoundEncoder> &left);

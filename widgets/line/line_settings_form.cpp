@@ -8,6 +8,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -55,9 +56,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     setAccessibleName(tr("Settings of the serial line"));
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    column->setSpacing(grid::margin);
+    auto *column = layOut<QVBoxLayout>(m_content, grid::margin, grid::margin);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
@@ -80,7 +79,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     for (const QComboBox *box : {m_port, m_baudRate}) // the field that is typed into
         describe(box->lineEdit(), box->accessibleName(), box->toolTip());
     connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
-    setWish({});
+    setSettings({});
     showPorts();
 }
 
@@ -231,9 +230,9 @@ void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString
     const bool isPicked = m_isPicked;
     m_ports = ports;
     showPorts();
-    LineSettings kept = wish();
+    LineSettings kept = settings();
     kept.port = chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen;
-    setWish(kept);
+    setSettings(kept);
     m_isPicked = isPicked;
     if (!trouble.isEmpty())
         m_trouble->showMessage(Role::attention, trouble);
@@ -258,26 +257,26 @@ void LineSettingsForm::showPorts()
     }
 }
 
-LineSettings LineSettingsForm::wish() const
+LineSettings LineSettingsForm::settings() const
 {
     using std::chrono::milliseconds;
-    LineSettings wish;
-    wish.port = chosenPort();
-    wish.timing = m_timing;
-    wish.line.baudRate = m_baudRate->currentText().toInt();
-    wish.line.dataBits = m_dataBits->currentData().toInt();
-    wish.line.parity = static_cast<SerialSettings::Parity>(m_parity->currentData().toInt());
-    wish.line.stopBits = m_stopBits->currentData().toInt();
-    wish.line.lowLatency = m_lowLatency->isChecked();
-    if (wish.line.baudRate > 0)
-        wish.timing.character = wish.line.timeOf(1);
-    wish.timing.answerTimeOut = milliseconds(m_timeOut->value());
-    wish.timing.retries = m_retries->value();
-    wish.timing.quietAfterWrite = milliseconds(m_quiet->value());
-    wish.pollInterval = milliseconds(m_pollInterval->value());
-    wish.fractionBits = m_fractionBits->value();
-    wish.topSpeed = m_topSpeed->value();
-    return wish;
+    LineSettings settings;
+    settings.port = chosenPort();
+    settings.timing = m_timing;
+    settings.serial.baudRate = m_baudRate->currentText().toInt();
+    settings.serial.dataBits = m_dataBits->currentData().toInt();
+    settings.serial.parity = static_cast<SerialSettings::Parity>(m_parity->currentData().toInt());
+    settings.serial.stopBits = m_stopBits->currentData().toInt();
+    settings.serial.lowLatency = m_lowLatency->isChecked();
+    if (settings.serial.baudRate > 0)
+        settings.timing.character = settings.serial.timeOf(1);
+    settings.timing.answerTimeOut = milliseconds(m_timeOut->value());
+    settings.timing.retries = m_retries->value();
+    settings.timing.quietAfterWrite = milliseconds(m_quiet->value());
+    settings.pollInterval = milliseconds(m_pollInterval->value());
+    settings.fractionBits = m_fractionBits->value();
+    settings.topSpeed = m_topSpeed->value();
+    return settings;
 }
 
 void LineSettingsForm::setPort(const QString &port)
@@ -290,21 +289,21 @@ void LineSettingsForm::setPort(const QString &port)
     m_isPicked = false;
 }
 
-void LineSettingsForm::setWish(const LineSettings &wish)
+void LineSettingsForm::setSettings(const LineSettings &settings)
 {
-    setPort(wish.port);
-    m_baudRate->setEditText(QString::number(wish.line.baudRate));
-    choose(*m_dataBits, wish.line.dataBits);
-    choose(*m_parity, static_cast<int>(wish.line.parity));
-    choose(*m_stopBits, wish.line.stopBits);
-    m_lowLatency->setChecked(wish.line.lowLatency);
-    m_timing = wish.timing;
-    m_pollInterval->setValue(wholeMilliseconds(wish.pollInterval));
-    m_timeOut->setValue(wholeMilliseconds(wish.timing.answerTimeOut));
-    m_retries->setValue(wish.timing.retries);
-    m_quiet->setValue(wholeMilliseconds(wish.timing.quietAfterWrite));
-    m_fractionBits->setValue(wish.fractionBits);
-    m_topSpeed->setValue(wish.topSpeed);
+    setPort(settings.port);
+    m_baudRate->setEditText(QString::number(settings.serial.baudRate));
+    choose(*m_dataBits, settings.serial.dataBits);
+    choose(*m_parity, static_cast<int>(settings.serial.parity));
+    choose(*m_stopBits, settings.serial.stopBits);
+    m_lowLatency->setChecked(settings.serial.lowLatency);
+    m_timing = settings.timing;
+    m_pollInterval->setValue(wholeMilliseconds(settings.pollInterval));
+    m_timeOut->setValue(wholeMilliseconds(settings.timing.answerTimeOut));
+    m_retries->setValue(settings.timing.retries);
+    m_quiet->setValue(wholeMilliseconds(settings.timing.quietAfterWrite));
+    m_fractionBits->setValue(settings.fractionBits);
+    m_topSpeed->setValue(settings.topSpeed);
 }
 
 void LineSettingsForm::setProblem(const QString &sentence)
@@ -339,11 +338,11 @@ void LineSettingsForm::takeRate()
     Q_EMIT baudRateWanted(*m_rateWanted);
 }
 
-bool LineSettingsForm::isComplete(const LineSettings &wish)
+bool LineSettingsForm::isComplete(const LineSettings &settings)
 {
-    if (wish.port.isEmpty())
+    if (settings.port.isEmpty())
         m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
-    else if (!line_limits::baudRate.hold(wish.line.baudRate))
+    else if (!line_limits::baudRate.hold(settings.serial.baudRate))
         m_problem->showMessage(Role::attention, tr("The baud rate is a number from %1 to %2.")
                                                     .arg(line_limits::baudRate.least)
                                                     .arg(line_limits::baudRate.most));
@@ -367,7 +366,7 @@ void LineSettingsForm::connectNow()
 {
     if (!takeTyped())
         return;
-    if (const LineSettings wanted = wish(); isComplete(wanted))
+    if (const LineSettings wanted = settings(); isComplete(wanted))
         Q_EMIT connectWanted(wanted, m_isPicked);
 }
 
@@ -375,7 +374,7 @@ void LineSettingsForm::connectOther()
 {
     if (!takeTyped())
         return;
-    if (const LineSettings wanted = wish(); isComplete(wanted))
+    if (const LineSettings wanted = settings(); isComplete(wanted))
         Q_EMIT otherAdapterWanted(wanted);
 }
 

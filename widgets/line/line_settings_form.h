@@ -32,8 +32,8 @@ public:
     // `trouble`: a sentence that stands at the list, such as missing rights; empty: none. What is chosen
     // stays chosen, also where it is not in the list.
     void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
-    LineSettings wish() const;
-    void setWish(const LineSettings &wish);
+    LineSettings settings() const;
+    void setSettings(const LineSettings &settings);
     // Where the line is open: it stands there as if it was never picked.
     void setPort(const QString &port);
     // What went wrong when it was opened; empty: nothing.
@@ -51,8 +51,8 @@ Q_SIGNALS:
     void refreshWanted();
     void fractionBitsWanted(); // to be determined from an encoder
     // isPicked: the port was chosen in the list or typed anew, so whatever is there is meant.
-    void connectWanted(const codewheel::LineSettings &wish, bool isPicked);
-    void otherAdapterWanted(const codewheel::LineSettings &wish);
+    void connectWanted(const codewheel::LineSettings &settings, bool isPicked);
+    void otherAdapterWanted(const codewheel::LineSettings &settings);
     void baudRateWanted(int baudRate); // that tellBaudRate() named; it stands in the form
 
 private:
@@ -66,7 +66,7 @@ private:
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     QString chosenPort() const;
     bool takeTyped();
-    bool isComplete(const LineSettings &wish);
+    bool isComplete(const LineSettings &settings);
     void connectNow();
     void connectOther();
     void takeRate();

@@ -6,7 +6,7 @@
 #include "esc_line/line_session.h"
 #include "esc_line/typed_request.h"
 #include "esc_line/write_question.h"
-#include "widgets/line/line_record_io.h"
+#include "project/file_access.h"
 #include "widgets/line/line_record_view.h"
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/request_field.h"
@@ -15,15 +15,47 @@
 #include "widgets/monitor/meaning_line.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QPushButton>
 #include <QStackedWidget>
 
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct LineRecordFiles
+{
+    Q_DECLARE_TR_FUNCTIONS(LineRecordFiles)
+};
+
+constexpr qint64 largestFile = 64'000'000; // bytes; 100 000 rows take 9 000 000
+
+// Whole or not at all.
+tl::expected<void, QString> writeWholeFile(const QString &path, const QByteArray &content)
+{
+    return replaceFile(path, content, OldFile::goes).map_error([&](const Refusal &refusal) {
+        return sentence(LineRecordFiles::tr("%1 was not saved: %2", "file, reason"),
+                        {path, whyNotWritten(refusal)});
+    });
+}
+
+// Those that wait too.
+std::vector<LineRecord::Row> recordRows(const TrafficModel &model)
+{
+    std::vector<LineRecord::Row> kept;
+    for (const auto *part : {&model.rows(), &model.waitingRows()})
+        for (const auto &[row, sinceLast, remark] : *part)
+            kept.push_back({{row.at, *row.kind, row.bytes}, row.isTyped});
+    if (kept.size() > LineRecord::mostRows)
+        kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(LineRecord::mostRows));
+    return kept;
+}
+
+} // namespace
 
 void LineTerminal::setLine(LineSession *line)
 {
@@ -36,8 +68,8 @@ void LineTerminal::setLine(LineSession *line)
     m_record->setLine(line);
     if (line) {
         if (m_rows->isEmpty() && !m_rows->hasCleared())
-            m_rows->setBegin(line->dateTime({}));
-        connect(line, &LineSession::passed, this, &LineTerminal::add);
+            m_begin = line->dateTime({});
+        connect(line, &LineSession::trafficPassed, this, &LineTerminal::add);
         connect(line, &LineSession::updated, this, [this] {
             if (!visibleRegion().isEmpty())
                 m_rows->showWaiting();
@@ -60,7 +92,7 @@ void LineTerminal::setExplainOptions(const esc::ExplainOptions &options)
 {
     m_options = options;
     m_field->setFractionBits(options.fractionBits);
-    m_rows->setExplainOptions(options);
+    m_rows->tellMeaningsChanged();
     m_record->setExplainOptions(options);
 }
 
@@ -69,7 +101,7 @@ void LineTerminal::paintEvent(QPaintEvent *event)
 {
     QWidget::paintEvent(event);
     if (m_rows->waiting() > 0 && !m_rows->isHeld())
-        QMetaObject::invokeMethod(m_rows, &LineRowModel::showWaiting, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(m_rows, &TrafficModel::showWaiting, Qt::QueuedConnection);
 }
 
 QStringList LineTerminal::history() const
@@ -93,13 +125,13 @@ bool LineTerminal::hasJob() const
 }
 
 // The rows of several connections, and from before and after the computer slept, are on one clock.
-void LineTerminal::add(const esc::LineRow &row)
+void LineTerminal::add(const TrafficRow &row)
 {
     const auto onItsClock = std::chrono::duration_cast<std::chrono::milliseconds>(row.at);
-    const std::chrono::milliseconds onOurs{m_rows->begin().msecsTo(m_line->dateTime(row.at))};
-    esc::LineRow shifted = row;
+    const std::chrono::milliseconds onOurs{m_begin.msecsTo(row.time)};
+    TrafficRow shifted = row;
     shifted.at += onOurs - onItsClock;
-    m_rows->add(shifted);
+    m_rows->add(std::move(shifted));
 }
 
 void LineTerminal::send()
@@ -148,7 +180,7 @@ void LineTerminal::sendNow(const esc::Request &request)
 void LineTerminal::takeAnswer(const TypedAnswered &answer)
 {
     if (answer.result.sent > 0)
-        m_rows->markTyped(answer.request);
+        m_rows->markTyped(answer.request.bytes());
     if (m_typed != answer.request)
         return;
     m_typed.reset();
@@ -166,12 +198,12 @@ void LineTerminal::takeAnswer(const TypedAnswered &answer)
 
 bool LineTerminal::save(const QString &path)
 {
-    LineRecord record{.begin = m_rows->begin(), .port = {}, .rows = m_rows->recordRows()};
+    LineRecord record{.begin = m_begin, .port = {}, .rows = recordRows(*m_rows)};
     if (m_line) {
         record.port = m_line->linkName();
         record.baudRate = m_line->settings().baudRate;
     }
-    const auto saved = saveLineRecord(path, record);
+    const auto saved = writeWholeFile(path, lineRecordToJson(record));
     if (!saved)
         m_message->showMessage(Role::attention, saved.error());
     else
@@ -181,7 +213,9 @@ bool LineTerminal::save(const QString &path)
 
 bool LineTerminal::open(const QString &path)
 {
-    const auto record = loadLineRecord(path);
+    const auto json = readWholeFile(path, largestFile).map_error(refusalText);
+    const auto record = json.and_then(
+        [&](const QByteArray &read) { return lineRecordFromJson(read, QFileInfo(path).fileName()); });
     if (!record) {
         m_message->showMessage(Role::attention, record.error());
         return false;
@@ -229,15 +263,7 @@ void LineTerminal::askExport()
 
 void LineTerminal::showCounts()
 {
-    const int shown = m_table->model()->rowCount();
-    QStringList texts{tr("%n rows", nullptr, m_rows->rowCount())};
-    if (shown != m_rows->rowCount())
-        texts << sentence(tr("%1 shown"), {QLocale().toString(shown)});
-    if (m_rows->isHeld())
-        texts << tr("paused, %n new", nullptr, m_rows->waiting());
-    if (m_rows->dropped() > 0)
-        texts << sentence(tr("%1 oldest dropped"), {QLocale().toString(m_rows->dropped())});
-    m_counts->setText(texts.join(QStringLiteral("; ")));
+    m_counts->setText(m_rows->countsText(m_table->model()->rowCount()));
     m_content->setCurrentIndex(m_rows->isEmpty() ? 1 : 0);
     m_save->setEnabled(!m_rows->isEmpty());
     m_bringBack->setEnabled(m_rows->hasCleared());

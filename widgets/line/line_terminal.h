@@ -5,6 +5,7 @@
 #include "esc_line/line_event.h"
 #include "widgets/look/roles.h"
 
+#include <QDateTime>
 #include <QPointer>
 #include <QWidget>
 
@@ -18,11 +19,12 @@ namespace codewheel {
 
 class InlineMessage;
 class LineRecordView;
-class LineRowModel;
 class LineRowTable;
 class LineSession;
 class MeaningLine;
 class RequestField;
+class TrafficModel;
+struct TrafficRow;
 
 // The terminal of a serial line: what passed both ways, as text, as bytes and in words; requests are typed
 // and sent; the session is kept in a file, looked at and sent again. What was collected outlives the
@@ -62,7 +64,7 @@ private:
     void askSave();
     void askOpen();
     void askExport();
-    void add(const esc::LineRow &row);
+    void add(const TrafficRow &row);
     void showCounts();
     void showWhatIsPossible();
     bool isConnected() const;
@@ -72,7 +74,8 @@ private:
     esc::ExplainOptions m_options;
     std::optional<esc::Request> m_asked; // in the question
     std::optional<esc::Request> m_typed; // sent from the field and not answered yet
-    LineRowModel *m_rows;
+    QDateTime m_begin;                   // what Instant 0 of the rows stands for
+    TrafficModel *m_rows;
     QStackedWidget *m_pages;
     QStackedWidget *m_content = nullptr; // the table, or what belongs there
     LineRowTable *m_table;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "esc_line/line_record.h"
 #include "widgets/line/line_record_view.h"
 #include "widgets/line/line_row_options.h"
 #include "widgets/line/line_row_table.h"
@@ -7,6 +8,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/tool.h"
 #include "widgets/monitor/meaning_line.h"
 
@@ -21,7 +23,7 @@ namespace codewheel {
 
 LineTerminal::LineTerminal(QWidget *parent)
     : QWidget(parent)
-    , m_rows(new LineRowModel(this))
+    , m_rows(new TrafficModel(lineTrafficColumns, static_cast<int>(LineRecord::mostRows), this))
     , m_pages(new QStackedWidget(this))
     , m_table(new LineRowTable(*m_rows, tr("What passed on the line"), this))
     , m_record(new LineRecordView(this))
@@ -34,13 +36,11 @@ LineTerminal::LineTerminal(QWidget *parent)
     setAccessibleName(tr("Line terminal"));
     m_pages->addWidget(makePage());
     m_pages->addWidget(m_record);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->setSpacing(0);
+    auto *layout = layOut<QVBoxLayout>(this, 0);
     layout->addWidget(m_pages, 1);
     setFocusProxy(m_field);
 
-    connect(m_rows, &LineRowModel::countsChanged, this, &LineTerminal::showCounts);
+    connect(m_rows, &TrafficModel::countsChanged, this, &LineTerminal::showCounts);
     connect(m_field, &QLineEdit::returnPressed, this, &LineTerminal::send);
     connect(m_field, &QLineEdit::textChanged, this, [this] {
         m_question->withdraw();
@@ -60,9 +60,7 @@ LineTerminal::LineTerminal(QWidget *parent)
 QWidget *LineTerminal::makePage()
 {
     auto *page = new QWidget(this);
-    auto *rows = new QVBoxLayout(page);
-    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(page, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
     auto *tools = new QToolBar(tr("Line terminal"), page);
     makeTools(*tools);
     rows->addWidget(tools);
@@ -112,13 +110,13 @@ void LineTerminal::makeTools(QToolBar &bar)
                         tr("Show the rows again that Clear removed")});
     m_bringBack->setEnabled(false);
     connect(m_follow, &QAction::toggled, this, &LineTerminal::showCounts);
-    connect(m_hold, &QAction::toggled, m_rows, &LineRowModel::setHeld);
+    connect(m_hold, &QAction::toggled, m_rows, &TrafficModel::setHeld);
     connect(copying, &QAction::triggered, m_table, &LineRowTable::copy);
     connect(m_save, &QAction::triggered, this, &LineTerminal::askSave);
     connect(opening, &QAction::triggered, this, &LineTerminal::askOpen);
     connect(exporting, &QAction::triggered, this, &LineTerminal::askExport);
-    connect(clearing, &QAction::triggered, m_rows, &LineRowModel::clear);
-    connect(m_bringBack, &QAction::triggered, m_rows, &LineRowModel::bringBack);
+    connect(clearing, &QAction::triggered, m_rows, &TrafficModel::clear);
+    connect(m_bringBack, &QAction::triggered, m_rows, &TrafficModel::bringBack);
 }
 
 void LineTerminal::makeSending(QVBoxLayout &rows)

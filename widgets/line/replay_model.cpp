@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/line/replay_model.h"
 
-#include "widgets/line/line_row_text.h"
 #include "widgets/look/fonts.h"
+#include "widgets/look/roles.h"
+#include "widgets/models/traffic_model.h"
 
 #include <algorithm>
 
@@ -79,22 +80,12 @@ QString ReplayModel::text(const ReplayRow &row, int column) const
 
 QVariant ReplayModel::headerCell(int column, int role) const
 {
+    static constexpr const char *titles[] = {QT_TR_NOOP("Meaning"), QT_TR_NOOP("Request"),
+                                             QT_TR_NOOP("Saved answer"), QT_TR_NOOP("Answer now"),
+                                             QT_TR_NOOP("Result")};
     if (role == Qt::TextAlignmentRole)
         return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case meaning:
-        return tr("Meaning");
-    case request:
-        return tr("Request");
-    case then:
-        return tr("Saved answer");
-    case now:
-        return tr("Answer now");
-    default:
-        return tr("Result");
-    }
+    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
 }
 
 QVariant ReplayModel::cell(const ReplayRow &row, int column, int role) const

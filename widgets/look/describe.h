@@ -8,6 +8,14 @@
 // other description. All give back the control.
 namespace codewheel {
 
+// One that says nothing of itself.
+template <class Control>
+Control *named(Control *control, const char *id)
+{
+    control->setObjectName(QLatin1String(id));
+    return control;
+}
+
 // One that shows no text of its own.
 template <class Control>
 Control *describe(Control *control, const QString &name, const QString &tip)
@@ -21,16 +29,14 @@ Control *describe(Control *control, const QString &name, const QString &tip)
 template <class Control>
 Control *describe(Control *control, const char *id, const QString &tip)
 {
-    control->setObjectName(QLatin1String(id));
     control->setToolTip(tip);
-    return control;
+    return named(control, id);
 }
 
 template <class Control>
 Control *describe(Control *control, const char *id, const QString &name, const QString &tip)
 {
-    control->setObjectName(QLatin1String(id));
-    return describe(control, name, tip);
+    return describe(named(control, id), name, tip);
 }
 
 } // namespace codewheel

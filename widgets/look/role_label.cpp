@@ -2,6 +2,7 @@
 #include "widgets/look/role_label.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -14,9 +15,7 @@ RoleLabel::RoleLabel(QWidget *parent)
     , m_icon(new QLabel(this))
     , m_word(new QLabel(this))
 {
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::unit);
+    auto *layout = layOut<QHBoxLayout>(this, grid::unit);
     layout->addWidget(m_icon);
     layout->addWidget(m_word, 1);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);

@@ -3,6 +3,7 @@
 
 #include "ring/ring_session.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 
 #include <QHBoxLayout>
@@ -16,9 +17,7 @@ LedRow::LedRow(const RingSession &ring, QWidget *parent)
     , m_ring(ring)
 {
     setObjectName(QStringLiteral("leds"));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins({});
-    row->setSpacing(grid::groupGap);
+    auto *row = layOut<QHBoxLayout>(this, grid::groupGap);
     const std::array tips{tr("UL, supply: the device has its voltage"),
                           tr("RC, remote bus check: the incoming bus is in order"),
                           tr("BA, bus active: on while data cycles run, blinking while they do not"),

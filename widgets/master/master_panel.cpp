@@ -11,6 +11,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/crc_bars.h"
 #include "widgets/master/segment_model.h"
@@ -23,7 +24,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -38,29 +38,22 @@ constexpr int segmentsInSight = 6;
 } // namespace
 
 MasterPanel::MasterPanel(RingSession &bus, QWidget *parent)
-    : QScrollArea(parent)
+    : ScrolledPanel(tr("Master"), masterPanelHeight, parent)
     , m_bus(bus)
-    , m_content(new QWidget(this))
-    , m_state(new RoleLabel(m_content))
-    , m_bits(new StatusBits(m_content))
-    , m_progress(new QProgressBar(m_content))
+    , m_state(new RoleLabel(content()))
+    , m_bits(new StatusBits(content()))
+    , m_progress(new QProgressBar(content()))
     , m_segments(new SegmentModel(this))
-    , m_table(new QTableView(m_content))
-    , m_message(new InlineMessage(m_content))
+    , m_table(new QTableView(content()))
+    , m_message(new InlineMessage(content()))
 {
-    setAccessibleName(tr("Master"));
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    column->setSpacing(grid::margin);
+    auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
     column->addWidget(m_message);
     makeState(column);
     makeButtons(column);
     column->addWidget(m_bits);
     makeSegments(column);
     column->addStretch(1);
-    setWidget(m_content);
 
     connect(&bus, &RingSession::updated, this, &MasterPanel::refresh);
     connect(&bus, &RingSession::stateChanged, this, &MasterPanel::refresh);
@@ -87,16 +80,6 @@ MasterPanel::~MasterPanel()
     m_table->setModel(nullptr);
 }
 
-QLabel *MasterPanel::addLine(QFormLayout *form, const QString &caption, const QString &toolTip)
-{
-    auto *value = describe(new QLabel(m_content), caption, toolTip);
-    value->setWordWrap(true);
-    value->setTextFormat(Qt::PlainText);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    form->addRow(caption, value);
-    return value;
-}
-
 void MasterPanel::makeState(QVBoxLayout *column)
 {
     column->addWidget(m_state);
@@ -104,18 +87,18 @@ void MasterPanel::makeState(QVBoxLayout *column)
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_fault = addLine(form, tr("Fault"), tr("What is wrong, and where"));
-    m_errorCode = addLine(form, tr("Error code"), tr("As the firmware's manual lists it"));
-    m_parameter = addLine(form, tr("Diagnostic parameter"),
+    m_fault = addLine(*form, tr("Fault"), tr("What is wrong, and where"));
+    m_errorCode = addLine(*form, tr("Error code"), tr("As the firmware's manual lists it"));
+    m_parameter = addLine(*form, tr("Diagnostic parameter"),
                           tr("Segment and position of the fault; 0080h: not located"));
-    m_configuration = addLine(form, tr("Keeps"), tr("The configuration the master keeps, by its file"));
+    m_configuration = addLine(*form, tr("Keeps"), tr("The configuration the master keeps, by its file"));
     m_errorCode->setFont(numberFont());
     column->addLayout(form);
 }
 
 QPushButton *MasterPanel::addButton(Icon icon, const QString &text, const QString &toolTip)
 {
-    auto *button = new QPushButton(lineIcon(icon), text, m_content);
+    auto *button = new QPushButton(lineIcon(icon), text, content());
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
     return button;
@@ -307,13 +290,6 @@ void MasterPanel::showSegmentButton()
                                : tr("Its devices, and those behind them, take no part in the data cycles; "
                                     "their outputs go to 0"));
     m_switch->setAccessibleDescription(m_switch->toolTip());
-}
-
-QSize MasterPanel::sizeHint() const
-{
-    const QSize content = m_content->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), masterPanelHeight)};
 }
 
 } // namespace codewheel

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "widgets/look/icons.h"
-
-#include <QScrollArea>
+#include "widgets/look/scrolled_panel.h"
 
 class QFormLayout;
 class QLabel;
@@ -24,7 +23,7 @@ class StatusBits;
 // What the ring's master says: state, status bits, fault and where it is, the configuration it keeps, and the
 // segments with their CRC errors; and what can be asked of it. What changes what the ring does needs Operate;
 // before a segment is switched off, the devices that go with it are named. Used by the master dock.
-class MasterPanel : public QScrollArea
+class MasterPanel : public ScrolledPanel
 {
     Q_OBJECT
 
@@ -35,8 +34,6 @@ public:
 
     // Switches the segment on again; or asks whether it shall be off.
     void toggleSegment(int segment);
-
-    QSize sizeHint() const override;
 
 Q_SIGNALS:
     // Something may have to be asked before.
@@ -49,7 +46,6 @@ private:
     void makeState(QVBoxLayout *column);
     void makeButtons(QVBoxLayout *column);
     void makeSegments(QVBoxLayout *column);
-    QLabel *addLine(QFormLayout *form, const QString &caption, const QString &toolTip);
     QPushButton *addButton(Icon icon, const QString &text, const QString &toolTip);
     void refresh();
     void showFault();
@@ -63,7 +59,6 @@ private:
     void withdrawWhatIsOver();
 
     RingSession &m_bus;
-    QWidget *m_content;
     RoleLabel *m_state;
     QLabel *m_fault = nullptr;
     QLabel *m_errorCode = nullptr;

@@ -8,6 +8,7 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -56,9 +57,7 @@ RingPlanFields::RingPlanFields(ProjectDocument &document, BusId ring, QWidget *p
 {
     m_counts->setObjectName(QStringLiteral("planCounts"));
     m_counts->setWordWrap(true);
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins({});
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(this, grid::unit);
     rows->addLayout(makeAddressing());
     rows->addWidget(m_counts);
     rows->addLayout(makeTimes());

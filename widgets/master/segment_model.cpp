@@ -45,20 +45,10 @@ void SegmentModel::show(const RingSession &bus)
 
 QVariant SegmentModel::headerCell(int column, int role) const
 {
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case segmentColumn:
-        return tr("Segment");
-    case stateColumn:
-        return tr("State");
-    case crcColumn:
-        return tr("CRC errors");
-    case historyColumn:
-        return tr("Last 5 minutes");
-    default:
-        return tr("Last error");
-    }
+    static constexpr const char *titles[] = {QT_TR_NOOP("Segment"), QT_TR_NOOP("State"),
+                                             QT_TR_NOOP("CRC errors"), QT_TR_NOOP("Last 5 minutes"),
+                                             QT_TR_NOOP("Last error")};
+    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
 }
 
 QVariant SegmentModel::text(const SegmentRow &row, int column) const

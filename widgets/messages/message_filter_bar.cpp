@@ -4,6 +4,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/roles.h"
 
 #include <QAction>
@@ -50,9 +51,7 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
     for (QWidget *choice : {m_severity, m_place, m_period})
         m_row->addWidget(choice);
     m_row->addSpacing(grid::unit);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addLayout(m_row);
     column->addWidget(m_span);
 }
@@ -96,9 +95,7 @@ void MessageFilterBar::makeChoices()
 
 void MessageFilterBar::makeSpan()
 {
-    auto *row = new QHBoxLayout(m_span);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(grid::unit);
+    auto *row = layOut<QHBoxLayout>(m_span, grid::unit);
     row->addStretch(1);
     const auto add = [&](const QString &text, QDateTimeEdit *edit, const QString &name) {
         auto *label = new QLabel(text, m_span);

@@ -279,24 +279,14 @@ QString MessageModel::text(const StoredMessage &message, int column)
 
 QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    static constexpr const char *titles[] = {QT_TR_NOOP("Date and time"), QT_TR_NOOP("Severity"),
+                                             QT_TR_NOOP("Place"), QT_TR_NOOP("Message")};
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case timeColumn:
-        return tr("Date and time");
-    case severityColumn:
-        return tr("Severity");
-    case placeColumn:
-        return tr("Place");
-    case textColumn:
-        return tr("Message");
-    default:
-        return {};
-    }
+    const bool isTitle = role == Qt::DisplayRole && section >= 0 && section < columnCount();
+    return isTitle ? tr(titles[section]) : QVariant();
 }
 
 QVariant MessageModel::data(const QModelIndex &index, int role) const

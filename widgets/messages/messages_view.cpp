@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/save_file.h"
 #include "widgets/messages/message_filter_bar.h"
 
@@ -41,9 +42,7 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     , m_empty(new EmptyState(Icon::messages, {}, {}, this))
 {
     setAccessibleName(tr("Messages"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit, grid::unit);
     addAction(m_filters->findAction());
     m_search->setFont(textFont(TextSize::small));
     m_search->setAccessibleName(tr("State of the search"));

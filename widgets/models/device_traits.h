@@ -15,12 +15,6 @@ inline bool isRod(const DeviceDescription &device)
     return device.profile == Profile::la66;
 }
 
-// On a serial line: requests and answers instead of words.
-inline bool isOnLine(const DeviceDescription &device)
-{
-    return device.profile == Profile::esc;
-}
-
 // Whether what the encoder takes is valid only after run (K3), or at once.
 inline bool activatesByRun(const DeviceDescription &device)
 {

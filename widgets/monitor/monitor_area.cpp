@@ -8,6 +8,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/monitor/word_monitor.h"
 
 #include <QJsonArray>
@@ -41,9 +42,7 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     , m_pages(new QStackedWidget(this))
     , m_scroll(new QScrollArea(this))
 {
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins({});
-    rows->setSpacing(0);
+    auto *rows = layOut<QVBoxLayout>(this, 0);
     makeBar();
     rows->addWidget(m_add, 0, Qt::AlignLeft);
     rows->addWidget(m_message);
@@ -57,9 +56,7 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     m_pages->addWidget(empty);
 
     auto *column = new QWidget;
-    m_column = new QVBoxLayout(column);
-    m_column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    m_column->setSpacing(grid::margin);
+    m_column = layOut<QVBoxLayout>(column, grid::margin, grid::unit);
     m_column->addStretch(1);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -4,6 +4,7 @@
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/monitor/word_format.h"
 #include "words/k3_word.h"
 
@@ -29,9 +30,7 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
     , m_gray(new NumberField(widestNumber, this))
     , m_binary(new NumberField(binaryText(0, form.bits), this))
 {
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins({});
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(this, grid::unit);
     auto *numbers = new QHBoxLayout;
     numbers->setSpacing(grid::groupGap);
     rows->addLayout(numbers);

@@ -32,7 +32,7 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
         return positions < 2 ? std::nullopt : std::optional(rangeOf(positions, device.coding));
     }
     const auto total = totalRange(device, valuesOf(allKnown(encoder)));
-    const auto coding = device.profile == Profile::esc ? PositionCoding::binary : encoder.latest().coding;
+    const auto coding = device.hasWords() ? encoder.latest().coding : PositionCoding::binary;
     if (!total || *total < 2 || !coding)
         return {};
     return rangeOf(*total, *coding);

@@ -26,18 +26,9 @@ WordForm wordForm(MonitorKind kind, const DeviceDescription *device)
         return {.bits = 16, .dataBits = 16};
     if (device == nullptr)
         return {};
-    switch (device->profile) {
-    case Profile::k3:
+    if (device->profile == Profile::k3)
         return k3Form;
-    case Profile::la66:
-        return la66Form;
-    case Profile::k1:
-    case Profile::k2:
-    case Profile::k4:
-    case Profile::esc:
-        break;
-    }
-    return {};
+    return device->profile == Profile::la66 ? la66Form : WordForm();
 }
 
 } // namespace codewheel

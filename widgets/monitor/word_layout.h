@@ -23,7 +23,6 @@ public:
     int bits() const { return m_form.bits; }
     int rows() const { return m_rows; }
     int bitsPerRow() const { return m_form.bits / m_rows; }
-    QSize cellSize() const { return m_cell; }
     QSize size() const;
 
     QRect cell(int bit) const;

@@ -11,6 +11,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
 #include "widgets/monitor/bar_view.h"
@@ -130,9 +131,8 @@ bool WordMonitor::isNamedAnew() const
 
 void WordMonitor::makeBody(QHBoxLayout *title)
 {
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(grid::margin, grid::unit, grid::margin, grid::margin);
-    rows->setSpacing(grid::unit);
+    auto *rows =
+        layOut<QVBoxLayout>(this, grid::unit, QMargins(grid::margin, grid::unit, grid::margin, grid::margin));
     rows->addLayout(title);
     rows->addWidget(m_bits);
     rows->addWidget(m_meaning);

@@ -4,6 +4,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 
 #include <QCheckBox>
@@ -29,9 +30,7 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
              tr("Send each change as it is made. Words with a parameter number or a command bit still ask."));
     m_staged->setState(Role::attention, tr("Not sent yet"));
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->setSpacing(grid::groupGap);
+    auto *layout = layOut<QHBoxLayout>(this, grid::groupGap);
     layout->addWidget(m_write);
     layout->addWidget(m_discard);
     layout->addWidget(m_atOnce);

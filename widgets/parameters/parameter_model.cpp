@@ -2,7 +2,6 @@
 #include "widgets/parameters/parameter_model.h"
 
 #include "catalog/value_text.h"
-#include "drivers/esc_values.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
@@ -122,8 +121,7 @@ ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 // What a scaling factor may be follows from its format.
 ParameterDescription ParameterModel::withRange(const ParameterDescription &parameter) const
 {
-    const auto options = valueOptionsOf(m_encoder.session());
-    return options ? atFractionBits(parameter, options->fractionBits) : parameter;
+    return withOptions(parameter, valueOptionsOf(m_encoder.session()));
 }
 
 void ParameterModel::refresh()
@@ -181,14 +179,7 @@ QVariant ParameterModel::headerCell(int column, int role) const
                                              : Qt::AlignRight | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    switch (column) {
-    case nameColumn:
-        return tr("Parameter");
-    case knownColumn:
-        return tr("Known");
-    default:
-        return tr("Wanted");
-    }
+    return QStringList{tr("Parameter"), tr("Known"), tr("Wanted")}.at(column);
 }
 
 // It stands across all columns.

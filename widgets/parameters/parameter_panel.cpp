@@ -12,6 +12,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
@@ -27,7 +28,6 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -46,8 +46,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_tablePage);
     m_pages->addWidget(m_review);
-    auto *layout = new QVBoxLayout(this);
-    layout->addWidget(m_pages);
+    layOutColumn(this, {m_pages});
     connectParts();
     setEncoder({});
 }
@@ -71,16 +70,9 @@ QWidget *ParameterPanel::makeTablePage()
     m_valueNotes = smallText();
     m_note = smallText();
 
-    auto *layout = new QVBoxLayout(page);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_table, 1);
-    layout->addWidget(m_message);
-    layout->addWidget(m_bar);
-    layout->addWidget(m_differences);
-    layout->addWidget(m_valueNotes);
-    layout->addWidget(m_buttons);
-    layout->addWidget(m_job);
-    layout->addWidget(m_note);
+    layOutColumn(page,
+                 {{m_table, 1}, m_message, m_bar, m_differences, m_valueNotes, m_buttons, m_job, m_note},
+                 {.margins = QMargins()});
     return page;
 }
 
@@ -127,12 +119,12 @@ void ParameterPanel::connectParts()
     connect(m_write, &QPushButton::clicked, this, &ParameterPanel::review);
     connect(m_wizard, &QPushButton::clicked, this, &ParameterPanel::wizardRequested);
     connect(m_takeKnown, &QAction::triggered, this, &ParameterPanel::takeKnownAsWanted);
-    connect(m_leaveAll, &QAction::triggered, this, &ParameterPanel::leaveAllAsTheyAre);
+    connect(m_leaveAll, &QAction::triggered, this, [this] { m_wanted.clear(m_encoder.place()); });
     connect(m_tellValue, &QAction::triggered, this, &ParameterPanel::askWhatItHas);
     connect(m_table, &QWidget::customContextMenuRequested, this, &ParameterPanel::showMenu);
     connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
-    connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
+    connect(m_message, &InlineMessage::actionTriggered, this, [this] { start(EndParameterization{}); });
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
     connect(m_review, &WriteReview::cancelled, this, [this] {
         m_pages->setCurrentWidget(m_tablePage);
@@ -198,7 +190,10 @@ void ParameterPanel::showWhyEmpty()
 
 void ParameterPanel::connectSession(EncoderSession &session)
 {
-    connect(&session, &EncoderSession::jobStarted, this, &ParameterPanel::jobStarted);
+    connect(&session, &EncoderSession::jobStarted, this, [this] {
+        m_message->withdraw();
+        showRunningJob();
+    });
     connect(&session, &EncoderSession::finished, this, &ParameterPanel::finished);
     connect(&session, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
     connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
@@ -306,11 +301,6 @@ void ParameterPanel::showRefusal(const Refusal &why)
     Q_EMIT refusalShown();
 }
 
-void ParameterPanel::bringBack()
-{
-    start(EndParameterization{});
-}
-
 void ParameterPanel::takeKnownAsWanted()
 {
     ParameterValues values = m_wanted.values(m_encoder.place());
@@ -319,11 +309,6 @@ void ParameterPanel::takeKnownAsWanted()
             replaceValue(values, {row.parameter.parameter, row.known->value});
     m_wanted.replace(m_encoder.place(), std::move(values),
                      tr("Known values wanted for %1").arg(m_encoder.place().shown()));
-}
-
-void ParameterPanel::leaveAllAsTheyAre()
-{
-    m_wanted.clear(m_encoder.place());
 }
 
 Parameter ParameterPanel::currentParameter() const
@@ -365,17 +350,11 @@ void ParameterPanel::askWherePositionIs()
                 .toolTip = positionToSetText(*session()),
                 .answered =
                     [this](std::optional<std::int64_t> value) {
-                        if (session())
-                            setPosition(value);
+                        const SetPreset job{.value = value};
+                        if (session() && askForEeprom(window(), *session(), job))
+                            start(job);
                     }},
                std::nullopt);
-}
-
-void ParameterPanel::setPosition(std::optional<std::int64_t> value)
-{
-    const SetPreset job{.value = value};
-    if (askForEeprom(window(), *session(), job))
-        start(job);
 }
 
 void ParameterPanel::showMenu(const QPoint &position)
@@ -383,12 +362,6 @@ void ParameterPanel::showMenu(const QPoint &position)
     if (const QModelIndex at = m_table->indexAt(position); at.isValid())
         m_table->setCurrentIndex(at);
     m_more->menu()->popup(m_table->viewport()->mapToGlobal(position));
-}
-
-void ParameterPanel::jobStarted()
-{
-    m_message->withdraw();
-    showRunningJob();
 }
 
 void ParameterPanel::showRunningJob()

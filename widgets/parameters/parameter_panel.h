@@ -58,15 +58,11 @@ private:
     void read();
     void review();
     void start(const Job &job);
-    void bringBack();
     void takeKnownAsWanted();
-    void leaveAllAsTheyAre();
     void askWhatItHas();
     void askWherePositionIs();
-    void setPosition(std::optional<std::int64_t> value);
     void showMenu(const QPoint &position);
 
-    void jobStarted();
     void finished(const Outcome &outcome);
     void showRefusal(const Refusal &why);
     void showDifferences();

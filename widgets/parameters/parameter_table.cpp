@@ -3,12 +3,12 @@
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/quiet_table.h"
 #include "widgets/parameters/parameter_delegate.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/value_input.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -28,19 +28,10 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     , m_model(model)
 {
     auto *delegate = new ParameterDelegate(this);
-    setModel(&model);
+    setUpQuietTable(*this, model, tr("Parameters of the encoder"));
     setItemDelegate(delegate);
-    setAccessibleName(tr("Parameters of the encoder"));
-    setSelectionMode(QAbstractItemView::SingleSelection);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
-    setWordWrap(false);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(smallestColumn);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(ParameterModel::nameColumn, QHeaderView::Fixed);

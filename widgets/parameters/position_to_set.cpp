@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/position_to_set.h"
 
-#include "drivers/esc_values.h"
+#include "drivers/protocol.h"
+#include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
-#include "widgets/models/device_traits.h"
+#include "encoder/sentence.h"
 #include "words/la66_word.h"
 
 #include <QCoreApplication>
@@ -20,12 +21,10 @@ struct PositionToSet
 
 ParameterDescription positionToSet(const EncoderSession &encoder)
 {
-    if (isOnLine(encoder.device())) {
-        ParameterValues known;
-        for (const Known &one : allKnown(encoder))
-            known.push_back({one.parameter, one.value});
-        return escNarrowed(encoder.device(), Parameter::preset, known);
-    }
+    const DeviceDescription &device = encoder.device();
+    if (device.find(Parameter::preset))
+        return protocolOf(device).narrowed(device, Parameter::preset, valuesOf(allKnown(encoder)),
+                                           encoder.valueOptions());
     ParameterDescription position;
     position.parameter = Parameter::preset;
     position.maximum = la66::dataMask;
@@ -35,11 +34,9 @@ ParameterDescription positionToSet(const EncoderSession &encoder)
 
 QString positionToSetText(const EncoderSession &encoder)
 {
-    return isOnLine(encoder.device())
-               ? PositionToSet::tr(
-                     "Sends GP with this position; it holds at once, and costs an EEPROM write.")
-               : PositionToSet::tr(
-                     "Sends service 6 with this position; it holds at once, and costs an EEPROM write.");
+    return sentence(
+        PositionToSet::tr("Sends %1 with this position; it holds at once, and costs an EEPROM write."),
+        {protocolOf(encoder.device()).presetCommand()});
 }
 
 } // namespace codewheel

@@ -2,12 +2,13 @@
 #include "widgets/parameters/value_bar.h"
 
 #include "encoder/refusal_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/parameters/value_input.h"
 
 #include <QGridLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 
 namespace codewheel {
@@ -15,14 +16,12 @@ namespace codewheel {
 ValueBar::ValueBar(QWidget *parent)
     : QWidget(parent)
     , m_name(new QLabel(this))
-    , m_take(new QPushButton(this))
+    , m_take(named(new QPushButton(this), "takeValue"))
     , m_cancel(new QPushButton(tr("Cancel"), this))
-    , m_wrong(new QLabel(this))
+    , m_wrong(wrappedLabel(this))
 {
-    m_take->setObjectName(QStringLiteral("takeValue"));
     m_take->hide(); // until it is known what it does
     m_cancel->setToolTip(tr("Leaves everything as it is (Esc)"));
-    m_wrong->setWordWrap(true);
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, grid::unit, 0, 0);
     layout->addWidget(m_name, 0, 0, 1, 3);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/value_field.h"
 
+#include "widgets/look/layouts.h"
 #include "widgets/parameters/value_input.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 
 namespace codewheel {
@@ -14,9 +14,7 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     , m_input(makeValueInput(parameter, ifEmpty, this))
 {
     m_input->setObjectName(parameterKey(parameter.parameter));
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_input);
+    layOutRow(this, {m_input}, {.margins = QMargins()});
     setFocusProxy(m_input);
     if (const auto *number = qobject_cast<NumberInput *>(m_input)) {
         m_input->installEventFilter(this);

@@ -26,7 +26,7 @@ constexpr int typedDigits = 12;
 // number.
 QString inputText(const ParameterDescription &parameter, std::int64_t value)
 {
-    if (parameter.writeCommand == esc::Command::writeScalingFactor)
+    if (parameter.form != nullptr && parameter.form->isTypedAsHex)
         return hexWord(static_cast<Word>(value)) + u'h';
     if (parameter.unit != Unit::micrometres)
         return QString::number(value);

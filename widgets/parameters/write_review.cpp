@@ -16,7 +16,7 @@ constexpr int sentColumn = 3;
 
 QString howItIsSent(const DeviceDescription &device)
 {
-    if (isOnLine(device))
+    if (!device.hasWords())
         return WriteReview::tr("Sends these requests, and reads back each value");
     return activatesByRun(device)
                ? WriteReview::tr("Sends these words, then run (80000000)")
@@ -66,7 +66,7 @@ WriteReview::WriteReview(QWidget *parent)
 void WriteReview::review(EncoderSession &encoder, const ParameterValues &wanted)
 {
     using Kind = ReviewColumn::Kind;
-    const bool sendsRequests = isOnLine(encoder.device());
+    const bool sendsRequests = !encoder.device().hasWords();
     m_wanted = wanted;
     begin(encoder,
           {{tr("Parameter")},

@@ -8,6 +8,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/tool.h"
 #include "widgets/project/project_document.h"
@@ -18,7 +19,6 @@
 #include <QMenu>
 #include <QTableView>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -112,12 +112,7 @@ void BusList::arrange()
 {
     const int row = m_table->verticalHeader()->defaultSectionSize();
     m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + leastRows * row);
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins({});
-    rows->setSpacing(grid::unit);
-    rows->addWidget(m_tools);
-    rows->addWidget(m_table, 1);
-    rows->addWidget(m_message);
+    layOutColumn(this, {m_tools, {m_table, 1}, m_message}, {.spacing = grid::unit, .margins = QMargins()});
 }
 
 void BusList::showKinds()

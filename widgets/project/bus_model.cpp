@@ -101,18 +101,8 @@ QVariant BusModel::headerCell(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
         return alignmentOf(column);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case name:
-        return tr("Name");
-    case kind:
-        return tr("Kind");
-    case link:
-        return tr("Link");
-    default:
-        return tr("Devices");
-    }
+    const QStringList heads{tr("Name"), tr("Kind"), tr("Link"), tr("Devices")};
+    return role == Qt::DisplayRole ? heads.at(column) : QVariant();
 }
 
 QVariant BusModel::cell(const BusRow &row, int column, int role) const
@@ -123,16 +113,7 @@ QVariant BusModel::cell(const BusRow &row, int column, int role) const
         return column == name ? tr("%1: F2 or a double click renames it").arg(row.name) : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
-    switch (column) {
-    case name:
-        return row.name;
-    case kind:
-        return row.kind;
-    case link:
-        return row.link;
-    default:
-        return QLocale().toString(row.devices);
-    }
+    return QStringList{row.name, row.kind, row.link, QLocale().toString(row.devices)}.at(column);
 }
 
 } // namespace codewheel

@@ -61,7 +61,7 @@ std::vector<Place> ProjectDocument::notPlanned() const
 {
     std::vector<Place> numbers;
     for (const auto &[number, device] : m_others)
-        if (!number.isOnLine() && !findDevice(m_project, number)) // of the training line nothing is kept
+        if (!number.isAddress() && !findDevice(m_project, number)) // of the training line nothing is kept
             numbers.push_back(number);
     return numbers;
 }

@@ -4,13 +4,13 @@
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/project/bus_list.h"
 
 #include <QDir>
 #include <QFormLayout>
-#include <QLabel>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
@@ -27,7 +27,7 @@ ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     , m_buses(new BusList(document, this))
     , m_note(describe(new NoteField(this), "projectNote", tr("Note on the project"),
                       tr("What whoever opens the project next should know")))
-    , m_file(new QLabel(this))
+    , m_file(wrappedLabel(this, "projectFile"))
 {
     makeFields();
     arrange();
@@ -54,8 +54,6 @@ void ProjectPage::makeFields()
     m_title->setPlaceholderText(tr("Crane 1"));
     m_title->setMaximumWidth(widestTitle);
     m_note->setPlaceholderText(tr("What whoever opens the project next should know"));
-    m_file->setObjectName(QStringLiteral("projectFile"));
-    m_file->setWordWrap(true);
     m_file->setTextFormat(Qt::PlainText);
     m_file->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setFocusProxy(m_title);
@@ -80,9 +78,7 @@ void ProjectPage::arrange()
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setWidget(fields);
-    auto *page = new QVBoxLayout(this);
-    page->setContentsMargins({});
-    page->addWidget(area);
+    layOutColumn(this, {area}, {.margins = QMargins()});
 }
 
 void ProjectPage::edit(const QString &what, const std::function<void(Project &)> &change)

@@ -5,10 +5,10 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/sequence/sequence_view.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
 #include <QToolButton>
@@ -21,13 +21,12 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     : QWidget(parent)
     , m_document(document)
     , m_view(view)
-    , m_names(new QComboBox(this))
+    , m_names(named(new QComboBox(this), "sequenceName"))
     , m_add(describe(new QToolButton(this), "addSequence", tr("New sequence"), tr("Begins another sequence")))
     , m_remove(describe(new QToolButton(this), "removeSequence", tr("Remove the sequence"),
                         tr("Removes this sequence from the project; can be undone")))
     , m_holding(document.newGesture())
 {
-    m_names->setObjectName(QStringLiteral("sequenceName"));
     m_names->setEditable(true);
     m_names->setInsertPolicy(QComboBox::NoInsert);
     auto *name = new TextField(m_names);
@@ -44,13 +43,8 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     }
     auto *label = new QLabel(tr("Se&quence"), this);
     label->setBuddy(m_names);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(grid::unit, grid::unit, grid::unit, 0);
-    row->setSpacing(grid::unit);
-    row->addWidget(label);
-    row->addWidget(m_names, 1);
-    row->addWidget(m_add);
-    row->addWidget(m_remove);
+    layOutRow(this, {label, {m_names, 1}, m_add, m_remove},
+              {.spacing = grid::unit, .margins = QMargins(grid::unit, grid::unit, grid::unit, 0)});
 
     connect(m_names, &QComboBox::activated, this, &ProjectSequences::open);
     connect(name, &TextField::taken, this, &ProjectSequences::rename);

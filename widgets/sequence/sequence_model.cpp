@@ -84,14 +84,7 @@ QVariant SequenceModel::headerCell(int column, int role) const
 {
     if (role != Qt::DisplayRole)
         return role == Qt::TextAlignmentRole ? QVariant(Qt::AlignLeft | Qt::AlignVCenter) : QVariant();
-    switch (column) {
-    case word:
-        return tr("Word");
-    case meaning:
-        return tr("Meaning");
-    default:
-        return tr("State");
-    }
+    return QStringList{tr("Word"), tr("Meaning"), tr("State")}.at(column);
 }
 
 QString SequenceModel::explain(Word content) const
@@ -106,23 +99,11 @@ QString SequenceModel::explain(Word content) const
 
 QVariant SequenceModel::display(const SequenceRow &row, int column) const
 {
-    switch (column) {
-    case word:
-        return hexWord(row.word);
-    case meaning:
-        return explain(row.word);
-    default:
-        break;
-    }
-    switch (row.state) {
-    case SequenceRow::State::sending:
-        return tr("Sending");
-    case SequenceRow::State::sent:
-        return tr("Sent");
-    case SequenceRow::State::waiting:
-        break;
-    }
-    return {};
+    if (column != state)
+        return column == word ? hexWord(row.word) : explain(row.word);
+    return row.state == SequenceRow::State::sending ? tr("Sending")
+           : row.state == SequenceRow::State::sent  ? tr("Sent")
+                                                    : QString();
 }
 
 QVariant SequenceModel::cell(const SequenceRow &row, int column, int role) const

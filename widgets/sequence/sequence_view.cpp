@@ -12,9 +12,9 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_model.h"
 
@@ -29,7 +29,6 @@
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
@@ -54,28 +53,19 @@ SequenceView::SequenceView(QWidget *parent)
     makeSending();
 
     auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
-    rows->setSpacing(grid::unit);
-    rows->addWidget(m_tools);
-    rows->addWidget(m_table, 1);
-    rows->addWidget(m_message);
-    auto *sending = new QHBoxLayout;
-    sending->setSpacing(grid::groupGap);
     auto *holdLabel = new QLabel(tr("&Unacknowledged words for"), page);
     holdLabel->setBuddy(m_hold);
-    sending->addWidget(holdLabel);
-    sending->addWidget(m_hold);
-    sending->addWidget(m_summary, 1);
-    sending->addWidget(m_send);
-    sending->addWidget(m_stop);
-    rows->addLayout(sending);
+    layOutColumn(
+        page,
+        {m_tools,
+         {m_table, 1},
+         m_message,
+         layOutRow({holdLabel, m_hold, {m_summary, 1}, m_send, m_stop}, {.spacing = grid::groupGap})},
+        {.spacing = grid::unit, .margins = QMargins(grid::unit, 0, grid::unit, grid::unit)});
     m_pages->addWidget(m_empty);
     m_pages->addWidget(page);
     connect(m_empty, &EmptyState::actionTriggered, this, &SequenceView::terminalRequested);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->addWidget(m_pages);
+    layOutColumn(this, {m_pages}, {.margins = QMargins()});
     setEncoder(nullptr);
 }
 
@@ -115,14 +105,11 @@ void SequenceView::makeTable()
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &SequenceView::showWhatIsPossible);
-    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(m_model, signal, this, &SequenceView::showWhatIsPossible);
-    connect(m_model, &QAbstractItemModel::modelReset, this, &SequenceView::showWhatIsPossible);
+    connect(this, &SequenceView::listChanged, this, &SequenceView::showWhatIsPossible);
     connect(m_model, &QAbstractItemModel::modelReset, this, &SequenceView::listChanged);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &SequenceView::listChanged);
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(m_model, signal, this, &SequenceView::listChanged);
-    connect(m_model, &QAbstractItemModel::rowsMoved, this, &SequenceView::listChanged);
 }
 
 void SequenceView::makeTools()
@@ -183,7 +170,7 @@ void SequenceView::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     showWhyEmpty(encoder);
-    const bool takesWords = encoder && !isOnLine(encoder->device());
+    const bool takesWords = encoder && encoder->device().hasWords();
     m_pages->setCurrentIndex(takesWords || m_job->isRunning() ? 1 : 0);
     if (!m_job->isRunning())
         m_message->withdraw();
@@ -201,7 +188,7 @@ void SequenceView::setEncoder(EncoderSession *encoder)
 
 void SequenceView::showWhyEmpty(const EncoderSession *encoder)
 {
-    const bool onLine = encoder && isOnLine(encoder->device());
+    const bool onLine = encoder && !encoder->device().hasWords();
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It takes requests instead of words. Type them in the terminal."));

@@ -36,24 +36,12 @@ QVariant stateIcon(const StateWord &state)
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case deviceColumn:
-        return tr("Device");
-    case stateColumn:
-        return tr("State");
-    case positionColumn:
-        return tr("Position");
-    case profileColumn:
-        return tr("Profile");
-    case codeColumn:
-        return tr("ID code");
-    case wordsColumn:
-        return tr("Words IN / OUT");
-    default:
-        return {};
-    }
+    static constexpr const char *titles[] = {QT_TR_NOOP("Device"),   QT_TR_NOOP("State"),
+                                             QT_TR_NOOP("Position"), QT_TR_NOOP("Profile"),
+                                             QT_TR_NOOP("ID code"),  QT_TR_NOOP("Words IN / OUT")};
+    const bool isTitle =
+        orientation == Qt::Horizontal && role == Qt::DisplayRole && section >= 0 && section < columnCount();
+    return isTitle ? tr(titles[section]) : QVariant();
 }
 
 QVariant StructureModel::data(const QModelIndex &index, int role) const

@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -105,9 +106,7 @@ void InsertPanel::makeFields()
         return made;
     };
     m_codesLabel->setBuddy(m_idCode);
-    auto *codes = new QHBoxLayout(m_codes);
-    codes->setContentsMargins({});
-    codes->setSpacing(grid::groupGap);
+    auto *codes = layOut<QHBoxLayout>(m_codes, grid::groupGap);
     codes->addWidget(m_idCode);
     codes->addWidget(label(tr("&Length code"), m_lengthCode));
     codes->addWidget(m_lengthCode);

@@ -44,15 +44,7 @@ const PlanRules &PlanEdits::rules() const
 
 std::vector<PlanRow> PlanEdits::rows() const
 {
-    std::vector<PlanRow> rows = rules().rows(project(), m_bus, m_catalog);
-    if (kind() == nullptr)
-        return rows;
-    for (Finding &finding : kind()->check(project(), m_bus)) {
-        // Where it stands is told by the row: the number goes on when a device before it is inserted.
-        auto &its = rows[std::exchange(finding.device, 0)].findings;
-        its.push_back(std::move(finding));
-    }
-    return rows;
+    return rules().rows(project(), m_bus, m_catalog);
 }
 
 std::vector<std::size_t> PlanEdits::indicesOf(const Ids &devices) const

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "encoder/place.h"
-#include "widgets/look/icons.h"
+#include "widgets/look/tool.h"
 #include "widgets/structure_editor/plan_edits.h"
 
 #include <QPointer>
@@ -55,7 +55,7 @@ private:
     void makeTree();
     void arrange();
     void connectParts();
-    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip, Slot slot);
+    QAction *addTool(const Tool &tool, Slot slot);
 
     template <PlanStep step>
     void move();

@@ -6,6 +6,8 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/tool.h"
 #include "widgets/structure_editor/insert_panel.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -66,15 +68,9 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     showCurrent();
 }
 
-QAction *StructureEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
-                                  Slot slot)
+QAction *StructureEditor::addTool(const Tool &tool, Slot slot)
 {
-    auto *action = new QAction(lineIcon(icon), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
-    addAction(action);
-    m_tools->addAction(action);
+    QAction *action = codewheel::addTool(*this, *m_tools, tool);
     static_cast<QToolButton *>(m_tools->widgetForAction(action))->setFocusPolicy(Qt::TabFocus);
     connect(action, &QAction::triggered, this, slot);
     return action;
@@ -83,24 +79,26 @@ QAction *StructureEditor::addTool(Icon icon, const QString &text, const QKeySequ
 void StructureEditor::makeTools()
 {
     m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
-    addTool(Icon::add, tr("Insert..."), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code"),
-            &StructureEditor::openInsertPanel);
+    addTool(
+        {Icon::add, tr("Insert..."), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code")},
+        &StructureEditor::openInsertPanel);
     static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_deviceActions = {addTool(Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
-                               tr("Remove the chosen devices with all that hangs below"),
+    m_deviceActions = {addTool({Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
+                                tr("Remove the chosen devices with all that hangs below")},
                                &StructureEditor::remove)};
     m_orderActions = {
-        addTool(Icon::up, tr("Up"), Qt::ALT | Qt::Key_Up, tr("Move before its neighbour"),
+        addTool({Icon::up, tr("Up"), Qt::ALT | Qt::Key_Up, tr("Move before its neighbour")},
                 &StructureEditor::move<PlanStep::up>),
-        addTool(Icon::down, tr("Down"), Qt::ALT | Qt::Key_Down, tr("Move behind its neighbour"),
+        addTool({Icon::down, tr("Down"), Qt::ALT | Qt::Key_Down, tr("Move behind its neighbour")},
                 &StructureEditor::move<PlanStep::down>),
-        addTool(Icon::next, tr("In"), Qt::ALT | Qt::Key_Right, tr("Hang it below the bus terminal before it"),
-                &StructureEditor::move<PlanStep::in>),
-        addTool(Icon::back, tr("Out"), Qt::ALT | Qt::Key_Left, tr("Take it out, behind its bus terminal"),
+        addTool(
+            {Icon::next, tr("In"), Qt::ALT | Qt::Key_Right, tr("Hang it below the bus terminal before it")},
+            &StructureEditor::move<PlanStep::in>),
+        addTool({Icon::back, tr("Out"), Qt::ALT | Qt::Key_Left, tr("Take it out, behind its bus terminal")},
                 &StructureEditor::move<PlanStep::out>),
-        addTool(Icon::refresh, tr("Local bus or branch"), Qt::CTRL | Qt::Key_B,
-                tr("From the local bus of its bus terminal into the branch, and back"),
+        addTool({Icon::refresh, tr("Local bus or branch"), Qt::CTRL | Qt::Key_B,
+                 tr("From the local bus of its bus terminal into the branch, and back")},
                 &StructureEditor::move<PlanStep::changeBus>),
     };
     m_deviceActions << m_orderActions;
@@ -175,9 +173,7 @@ void StructureEditor::arrange()
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setShortcut(Qt::Key_F3);
     auto *below = new QWidget; // the tree
-    m_below = new QVBoxLayout(below);
-    m_below->setContentsMargins({});
-    m_below->setSpacing(grid::unit);
+    m_below = layOut<QVBoxLayout>(below, grid::unit);
     m_below->addWidget(m_insert);
     m_below->addWidget(m_findings, 0, Qt::AlignLeft);
     auto *column = new QVBoxLayout;
@@ -187,9 +183,7 @@ void StructureEditor::arrange()
     column->addWidget(m_empty, 1);
     column->addWidget(m_tree, 1);
     column->addWidget(new ContentScrollArea(below, this));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->setSpacing(grid::unit);
+    auto *layout = layOut<QVBoxLayout>(this, grid::unit);
     m_busLabel->setBuddy(m_bus);
     auto *bus = new QHBoxLayout;
     bus->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);

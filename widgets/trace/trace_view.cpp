@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trace/trace_view.h"
 
+#include "catalog/device_description.h"
 #include "project/file_access.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
-#include "widgets/models/device_traits.h"
-#include "widgets/trace/trace_model.h"
+#include "widgets/models/traffic_model.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -26,6 +27,7 @@ namespace {
 
 constexpr int traceMeaningLetters = 60; // about as long as the sentences of a handshake
 constexpr int fewestLetters = 20;
+constexpr int mostRows = 20'000; // of an encoder
 constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
@@ -43,9 +45,7 @@ TraceView::TraceView(Buses &buses, QWidget *parent)
     makeTable();
     makeTools();
     auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
-    rows->setSpacing(grid::unit);
+    auto *rows = layOut<QVBoxLayout>(page, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
     auto *bar = new QHBoxLayout;
     bar->addWidget(m_tools);
     bar->addWidget(m_counts, 1);
@@ -103,8 +103,8 @@ void TraceView::makeTools()
     m_bringBack->setEnabled(false);
     connect(m_follow, &QAction::toggled, this, &TraceView::follow);
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
-        for (const auto &[number, model] : m_models)
-            model->setHeld(held);
+        for (const auto &[place, collected] : m_collected)
+            collected.rows->setHeld(held);
         follow();
     });
     connect(copying, &QAction::triggered, this, &TraceView::copy);
@@ -121,58 +121,59 @@ void TraceView::makeTools()
 
 void TraceView::watchEncoders()
 {
-    std::erase(m_watched, nullptr);
-    const auto isWatched = [this](const EncoderSession *encoder) {
-        return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
-    };
-    for (const Place place : m_buses.places())
-        if (EncoderSession *encoder = m_buses.encoder(place); encoder && !isWatched(encoder))
-            watch(*encoder);
+    for (EncoderBus *bus : m_buses.open()) {
+        connect(bus, &EncoderBus::trafficPassed, this, &TraceView::add, Qt::UniqueConnection);
+        for (const Place place : bus->places())
+            if (const EncoderSession *encoder = bus->encoder(place))
+                collect(*encoder);
+    }
 }
 
-void TraceView::watch(EncoderSession &encoder)
+void TraceView::collect(const EncoderSession &encoder)
 {
-    m_watched.emplace_back(&encoder);
-    std::unique_ptr<TraceModel> &model = m_models[encoder.place()];
-    if (!model || model->device() != encoder.device()) {
-        const bool isShown = model && model.get() == m_shown;
-        auto fresh = std::make_unique<TraceModel>(encoder.device());
-        if (isShown) {
-            m_shown = fresh.get();
-            showModel();
-        }
-        model = std::move(fresh);
-        model->setHeld(m_hold->isChecked());
-        connect(model.get(), &TraceModel::countsChanged, this, [this, changed = model.get()] {
-            if (changed == m_shown)
-                showCounts();
-        });
-        connect(model.get(), &QAbstractItemModel::rowsInserted, this,
-                [this, changed = model.get()](const QModelIndex &, int first, int last) {
-                    if (changed == m_shown)
-                        makeRoom(first, last);
-                });
-    }
-    connect(&encoder, &EncoderSession::exchanged, model.get(),
-            [into = model.get(), bus = m_buses.open(encoder.place().bus)](const Exchange &row) {
-                into->add(row, bus->dateTime(row.at));
+    Collected &collected = m_collected[encoder.place()];
+    if (collected.rows && collected.device == encoder.device())
+        return;
+    const auto columns = m_buses.open(encoder.place().bus)->trafficColumns();
+    const bool isShown = collected.rows && collected.rows.get() == m_shown;
+    auto fresh = std::make_unique<TrafficModel>(columns, mostRows);
+    fresh->setHeld(m_hold->isChecked());
+    connect(fresh.get(), &TrafficModel::countsChanged, this, [this, changed = fresh.get()] {
+        if (changed == m_shown)
+            showCounts();
+    });
+    connect(fresh.get(), &QAbstractItemModel::rowsInserted, this,
+            [this, changed = fresh.get()](const QModelIndex &, int first, int last) {
+                if (changed == m_shown)
+                    makeRoom(first, last);
             });
+    if (isShown) {
+        m_shown = fresh.get();
+        showModel();
+    }
+    collected = {encoder.device(), std::move(fresh)};
+}
+
+void TraceView::add(const TrafficRow &row)
+{
+    if (TrafficModel *rows = row.place ? model(*row.place) : nullptr) {
+        rows->add(row);
+        rows->showWaiting();
+    }
 }
 
 void TraceView::setEncoder(EncoderSession *encoder)
 {
     watchEncoders();
-    m_shown = encoder ? model(encoder->place()) : nullptr;
+    m_shown = encoder && encoder->device().hasWords() ? model(encoder->place()) : nullptr;
     m_message->withdraw();
     showModel();
     showWhyEmpty(encoder);
-    if (encoder && isOnLine(encoder->device()))
-        m_pages->setCurrentWidget(m_empty);
 }
 
 void TraceView::showWhyEmpty(const EncoderSession *encoder)
 {
-    const bool onLine = encoder && isOnLine(encoder->device());
+    const bool onLine = encoder && !encoder->device().hasWords();
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It has no words. What passes on its line stands in the terminal."));
@@ -184,10 +185,15 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder)
     m_empty->setAction(onLine ? tr("Open the terminal") : QString());
 }
 
-TraceModel *TraceView::model(Place number) const
+TrafficModel *TraceView::model(Place number) const
 {
-    const auto found = m_models.find(number);
-    return found == m_models.end() ? nullptr : found->second.get();
+    const auto found = m_collected.find(number);
+    return found == m_collected.end() ? nullptr : found->second.rows.get();
+}
+
+int TraceView::meaningColumn() const
+{
+    return m_shown->columnOf(TrafficColumn::meaning);
 }
 
 void TraceView::showModel()
@@ -198,7 +204,7 @@ void TraceView::showModel()
     delete before;
     if (!m_shown)
         return;
-    for (int column = 0; column < TraceModel::meaning; ++column)
+    for (int column = 0; column < meaningColumn(); ++column)
         m_table->setColumnWidth(column, m_table->horizontalHeader()->sectionSizeHint(column));
     makeRoom(0, m_shown->rowCount() - 1);
     showCounts();
@@ -208,7 +214,7 @@ void TraceView::showModel()
 void TraceView::makeRoom(int first, int last)
 {
     const QFontMetrics metrics{numberFont()};
-    for (int column = 0; column < TraceModel::meaning; ++column) {
+    for (int column = 0; column < meaningColumn(); ++column) {
         int width = m_table->columnWidth(column);
         for (int row = first; row <= last; ++row)
             width = std::max(width, metrics.horizontalAdvance(m_shown->index(row, column).data().toString()) +
@@ -222,13 +228,15 @@ void TraceView::makeRoom(int first, int last)
 // to.
 void TraceView::fitMeaning()
 {
+    if (!m_shown)
+        return;
     const int letter = m_table->fontMetrics().averageCharWidth();
     int left = m_table->viewport()->width();
-    for (int column = 0; column < TraceModel::meaning; ++column)
+    for (int column = 0; column < meaningColumn(); ++column)
         left -= m_table->columnWidth(column);
     if (left - remarkWidth > fewestLetters * letter)
         left = std::min(left - remarkWidth, traceMeaningLetters * letter);
-    m_table->setColumnWidth(TraceModel::meaning, std::max(left, fewestLetters * letter));
+    m_table->setColumnWidth(meaningColumn(), std::max(left, fewestLetters * letter));
 }
 
 void TraceView::resizeEvent(QResizeEvent *event)
@@ -239,12 +247,7 @@ void TraceView::resizeEvent(QResizeEvent *event)
 
 void TraceView::showCounts()
 {
-    QStringList texts{tr("%n rows", nullptr, m_shown->rowCount())};
-    if (m_shown->isHeld())
-        texts << tr("paused, %n new", nullptr, m_shown->waiting());
-    if (m_shown->dropped() > 0)
-        texts << tr("%1 oldest dropped").arg(QLocale().toString(m_shown->dropped()));
-    m_counts->setText(texts.join(QStringLiteral("; ")));
+    m_counts->setText(m_shown->countsText(m_shown->rowCount()));
     m_bringBack->setEnabled(m_shown->hasCleared());
     follow();
 }
@@ -259,11 +262,17 @@ void TraceView::copy()
 {
     if (!m_shown)
         return;
-    std::vector<TraceRow> rows;
-    for (int row = 0; row < m_shown->rowCount(); ++row)
-        if (m_table->selectionModel()->isRowSelected(row))
-            rows.push_back(m_shown->rowAt(row));
-    QApplication::clipboard()->setText(traceText(m_shown->device(), rows.empty() ? m_shown->rows() : rows));
+    const bool all = !m_table->selectionModel()->hasSelection();
+    QString text;
+    for (int row = 0; row < m_shown->rowCount(); ++row) {
+        if (!all && !m_table->selectionModel()->isRowSelected(row))
+            continue;
+        QStringList cells{m_shown->dateTimeText(m_shown->rowAt(row))};
+        for (int column = 1; column < m_shown->columnCount(); ++column)
+            cells << m_shown->index(row, column).data().toString();
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text);
 }
 
 void TraceView::exportRows()
@@ -277,9 +286,9 @@ bool TraceView::exportTo(const QString &path)
 {
     if (!m_shown)
         return false;
-    const auto shown = std::ranges::find(m_models, m_shown, [](const auto &one) { return one.second.get(); });
-    const auto saved =
-        replaceFile(path, traceCsv(shown->first, m_shown->device(), m_shown->rows()), OldFile::goes);
+    const auto shown =
+        std::ranges::find(m_collected, m_shown, [](const auto &one) { return one.second.rows.get(); });
+    const auto saved = replaceFile(path, m_shown->csv(shown->first), OldFile::goes);
     if (!saved) {
         m_message->showMessage(
             Role::attention,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bus/buses.h"
+#include "catalog/device_description.h"
 
-#include <QPointer>
 #include <QWidget>
 
 #include <map>
@@ -18,10 +18,10 @@ namespace codewheel {
 
 class EmptyState;
 class InlineMessage;
-class TraceModel;
+class TrafficModel;
 
-// The handshake trace: one row per change of the words of the selected encoder, as the manuals print it. It
-// collects for all encoders, also those that are not selected.
+// The handshake trace: one row per change of the words of the selected encoder, as the manuals print it, or
+// what else its bus tells of it alone. It collects for all encoders, also those that are not selected.
 class TraceView : public QWidget
 {
     Q_OBJECT
@@ -31,7 +31,8 @@ public:
     ~TraceView() override;
 
     void setEncoder(codewheel::EncoderSession *encoder);
-    TraceModel *model(Place number) const; // null: nothing was collected for it
+    bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
+    TrafficModel *model(Place number) const;            // null: nothing was collected for it
 
     // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
     bool exportTo(const QString &path);
@@ -44,9 +45,16 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    // Sessions come and go with the connection; what was collected stays.
+    struct Collected
+    {
+        DeviceDescription device;
+        std::unique_ptr<TrafficModel> rows{};
+    };
+
+    // Sessions come and go with the connection; what was collected stays as long as it is the same device.
     void watchEncoders();
-    void watch(EncoderSession &encoder);
+    void collect(const EncoderSession &encoder);
+    void add(const TrafficRow &row);
     void makeTable();
     void makeTools();
     void showWhyEmpty(const EncoderSession *encoder);
@@ -54,13 +62,13 @@ private:
     void makeRoom(int first, int last); // for these rows
     void fitMeaning();
     void showCounts();
+    int meaningColumn() const;
     void follow();
     void copy();
 
     Buses &m_buses;
-    std::map<Place, std::unique_ptr<TraceModel>> m_models;
-    TraceModel *m_shown = nullptr;
-    std::vector<QPointer<EncoderSession>> m_watched;
+    std::map<Place, Collected> m_collected;
+    TrafficModel *m_shown = nullptr;
     QStackedWidget *m_pages;
     EmptyState *m_empty;
     QToolBar *m_tools;

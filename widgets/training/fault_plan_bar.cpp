@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -25,9 +26,7 @@ FaultPlanBar::FaultPlanBar(TrainingControls &controls, QWidget *parent)
     , m_next(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins({});
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addWidget(m_load);
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_start);

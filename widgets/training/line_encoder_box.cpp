@@ -3,6 +3,7 @@
 
 #include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/hand_wheel.h"
 #include "widgets/training/training_fields.h"
 
@@ -11,7 +12,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace codewheel {
@@ -35,25 +35,13 @@ LineEncoderBox::LineEncoderBox(QWidget *parent)
           {&EscCondition::stOpen, tr("ST open"), tr("RS-422: without +UB at ST no command works")},
       }}
 {
-    auto *fields = new QGridLayout;
-    fields->setHorizontalSpacing(grid::unit);
-    fields->setVerticalSpacing(grid::unit);
-    fields->setColumnStretch(1, 1);
+    QGridLayout *fields = fieldGrid();
     addNumber(fields, 0, tr("Raw position"), m_raw);
-    m_speed->setRange(-TurningShaft::fastest, TurningShaft::fastest);
-    m_speed->setDecimals(1);
-    m_speed->setSingleStep(10);
-    prepare(m_speed, 8);
     m_speed->setAccessibleName(tr("Speed in revolutions per minute"));
     m_speed->setToolTip(tr("Revolutions per minute; positive is clockwise, looking at the shaft"));
-    auto *stop = buttonBeside(Icon::stop, tr("Stop the shaft"), this);
-    addCaption(fields, 1, tr("Speed, rpm"), m_speed);
-    fields->addWidget(m_speed, 1, 1);
-    fields->addWidget(stop, 1, 2);
+    addSpeed(fields, 1, tr("Speed, rpm"), m_speed, TurningShaft::fastest, tr("Stop the shaft"));
 
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addWidget(m_wheel);
     column->addLayout(fields);
     for (Trouble &trouble : m_troubles) {
@@ -63,7 +51,6 @@ LineEncoderBox::LineEncoderBox(QWidget *parent)
     }
     connect(m_wheel, &HandWheel::turned, this, &LineEncoderBox::turnBy);
     connect(m_speed, &QDoubleSpinBox::valueChanged, this, &LineEncoderBox::setSpeed);
-    connect(stop, &QToolButton::clicked, this, [this] { m_speed->setValue(0); });
 }
 
 void LineEncoderBox::showEncoder(SimulatedLine &line, LineAddress address)

@@ -4,6 +4,7 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/training_fields.h"
 
 #include <QCheckBox>
@@ -45,9 +46,7 @@ LineFaultsBox::LineFaultsBox(QWidget *parent)
                 tr("Delayed bytes: %1 of 1000.")}}}
     , m_delay(new IntegerField(this))
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     auto *fields = new QGridLayout;
     fields->setHorizontalSpacing(grid::groupGap);
     fields->setVerticalSpacing(grid::unit);

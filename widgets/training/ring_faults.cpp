@@ -4,6 +4,7 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/training_fields.h"
 
 #include <QCheckBox>
@@ -31,9 +32,7 @@ RingFaults::RingFaults(TrainingControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins({});
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     addBoxFor(column, TrainingFault::wireBreak,
               tr("The cable before the device: the bus fails, and the master finds the place"));
     addBoxFor(column, TrainingFault::noSupply, tr("The whole device: the ring is interrupted at it"));
@@ -55,9 +54,8 @@ void RingFaults::addBoxFor(QVBoxLayout *column, TrainingFault fault, const QStri
 void RingFaults::addRate(QVBoxLayout *column)
 {
     m_rateRow = new QWidget(this);
-    auto *row = new QVBoxLayout(m_rateRow); // a dock is narrow
-    row->setContentsMargins({});
-    row->setSpacing(grid::unit);
+    // a dock is narrow
+    auto *row = layOut<QVBoxLayout>(m_rateRow, grid::unit);
     auto *caption = new QLabel(tr("CRC errors per 1000"), m_rateRow);
     m_rate = describe(new IntegerField(m_rateRow), tr("CRC errors of 1000 data cycles"),
                       tr("Faulty data cycles of 1000 in the segment of the device"));

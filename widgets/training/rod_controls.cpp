@@ -4,6 +4,7 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/training_fields.h"
 
 #include <QCheckBox>
@@ -48,16 +49,11 @@ RodControls::RodControls(TrainingControls &controls, QWidget *parent)
 {
     m_track->setSingleStep(1);
     m_track->setPageStep(10 * tenths);
-    auto *fields = new QGridLayout;
-    fields->setHorizontalSpacing(grid::unit);
-    fields->setVerticalSpacing(grid::unit);
-    fields->setColumnStretch(1, 1);
+    QGridLayout *fields = fieldGrid();
     addNumber(fields, 0, tr("Place, mm"), m_place);
     makePlace(fields);
     makeSpeed(fields);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addWidget(m_track);
     column->addLayout(fields);
     m_inRange =
@@ -83,16 +79,8 @@ void RodControls::makePlace(QGridLayout *grid)
 
 void RodControls::makeSpeed(QGridLayout *grid)
 {
-    m_speed->setRange(-fastest, fastest);
-    m_speed->setDecimals(1);
-    m_speed->setSingleStep(10);
-    prepare(m_speed, 8);
-    auto *stop = buttonBeside(Icon::stop, tr("Stop the magnet"), this);
-    addCaption(grid, 2, tr("Speed, mm/s"), m_speed);
-    grid->addWidget(m_speed, 2, 1);
-    grid->addWidget(stop, 2, 2);
+    addSpeed(grid, 2, tr("Speed, mm/s"), m_speed, fastest, tr("Stop the magnet"));
     connect(m_speed, &QDoubleSpinBox::valueChanged, this, &RodControls::setSpeed);
-    connect(stop, &QToolButton::clicked, this, [this] { m_speed->setValue(0); });
 }
 
 void RodControls::showRod(const TrainingControls::Rod &rod)

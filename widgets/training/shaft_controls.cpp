@@ -3,6 +3,7 @@
 
 #include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/hand_wheel.h"
 #include "widgets/training/training_fields.h"
 
@@ -36,15 +37,10 @@ ShaftControls::ShaftControls(TrainingControls &controls, QWidget *parent)
     numbers->setColumnStretch(1, 1);
     addNumber(numbers, 0, tr("Raw position"), m_raw);
     addNumber(numbers, 1, tr("Turn"), m_turn);
-    auto *fields = new QGridLayout;
-    fields->setHorizontalSpacing(grid::unit);
-    fields->setVerticalSpacing(grid::unit);
-    fields->setColumnStretch(1, 1);
+    QGridLayout *fields = fieldGrid();
     makePosition(fields);
     makeSpeed(fields);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(grid::unit);
+    auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addWidget(m_wheel);
     column->addLayout(numbers);
     column->addLayout(fields);
@@ -67,18 +63,10 @@ void ShaftControls::makePosition(QGridLayout *grid)
 
 void ShaftControls::makeSpeed(QGridLayout *grid)
 {
-    m_speed->setRange(-TrainingControls::fastest, TrainingControls::fastest);
-    m_speed->setDecimals(1);
-    m_speed->setSingleStep(10);
-    prepare(m_speed, 8);
     m_speed->setAccessibleName(tr("Speed in revolutions per minute"));
     m_speed->setToolTip(tr("Revolutions per minute; positive is clockwise, looking at the shaft"));
-    auto *stop = buttonBeside(Icon::stop, tr("Stop the shaft"), this);
-    addCaption(grid, 1, tr("Speed, rpm"), m_speed);
-    grid->addWidget(m_speed, 1, 1);
-    grid->addWidget(stop, 1, 2);
+    addSpeed(grid, 1, tr("Speed, rpm"), m_speed, TrainingControls::fastest, tr("Stop the shaft"));
     connect(m_speed, &QDoubleSpinBox::valueChanged, this, &ShaftControls::setSpeed);
-    connect(stop, &QToolButton::clicked, this, [this] { m_speed->setValue(0); });
 }
 
 void ShaftControls::showShaft(const TrainingControls::Shaft &shaft)

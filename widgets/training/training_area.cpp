@@ -3,11 +3,11 @@
 
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 #include "widgets/training/training_fields.h"
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,23 +20,16 @@ constexpr int areaHeight = 260; // the rest is scrolled to
 } // namespace
 
 TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
-    : QScrollArea(parent)
-    , m_content(new QWidget(this))
-    , m_device(describe(new QComboBox(m_content), tr("Device to train with"), toolTip))
-    , m_column(new QVBoxLayout(m_content))
+    : ScrolledPanel(tr("Training"), areaHeight, parent)
+    , m_device(describe(new QComboBox(content()), tr("Device to train with"), toolTip))
+    , m_column(layOut<QVBoxLayout>(content(), grid::unit, grid::unit))
 {
-    setAccessibleName(tr("Training"));
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
-    m_column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    m_column->setSpacing(grid::unit);
     auto *device = new QGridLayout;
     device->setHorizontalSpacing(grid::groupGap);
     device->setColumnStretch(1, 1);
     training_fields::addCaption(device, 0, tr("Device"), m_device);
     device->addWidget(m_device, 0, 1);
     m_column->addLayout(device);
-    setWidget(m_content);
     connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingArea::choose);
 }
 
@@ -47,7 +40,7 @@ void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
     m_device->clear();
     for (const Place place : m_devices)
         m_device->addItem(place.isEmpty() ? bus : place.toString());
-    m_content->setEnabled(!m_devices.empty());
+    content()->setEnabled(!m_devices.empty());
     choose();
 }
 
@@ -71,13 +64,6 @@ void TrainingArea::act(const QString &what)
 {
     if (m_chosen)
         Q_EMIT acted(*m_chosen, what);
-}
-
-QSize TrainingArea::sizeHint() const
-{
-    const QSize content = m_content->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), areaHeight)};
 }
 
 } // namespace codewheel

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "encoder/place.h"
-
-#include <QScrollArea>
+#include "widgets/look/scrolled_panel.h"
 
 #include <optional>
 #include <vector>
@@ -15,7 +14,7 @@ namespace codewheel {
 
 // What the training panels of all buses have in common: the field to choose a device, and a column for what
 // can be done to it, which is scrolled where the dock is low.
-class TrainingArea : public QScrollArea
+class TrainingArea : public ScrolledPanel
 {
     Q_OBJECT
 
@@ -25,15 +24,12 @@ public:
     // Shows how it stands; called by the window with every picture.
     virtual void refresh() = 0;
 
-    QSize sizeHint() const override;
-
 Q_SIGNALS:
     void acted(codewheel::Place place, const QString &what);
 
 protected:
     TrainingArea(const QString &toolTip, QWidget *parent);
 
-    QWidget *content() const { return m_content; }
     QVBoxLayout *column() const { return m_column; }
     // Without a node it is the bus itself, which is called so.
     void setDevices(std::vector<Place> devices, const QString &bus = {});
@@ -46,7 +42,6 @@ private:
 
     std::vector<Place> m_devices; // by index of the field
     std::optional<Place> m_chosen;
-    QWidget *m_content;
     QComboBox *m_device;
     QVBoxLayout *m_column;
 };

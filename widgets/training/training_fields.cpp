@@ -7,6 +7,7 @@
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -72,6 +73,29 @@ QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolT
     box->setToolTip(toolTip);
     column->addWidget(box);
     return box;
+}
+
+QGridLayout *fieldGrid()
+{
+    auto *fields = new QGridLayout;
+    fields->setHorizontalSpacing(grid::unit);
+    fields->setVerticalSpacing(grid::unit);
+    fields->setColumnStretch(1, 1);
+    return fields;
+}
+
+void addSpeed(QGridLayout *grid, int row, const QString &caption, QDoubleSpinBox *speed, double fastest,
+              const QString &stopName)
+{
+    speed->setRange(-fastest, fastest);
+    speed->setDecimals(1);
+    speed->setSingleStep(10);
+    prepare(speed, 8);
+    auto *stop = buttonBeside(Icon::stop, stopName, speed->parentWidget());
+    addCaption(grid, row, caption, speed);
+    grid->addWidget(speed, row, 1);
+    grid->addWidget(stop, row, 2);
+    QObject::connect(stop, &QToolButton::clicked, speed, [speed] { speed->setValue(0); });
 }
 
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field)

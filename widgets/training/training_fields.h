@@ -7,6 +7,7 @@
 
 class QAbstractSpinBox;
 class QCheckBox;
+class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QToolButton;
@@ -20,6 +21,11 @@ QLabel *numberLabel(const QString &name, QWidget *parent);
 void prepare(QAbstractSpinBox *field, int digits);
 QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent);
 QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip);
+// Two columns, captions and fields, with room for a button behind them.
+QGridLayout *fieldGrid();
+// How fast something moves, with a button that stops it.
+void addSpeed(QGridLayout *grid, int row, const QString &caption, QDoubleSpinBox *speed, double fastest,
+              const QString &stopName);
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);
 void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number);
 

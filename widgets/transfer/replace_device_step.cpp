@@ -9,10 +9,11 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace codewheel {
 
 ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("New encoder"), parent)
-    , m_planned(new QLabel(this))
+    , m_planned(wrappedLabel(this))
     , m_key(describe(new QLineEdit(this), "replaceKey", tr("Key on the label of the new encoder"),
                      tr("Type the key on the label. Spaces, dots and dashes do not matter.")))
     , m_choice(describe(new QComboBox(this), "replaceChoice", tr("New encoder"),
@@ -29,25 +30,16 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     , m_serial(describe(new QLineEdit(this), "replaceSerial", tr("Serial number of the new encoder"),
                         tr("From its label; EEPROM writes are counted by it where the encoder does not "
                            "tell")))
-    , m_differences(new QLabel(this))
+    , m_differences(wrappedLabel(this, "replaceDifferences"))
     , m_message(new InlineMessage(this))
 {
-    m_planned->setWordWrap(true);
-    m_differences->setWordWrap(true);
-    m_differences->setObjectName(QStringLiteral("replaceDifferences"));
     m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
     m_key->setClearButtonEnabled(true);
     auto *fields = new QFormLayout;
     fields->addRow(tr("&Label key"), m_key);
     fields->addRow(tr("Enc&oder"), m_choice);
     fields->addRow(tr("&Serial number"), m_serial);
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_planned);
-    layout->addLayout(fields);
-    layout->addWidget(m_message);
-    layout->addWidget(m_differences);
-    layout->addStretch(1);
+    layOutColumn(this, {m_planned, fields, m_message, m_differences, Stretch{1}}, {.spacing = grid::margin});
     setFocusProxy(m_key);
     connect(m_key, &QLineEdit::textChanged, this, &ReplaceDeviceStep::readKey);
     connect(m_key, &QLineEdit::editingFinished, this, &ReplaceDeviceStep::tellProblem);

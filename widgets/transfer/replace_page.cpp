@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/replace_device_step.h"
 #include "widgets/transfer/replace_position_step.h"
@@ -29,34 +30,22 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     : QWidget(parent)
     , m_replacing{.buses = buses, .catalog = catalog, .project = project}
     , m_positions(positions)
-    , m_title(new QLabel(this))
+    , m_title(named(new QLabel(this), "replaceTitle"))
     , m_pages(new QStackedWidget(this))
     , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
-    , m_next(new QPushButton(lineIcon(Icon::next), {}, this))
+    , m_next(named(new QPushButton(lineIcon(Icon::next), {}, this), "replaceNext"))
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
 {
     setAccessibleName(tr("Replace encoder"));
     m_title->setFont(textFont(TextSize::large));
-    m_title->setObjectName(QStringLiteral("replaceTitle"));
     describe(m_back, "replaceBack", tr("To the step before"));
-    m_next->setObjectName(QStringLiteral("replaceNext"));
     m_next->setDefault(true);
     describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
     makeSteps();
-    auto *middle = new QHBoxLayout;
-    middle->addWidget(m_list);
-    middle->addWidget(m_pages, 1);
-    auto *buttons = new QHBoxLayout;
-    buttons->addWidget(m_cancel);
-    buttons->addStretch(1);
-    buttons->addWidget(m_back);
-    buttons->addWidget(m_next);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_title);
-    layout->addLayout(middle, 1);
-    layout->addLayout(buttons);
+    layOutColumn(
+        this,
+        {m_title, {layOutRow({m_list, {m_pages, 1}}), 1}, layOutRow({m_cancel, Stretch{1}, m_back, m_next})},
+        {.spacing = grid::margin, .margins = allAround(grid::margin)});
     connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
     connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
     connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);

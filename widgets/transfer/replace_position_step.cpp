@@ -8,9 +8,9 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_radio_button.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -40,20 +40,10 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
 {
     m_value->setMaximumWidth(160);
     m_note->setWordWrap(true);
-    auto *typed = new QHBoxLayout;
-    typed->addWidget(m_typed);
-    typed->addWidget(m_value);
-    typed->addWidget(new QLabel(tr("steps"), this));
-    typed->addStretch(1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_last);
-    layout->addWidget(m_kept);
-    layout->addLayout(typed);
-    layout->addWidget(m_none);
-    layout->addWidget(m_message);
-    layout->addWidget(m_note);
-    layout->addStretch(1);
+    layOutColumn(this,
+                 {m_last, m_kept, layOutRow({m_typed, m_value, new QLabel(tr("steps"), this), Stretch{1}}),
+                  m_none, m_message, m_note, Stretch{1}},
+                 {.spacing = grid::margin});
     connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
 }
 

@@ -6,17 +6,19 @@
 #include "encoder/refusal_text.h"
 #include "report/transfer_report.h"
 #include "transfer/transfer_words.h"
+#include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/account_view.h"
+#include "widgets/job/job_strip.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/project/project_document.h"
-#include "widgets/transfer/eeprom_gates.h"
-#include "widgets/transfer/transfer_progress.h"
+#include "widgets/transfer/transfer_lines.h"
 #include "widgets/transfer/transfer_table.h"
 
 #include <QCoreApplication>
-#include <QLabel>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
@@ -24,25 +26,16 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("Write"), parent)
     , m_round(replacing.buses)
     , m_model(new TransferModel(TransferModel::Choice::fixed, this))
-    , m_table(new TransferTable(*m_model, tr("What will be written"), this))
-    , m_note(new QLabel(this))
+    , m_table(named(new TransferTable(*m_model, tr("What will be written"), this), "replaceTable"))
+    , m_note(wrappedLabel(this, "replaceNote"))
     , m_message(new InlineMessage(this))
-    , m_gates(new EepromGates(replacing.buses, this))
-    , m_progress(new TransferProgress(m_round, this))
+    , m_gate(new EepromGate(this))
+    , m_progress(new JobStrip(m_round, this))
 {
-    m_table->setObjectName(QStringLiteral("replaceTable"));
-    m_note->setWordWrap(true);
-    m_note->setObjectName(QStringLiteral("replaceNote"));
     m_progress->hide();
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_table, 1);
-    layout->addWidget(m_note);
-    layout->addWidget(m_message);
-    layout->addWidget(m_gates);
-    layout->addWidget(m_progress);
+    layOutColumn(this, {{m_table, 1}, m_note, m_message, m_gate, m_progress}, {.spacing = grid::margin});
     setFocusProxy(m_table);
-    connect(m_gates, &EepromGates::changed, this, &ReplaceStep::changed);
+    connect(m_gate, &EepromGate::changed, this, &ReplaceStep::changed);
     connect(&m_round, &JobRound::finished, this, [this] {
         m_progress->hide();
         Q_EMIT changed();
@@ -79,7 +72,7 @@ void ReplaceWriteStep::showPlan()
         planTransfer(m_replacing.buses,
                      {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position, places())});
     m_model->show(linesOf(m_replacing.buses, m_plan));
-    m_gates->setPlan(m_plan);
+    m_gate->setWrites(writesOf(m_replacing.buses, m_plan));
     m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance
                         ? transfer_words::summary(m_plan.front())
                         : tr("There are no values for it, neither wanted nor stored. Write puts the new "
@@ -89,13 +82,14 @@ void ReplaceWriteStep::showPlan()
 
 bool ReplaceWriteStep::mayGoOn() const
 {
-    return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance && m_gates->isOpen();
+    return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance && m_gate->isOpen();
 }
 
 void ReplaceWriteStep::begin()
 {
     const QString &serial = m_replacing.now.serialNumber;
     m_source = serial.isEmpty() ? m_replacing.project.project().title : tr("Serial number %1").arg(serial);
+    m_progress->begin();
     m_progress->show();
     m_progress->setFocus();
     m_round.start(jobsOf(m_plan), JobRound::AfterRefusal::stop);
@@ -116,15 +110,10 @@ TransferAccount ReplaceWriteStep::account() const
 
 ReplaceAccountStep::ReplaceAccountStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("What was written"), parent)
-    , m_result(new QLabel(this))
+    , m_result(wrappedLabel(this, "replaceResult"))
     , m_account(new AccountView(this))
 {
-    m_result->setWordWrap(true);
-    m_result->setObjectName(QStringLiteral("replaceResult"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_result);
-    layout->addWidget(m_account, 1);
+    layOutColumn(this, {m_result, {m_account, 1}}, {.spacing = grid::margin});
     setFocusProxy(m_account);
 }
 

@@ -11,9 +11,9 @@ class QLabel;
 namespace codewheel {
 
 class AccountView;
-class EepromGates;
+class EepromGate;
 class InlineMessage;
-class TransferProgress;
+class JobStrip;
 class TransferTable;
 
 // What will be written to the new encoder, with the words; then the writing.
@@ -50,8 +50,8 @@ private:
     TransferTable *m_table;
     QLabel *m_note;
     InlineMessage *m_message;
-    EepromGates *m_gates;
-    TransferProgress *m_progress;
+    EepromGate *m_gate;
+    JobStrip *m_progress;
 };
 
 // What was written, to be saved.

@@ -3,12 +3,14 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "transfer/project_places.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
+#include "widgets/project/project_document.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -17,6 +19,18 @@ namespace codewheel {
 namespace {
 
 constexpr int shortestText = 12; // characters
+
+// All that is planned or known of devices, those that the project does not have too, by number.
+std::vector<ProjectDevice> plannedDevices(const ProjectDocument &project)
+{
+    std::vector<ProjectDevice> devices;
+    project.forEachDevice([&](Place number, const ProjectDevice &device) {
+        devices.push_back(device);
+        devices.back().standAt(number);
+    });
+    std::ranges::sort(devices, {}, [](const ProjectDevice &device) { return device.place(); });
+    return devices;
+}
 
 } // namespace
 
@@ -44,14 +58,8 @@ TransferChoice::TransferChoice(const Buses &buses, FindValuesBefore findBefore, 
     }
     auto *label = new QLabel(tr("&Transfer"), this);
     label->setBuddy(m_what);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(label);
-    layout->addWidget(m_what, 1);
-    layout->addWidget(m_from, 1);
-    layout->addWidget(m_before, 1);
-    layout->addWidget(m_cams);
+    layOutRow(this, {label, {m_what, 1}, {m_from, 1}, {m_before, 1}, m_cams},
+              {.spacing = grid::margin, .margins = QMargins()});
     setFocusProxy(m_what);
     showEncoders();
     showParts();
@@ -98,6 +106,33 @@ const ValuesBefore *TransferChoice::before() const
 bool TransferChoice::withCams() const
 {
     return m_cams->isChecked();
+}
+
+std::vector<TransferWish> TransferChoice::wishes(const Catalog &catalog, const ProjectDocument &project) const
+{
+    std::vector<TransferWish> wishes;
+    const ProjectPlaces places(project.project(), m_buses);
+    if (what() == What::restore) {
+        if (const ValuesBefore *values = before())
+            wishes.push_back(wishToRestore(*values, places));
+        return wishes;
+    }
+    if (what() == What::clone) {
+        const auto model = from();
+        const EncoderSession *of = model ? m_buses.encoder(*model) : nullptr;
+        for (const Place number : m_buses.places())
+            if (const EncoderSession *to = m_buses.encoder(number);
+                of && to && number != *model && to->can().writes)
+                wishes.push_back(wishToClone(*of, *to, withCams()));
+        return wishes;
+    }
+    const TransferSource source = what() == What::write ? TransferSource::wanted : TransferSource::stored;
+    for (const ProjectDevice &device : plannedDevices(project)) {
+        TransferWish wish = wishOf(device, source, places, catalog);
+        if (!wish.values.empty() || !wish.cams.empty())
+            wishes.push_back(std::move(wish));
+    }
+    return wishes;
 }
 
 void TransferChoice::showEncoders()

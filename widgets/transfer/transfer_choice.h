@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "transfer/transfer_wish.h"
 #include "transfer/values_before.h"
 
 #include <QWidget>
@@ -11,6 +12,8 @@ class QComboBox;
 namespace codewheel {
 
 class Buses;
+class Catalog;
+class ProjectDocument;
 
 // What is to be transferred: from the project, from one encoder to others, from before, or into the project.
 class TransferChoice : public QWidget
@@ -30,6 +33,8 @@ public:
     std::optional<Place> from() const;  // of a clone
     const ValuesBefore *before() const; // null: there is nothing to restore
     bool withCams() const;              // store, clone
+    // Which values each encoder is to get: restored, cloned, or written from the project.
+    std::vector<TransferWish> wishes(const Catalog &catalog, const ProjectDocument &project) const;
 
 Q_SIGNALS:
     void changed();

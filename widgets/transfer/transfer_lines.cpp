@@ -35,58 +35,64 @@ QString lineName(const QString &device, const QString &station)
     return station.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, station);
 }
 
-TransferLine headOf(const EncoderPlan &plan)
+ReviewRow headOf(const EncoderPlan &plan)
 {
-    return {.place = plan.place,
-            .what = lineName(plan.device, plan.station),
-            .eeprom = plan.isWritten() ? QString::number(plan.eepromWrites) : QString(),
+    return {.cells = {plan.place.shown(),
+                      lineName(plan.device, plan.station),
+                      {},
+                      {},
+                      {},
+                      plan.isWritten() ? QString::number(plan.eepromWrites) : QString()},
             .tip = transfer_words::summary(plan),
+            .kind = ReviewRow::Kind::head,
+            .place = plan.place,
             .canBeChosen = plan.isWritten(),
             .isThere = !plan.hindrance && plan.jobs.empty(),
             .isHindered = plan.hindrance.has_value()};
 }
 
-TransferLine lineOf(const DeviceDescription *device, Place place, const TransferRow &row)
+ReviewRow lineOf(const DeviceDescription *device, Place place, const TransferRow &row)
 {
     const QString thereAlready = TransferLines::tr("already there");
-    return {.kind = TransferLine::Kind::value,
-            .place = place,
-            .what = parameterName(row.wanted.parameter),
-            .now = transfer_words::known(device, row.wanted.parameter, row.known),
-            .wanted = transfer_words::value(device, row.wanted),
-            .sent = row.isThere ? thereAlready
-                    : row.step  ? sentText(*row.step)
-                                : QString(),
-            .eeprom = row.step ? QStringLiteral("1") : QString(),
+    return {.cells = {{},
+                      parameterName(row.wanted.parameter),
+                      transfer_words::known(device, row.wanted.parameter, row.known),
+                      transfer_words::value(device, row.wanted),
+                      row.isThere ? thereAlready
+                      : row.step  ? sentText(*row.step)
+                                  : QString(),
+                      row.step ? QStringLiteral("1") : QString()},
             .tip = row.hindrance ? refusalText(*row.hindrance)
                    : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
                    : row.goesAlong
                        ? TransferLines::tr("Computed from the other values, which act once it is sent")
                        : TransferLines::tr("What will be sent for it"),
+            .place = place,
             .isThere = row.isThere,
             .isHindered = row.hindrance.has_value()};
 }
 
-TransferLine lineOf(Place place, const TransferCamRow &row)
+ReviewRow lineOf(Place place, const TransferCamRow &row)
 {
-    return {.kind = TransferLine::Kind::value,
-            .place = place,
-            .what = TransferLines::tr("Cam program %1").arg(row.wanted.number),
-            .now = row.isThere ? TransferLines::tr("the same")
-                   : row.known ? TransferLines::tr("another")
-                               : TransferLines::tr("unknown"),
-            .sent = row.isThere ? TransferLines::tr("already there") : QString(),
-            .eeprom = row.isThere ? QString() : QStringLiteral("1"),
+    return {.cells = {{},
+                      TransferLines::tr("Cam program %1").arg(row.wanted.number),
+                      row.isThere ? TransferLines::tr("the same")
+                      : row.known ? TransferLines::tr("another")
+                                  : TransferLines::tr("unknown"),
+                      {},
+                      row.isThere ? TransferLines::tr("already there") : QString(),
+                      row.isThere ? QString() : QStringLiteral("1")},
             .tip = TransferLines::tr("It is read first, and written where it differs."),
+            .place = place,
             .isThere = row.isThere};
 }
 
-TransferLine note(Place place, const QString &text, bool isHindered = false)
+ReviewRow note(Place place, const QString &text, bool isHindered = false)
 {
-    return {.kind = TransferLine::Kind::note,
-            .place = place,
-            .what = text,
+    return {.cells = {{}, text},
             .tip = text,
+            .kind = ReviewRow::Kind::note,
+            .place = place,
             .isHindered = isHindered};
 }
 
@@ -108,15 +114,16 @@ QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)
         .arg(read.parameters.size());
 }
 
-void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
+void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
                 bool withCams)
 {
     const Place place = encoder.place();
     const EncoderJobs jobs = jobsToStore(encoder, withCams);
     const QString reading = readingText(encoder, jobs);
-    lines.push_back({.place = place,
-                     .what = lineName(encoder.device().fullName(), planned.station),
+    lines.push_back({.cells = {place.shown(), lineName(encoder.device().fullName(), planned.station)},
                      .tip = reading,
+                     .kind = ReviewRow::Kind::head,
+                     .place = place,
                      .canBeChosen = !jobs.jobs.empty() || !allKnown(encoder).empty()});
     lines.push_back(note(place, reading));
     if (withCams && encoder.can().cams)
@@ -124,30 +131,48 @@ void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder,
                                                       "program that was changed before is stored when it is "
                                                       "left: one EEPROM write.")));
     for (const Known &known : allKnown(encoder))
-        lines.push_back({.kind = TransferLine::Kind::value,
-                         .place = place,
-                         .what = parameterName(known.parameter),
-                         .now = transfer_words::known(&encoder.device(), known.parameter, known),
-                         .wanted = storedText(&encoder.device(), planned, known.parameter),
-                         .tip = TransferLines::tr("Known now, beside what the project has stored")});
+        lines.push_back({.cells = {{},
+                                   parameterName(known.parameter),
+                                   transfer_words::known(&encoder.device(), known.parameter, known),
+                                   storedText(&encoder.device(), planned, known.parameter)},
+                         .tip = TransferLines::tr("Known now, beside what the project has stored"),
+                         .place = place});
 }
 
 // Nothing is stored of an encoder that may be another than the project's.
-void addHindered(std::vector<TransferLine> &lines, const EncoderSession &encoder,
-                 const ProjectDevice &planned, const Refusal &why)
+void addHindered(std::vector<ReviewRow> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
+                 const Refusal &why)
 {
-    lines.push_back({.place = encoder.place(),
-                     .what = lineName(encoder.device().fullName(), planned.station),
-                     .tip = refusalText(why),
-                     .isHindered = true});
+    lines.push_back(
+        {.cells = {encoder.place().shown(), lineName(encoder.device().fullName(), planned.station)},
+         .tip = refusalText(why),
+         .kind = ReviewRow::Kind::head,
+         .place = encoder.place(),
+         .isHindered = true});
     lines.push_back(note(encoder.place(), refusalText(why), true));
 }
 
 } // namespace
 
-std::vector<TransferLine> linesOf(const Buses &buses, const TransferPlan &plan)
+// To the cost that the plan tells, that of leaving a cam program that was changed is added.
+std::vector<EepromWrites> writesOf(const Buses &buses, const TransferPlan &plan)
 {
-    std::vector<TransferLine> lines;
+    std::vector<EepromWrites> writes;
+    for (const EncoderPlan &one : plan) {
+        EncoderSession *encoder = buses.encoder(one.place);
+        if (encoder == nullptr)
+            continue;
+        int ofJobs = 0;
+        for (const Job &job : one.jobs)
+            ofJobs += mostEepromWrites(*encoder, job);
+        writes.push_back({encoder, std::max(one.eepromWrites, ofJobs)});
+    }
+    return writes;
+}
+
+std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan)
+{
+    std::vector<ReviewRow> lines;
     for (const EncoderPlan &encoder : plan) {
         lines.push_back(headOf(encoder));
         const DeviceDescription *device = deviceAt(buses, encoder.place);
@@ -164,10 +189,10 @@ std::vector<TransferLine> linesOf(const Buses &buses, const TransferPlan &plan)
     return lines;
 }
 
-std::vector<TransferLine> linesToStore(const Buses &buses, const ProjectPlaces &places,
-                                       const std::vector<ProjectDevice> &devices, bool withCams)
+std::vector<ReviewRow> linesToStore(const Buses &buses, const ProjectPlaces &places,
+                                    const std::vector<ProjectDevice> &devices, bool withCams)
 {
-    std::vector<TransferLine> lines;
+    std::vector<ReviewRow> lines;
     for (const ProjectDevice &device : devices)
         if (const EncoderSession *encoder = buses.encoder(device.place())) {
             if (const auto why = places.hindrance(device.place()))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/models/table_model_base.h"
-#include "widgets/transfer/transfer_lines.h"
+#include "widgets/job/review_table.h"
 
 #include <map>
 
@@ -10,7 +9,7 @@ namespace codewheel {
 
 // What differs between encoders and what is wanted of them: place, parameter, now, wanted, sent, EEPROM
 // writes. Each encoder has a check box; all that can be chosen are, unless told otherwise.
-class TransferModel final : public TableModelBase<TransferLine>
+class TransferModel final : public ReviewTable
 {
     Q_OBJECT
 
@@ -20,13 +19,10 @@ public:
 
     enum class Choice { free, fixed }; // fixed: no check boxes
 
-    explicit TransferModel(Choice choice, QObject *parent = nullptr)
-        : TableModelBase(parent)
-        , m_choice(choice)
-    {}
+    explicit TransferModel(Choice choice, QObject *parent = nullptr);
 
-    // Keeps what is there as far as it is the same, and what was chosen.
-    void show(std::vector<TransferLine> lines, Heads heads = Heads::write);
+    // Keeps what was chosen.
+    void show(std::vector<ReviewRow> lines, Heads heads = Heads::write);
     bool isChosen(Place number) const;
     void choose(Place number, bool chosen);
     void chooseAll(bool chosen);
@@ -40,12 +36,11 @@ Q_SIGNALS:
     void chosenChanged();
 
 protected:
-    int columns() const override { return 6; }
-    QVariant headerCell(int column, int role) const override;
-    QVariant cell(const TransferLine &line, int column, int role) const override;
+    QVariant cell(const ReviewRow &line, int column, int role) const override;
 
 private:
-    void redraw(int row);
+    void setHeads(Heads heads);
+    void redraw();
 
     Choice m_choice;
     Heads m_heads = Heads::write;

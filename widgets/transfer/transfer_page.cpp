@@ -9,14 +9,14 @@
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
+#include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/account_view.h"
+#include "widgets/job/job_strip.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
-#include "widgets/transfer/eeprom_gates.h"
-#include "widgets/transfer/transfer_progress.h"
+#include "widgets/transfer/transfer_lines.h"
 #include "widgets/transfer/transfer_table.h"
-#include "widgets/transfer/transfer_wishes.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -88,7 +88,7 @@ void TransferPage::showPlan()
                       TransferModel::Heads::store);
         return;
     }
-    m_plan = planTransfer(m_buses, transferWishes(*m_choice, m_buses, m_catalog, m_project));
+    m_plan = planTransfer(m_buses, m_choice->wishes(m_catalog, m_project));
     m_model->show(linesOf(m_buses, m_plan));
 }
 
@@ -111,9 +111,9 @@ void TransferPage::showSummary()
                                     "Those of a ring show no position meanwhile")
                                : tr("Sends what is shown above to the chosen encoders, one after the other"));
     if (!isBusy())
-        m_gates->setPlan(planOfCost());
+        m_gate->setWrites(writesOf(m_buses, planOfCost()));
     showBegin();
-    const bool choosesAny = std::ranges::any_of(m_model->rows(), &TransferLine::canBeChosen);
+    const bool choosesAny = std::ranges::any_of(m_model->rows(), &ReviewRow::canBeChosen);
     m_all->setEnabled(choosesAny);
     m_none->setEnabled(choosesAny);
     m_stop->setVisible(!stores);
@@ -159,7 +159,7 @@ TransferPlan TransferPage::planOfCost() const
 
 void TransferPage::showBegin()
 {
-    m_begin->setEnabled(!m_model->chosen().empty() && !isBusy() && m_gates->isOpen());
+    m_begin->setEnabled(!m_model->chosen().empty() && !isBusy() && m_gate->isOpen());
 }
 
 // Of an encoder that shows no position meanwhile in Operate alone.
@@ -175,7 +175,7 @@ void TransferPage::begin()
 {
     showPlan(); // of this moment
     m_toStore = m_model->chosen();
-    if (m_toStore.empty() || !m_gates->isOpen())
+    if (m_toStore.empty() || !m_gate->isOpen())
         return;
     if (m_choice->what() == What::store && !mayBeRead()) {
         m_problem->showMessage(Role::attention, refusalText({RefusalKind::busy, RefusalId::watchOnly, {}}));
@@ -192,6 +192,7 @@ void TransferPage::carryOut()
     m_table->setEnabled(false);
     m_begin->setEnabled(false);
     m_close->setEnabled(false);
+    m_progress->begin();
     m_progress->show();
     m_progress->setFocus();
     m_round.start(jobsToDo(),

@@ -16,10 +16,10 @@ namespace codewheel {
 
 class AccountView;
 class Catalog;
-class EepromGates;
+class EepromGate;
 class InlineMessage;
+class JobStrip;
 class ProjectDocument;
-class TransferProgress;
 class TransferTable;
 
 // Values to and from several encoders: what is transferred, which encoders, what differs with its words and
@@ -80,10 +80,10 @@ private:
     QCheckBox *m_stop;
     QLabel *m_summary;
     InlineMessage *m_problem;
-    EepromGates *m_gates;
+    EepromGate *m_gate;
     QPushButton *m_begin;
     QPushButton *m_close;
-    TransferProgress *m_progress;
+    JobStrip *m_progress;
     QStackedWidget *m_stage;
     QWidget *m_choosing;
     QWidget *m_done;

@@ -22,7 +22,7 @@ void TransferTable::spanNotes()
 {
     clearSpans();
     for (int row = 0; row < m_model.rowCount(); ++row)
-        if (m_model.rowAt(row).kind == TransferLine::Kind::note)
+        if (m_model.rowAt(row).kind == ReviewRow::Kind::note)
             setSpan(row, TransferModel::what, 1, m_model.columnCount() - TransferModel::what);
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/layouts.h"
 #include "widgets/wizard/setup.h"
 
 #include <QWidget>
 
+class QLabel;
+
 namespace codewheel {
+
+class InlineMessage;
 
 // Below the wanted values: what they come to, what is wrong with them, and a calculator that finds some. Each
 // kind of encoder has its own.
@@ -23,12 +28,16 @@ Q_SIGNALS:
     void chosen(const codewheel::ParameterValues &values); // by the calculator
 
 protected:
-    Consequences(Setup &setup, QWidget *parent)
-        : QWidget(parent)
-        , m_setup(setup)
-    {}
+    Consequences(Setup &setup, QWidget *parent);
+
+    void tell(const QString &scale, const QString &warning); // empty: none
+    void layOut(LayoutPart calculator);
 
     Setup &m_setup;
+
+private:
+    QLabel *m_scale;
+    InlineMessage *m_warning;
 };
 
 } // namespace codewheel

@@ -8,10 +8,10 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
-#include <QLabel>
 #include <QListWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -21,19 +21,13 @@ DevicePage::DevicePage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Encoder"), parent)
     , m_list(describe(new QListWidget(this), "encoders", tr("Encoders of the bus"),
                       tr("The encoders of the bus. Nothing is sent by choosing one.")))
-    , m_description(new QLabel(this))
+    , m_description(wrappedLabel(this))
     , m_problem(new InlineMessage(this))
 {
     auto *question = new QLabel(tr("Which en&coder is to be set up?"), this);
     question->setBuddy(m_list);
-    m_description->setWordWrap(true);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(question);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(m_description);
-    layout->addWidget(m_problem);
+    layOutColumn(this, {question, {m_list, 1}, m_description, m_problem}, {.spacing = grid::margin});
     setFocusProxy(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePage::choose);
 }

@@ -11,10 +11,10 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/models/device_traits.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
@@ -59,22 +59,18 @@ std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
 
 DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Direction"), parent)
-    , m_what(new QLabel(this))
-    , m_position(new QLabel(this))
-    , m_verdict(new RoleLabel(this))
+    , m_what(wrappedLabel(this))
+    , m_position(named(new QLabel(this), "directionPosition"))
+    , m_verdict(named(new RoleLabel(this), "verdict"))
     , m_moved(new QLabel(this))
     , m_again(new QPushButton(lineIcon(Icon::refresh), tr("Check &again"), this))
     , m_asNow(new QRadioButton(tr("Count as it does no&w"), this))
     , m_otherWay(new QRadioButton(tr("Count the &other way round"), this))
-    , m_problem(new InlineMessage(this))
+    , m_problem(named(new InlineMessage(this), "directionProblem"))
 {
-    m_what->setWordWrap(true);
     m_position->setFont(numberFont(TextSize::large));
-    m_position->setObjectName(QStringLiteral("directionPosition"));
     m_position->setAccessibleName(tr("Position"));
-    m_verdict->setObjectName(QStringLiteral("verdict"));
     describe(m_otherWay, "otherWay", tr("The other direction is put among the wanted values."));
-    m_problem->setObjectName(QStringLiteral("directionProblem"));
     describe(m_again, "checkAgain", tr("Forget the moves seen so far."));
     m_asNow->setToolTip(tr("The direction of the encoder is kept."));
     auto *question = new QLabel(tr("When moved this way, the position shall:"), this);
@@ -135,7 +131,7 @@ void DirectionPage::showLatest()
         begin();
         return;
     }
-    if (reading.state != EncoderState::operation && isOnLine(m_setup.encoder->device())) {
+    if (reading.state != EncoderState::operation && !m_setup.encoder->device().hasWords()) {
         m_position->setText(reading.position ? QLocale().toString(qlonglong{*reading.position})
                                              : QStringLiteral("\u2013"));
         m_problem->showMessage(Role::attention, noteOfState(m_setup.encoder->device(), reading).sentence);

@@ -3,11 +3,11 @@
 
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/wizard/calculator_field.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 
@@ -23,7 +23,7 @@ QString gearNumber(double value, int digits)
 
 GearPanel::GearPanel(QWidget *parent)
     : QGroupBox(tr("From mm and gear"), parent)
-    , m_answer(new QLabel(this))
+    , m_answer(wrappedLabel(this, "gearAnswer"))
     , m_take(new QPushButton(tr("&Use these"), this))
 {
     auto *layout = new QGridLayout(this);
@@ -50,8 +50,6 @@ GearPanel::GearPanel(QWidget *parent)
     layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
     layout->addWidget(m_take, layout->rowCount(), 0);
     layout->setColumnStretch(1, 1);
-    m_answer->setWordWrap(true);
-    m_answer->setObjectName(QStringLiteral("gearAnswer"));
     describe(m_take, "gearUse", tr("Puts these steps and revolutions among the wanted values."));
     connect(m_take, &QPushButton::clicked, this,
             [this] { Q_EMIT chosen(m_result->steps, m_result->revolutions); });

@@ -2,38 +2,32 @@
 #include "widgets/wizard/handshake_page.h"
 
 #include "catalog/explain_word.h"
+#include "drivers/value_notes.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
-#include "widgets/job/cancel_question.h"
+#include "widgets/job/job_cancel.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/role_label.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/wizard/wanted_scale.h"
 #include "widgets/wizard/wizard_report.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QTimer>
 
 namespace codewheel {
 namespace {
-
-std::optional<std::int64_t> valueIn(const std::vector<Known> &all, Parameter parameter)
-{
-    const auto found = std::ranges::find(all, parameter, &Known::parameter);
-    return found == all.end() ? std::nullopt : std::optional(found->value);
-}
 
 // The values from before of all that was taken; empty where one of them is not known.
 ParameterValues valuesToRestore(const HandshakeRecord &record)
@@ -42,7 +36,7 @@ ParameterValues valuesToRestore(const HandshakeRecord &record)
     for (const ParameterValue &taken : record.taken()) {
         auto before = record.outcome ? valueOf(record.outcome->read, taken.parameter) : std::nullopt;
         if (!before)
-            before = valueIn(record.before, taken.parameter);
+            before = valueOf(valuesOf(record.before), taken.parameter);
         if (!before)
             return {};
         values.push_back({taken.parameter, *before});
@@ -54,7 +48,7 @@ ParameterValues valuesToRestore(const HandshakeRecord &record)
 
 HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Handshake"), parent)
-    , m_view(new QTableView(this))
+    , m_view(named(new QTableView(this), "steps"))
     , m_state(new RoleLabel(this))
     , m_out(new QLabel(this))
     , m_in(new QLabel(this))
@@ -62,18 +56,16 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
                       tr("Sends the next step.")))
     , m_byItself(describe(new QCheckBox(tr("Run b&y itself"), this), "runByItself",
                           tr("The remaining steps follow each other as the encoder confirms them.")))
-    , m_problem(new InlineMessage(this))
-    , m_leftIn(new QLabel(this))
+    , m_problem(named(new InlineMessage(this), "handshakeProblem"))
+    , m_leftIn(wrappedLabel(this, "leftIn"))
     , m_restore(describe(new QPushButton(tr("Rest&ore values from before"), this), "recoverRestore",
                          tr("Writes the values from before again.")))
-    , m_run(new QPushButton(tr("R&un with what it has"), this))
+    , m_run(named(new QPushButton(tr("R&un with what it has"), this), "recoverRun"))
+    , m_cancel(new JobCancel(this, nullptr, [this](const EncoderSession &encoder, const Progress &progress) {
+        return situation(encoder, progress);
+    }))
 {
     setUpQuietTable(*m_view, m_steps, tr("Steps of the handshake"));
-    m_view->setObjectName(QStringLiteral("steps"));
-    m_problem->setObjectName(QStringLiteral("handshakeProblem"));
-    m_leftIn->setObjectName(QStringLiteral("leftIn"));
-    m_leftIn->setWordWrap(true);
-    m_run->setObjectName(QStringLiteral("recoverRun"));
     m_run->hide(); // until it is known what it does
     for (QLabel *word : {m_out, m_in}) {
         word->setFont(numberFont());
@@ -81,28 +73,21 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
         word->setMinimumWidth(1); // a long meaning is cut, not the page widened
     }
 
-    auto *stepping = new QHBoxLayout;
-    stepping->addWidget(m_next);
-    stepping->addWidget(m_byItself);
-    stepping->addStretch(1);
-    stepping->addWidget(m_state);
-    auto *recovery = new QHBoxLayout;
-    recovery->addWidget(m_leftIn, 1);
-    recovery->addWidget(m_restore);
-    recovery->addWidget(m_run);
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_view, 1);
-    layout->addWidget(m_out);
-    layout->addWidget(m_in);
-    layout->addLayout(stepping);
-    layout->addWidget(m_problem);
-    layout->addLayout(recovery);
+    layOutColumn(this,
+                 {{m_view, 1},
+                  m_out,
+                  m_in,
+                  layOutRow({m_next, m_byItself, Stretch{1}, m_state}),
+                  m_problem,
+                  layOutRow({{m_leftIn, 1}, m_restore, m_run})},
+                 {.spacing = grid::margin});
 
     setFocusProxy(m_next);
     connect(m_next, &QPushButton::clicked, this, &HandshakePage::nextStep);
     connect(m_byItself, &QCheckBox::clicked, this, &HandshakePage::setByItself);
     connect(m_problem, &InlineMessage::actionTriggered, this, &HandshakePage::start);
+    connect(m_cancel, &JobCancel::leaves, this, &HandshakePage::leaveEncoder);
+    connect(m_cancel, &JobCancel::goesOn, this, &HandshakePage::goOn);
     connect(m_restore, &QPushButton::clicked, this, [this] { bringBack(true); });
     connect(m_run, &QPushButton::clicked, this, [this] { bringBack(false); });
 }
@@ -129,7 +114,8 @@ void HandshakePage::start()
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
     record.begun = encoder.dateTime(encoder.latest().at);
-    m_isRecovery = m_isCancelled = m_asksIfTaken = false;
+    m_isRecovery = m_isCancelled = false;
+    m_cancel->begin(&encoder);
     m_steps.begin();
     m_problem->withdraw();
     m_state->setState(Role::inactive, tr("Begins"));
@@ -181,10 +167,7 @@ void HandshakePage::showProgress()
         m_next->setFocus();
     else if (progress.waitsForUser)
         m_setup.encoder->proceed();
-    if (m_asksIfTaken && progress.hasTaken) {
-        m_asksIfTaken = false;
-        QTimer::singleShot(0, this, &HandshakePage::cancelAgain); // not amid the signals of the bus
-    }
+    m_cancel->follow(progress);
 }
 
 void HandshakePage::showRow(const Exchange &row)
@@ -205,9 +188,9 @@ void HandshakePage::showWords()
 {
     const Reading &reading = m_setup.encoder->latest();
     const DeviceDescription &device = m_setup.encoder->device();
-    m_out->setVisible(!isOnLine(device));
-    m_in->setVisible(!isOnLine(device));
-    if (isOnLine(device))
+    m_out->setVisible(device.hasWords());
+    m_in->setVisible(device.hasWords());
+    if (!device.hasWords())
         return;
     const auto meaning = [&](Word word, Word other, WordDirection direction) {
         return explanationText(device, explainWord(device, word,
@@ -241,7 +224,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
     (m_isRecovery ? record.recovery : record.outcome) = outcome;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
-    if (isOnLine(m_setup.encoder->device()))
+    if (!m_setup.encoder->device().hasWords())
         record.takePositions(outcome);
     record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
@@ -292,30 +275,32 @@ bool HandshakePage::cancel()
     if (!m_job)
         return true;
     m_isCancelled = true;
-    m_asksIfTaken = !m_setup.record.progress.hasTaken;
-    const auto how = m_asksIfTaken ? OnCancel::ifNothingTaken : askHowToEnd();
-    m_isCancelled = how.has_value();
-    if (how && m_job)
-        m_setup.encoder->cancel(*how);
-    return how || !m_job;
+    m_cancel->cancel();
+    return m_isCancelled || !m_job;
 }
 
-std::optional<OnCancel> HandshakePage::askHowToEnd()
+CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Progress &progress) const
 {
     const auto position = positionWithTaken(m_setup);
-    CancelSituation situation = situationOf(*m_setup.encoder, m_setup.record.progress);
+    CancelSituation situation = situationOf(encoder, progress);
     situation.taken = m_setup.record.taken();
     situation.positionNote = position ? tr("The position will then read %1%2.")
                                             .arg(position->exact ? QString() : tr("about "),
                                                  QLocale().toString(qlonglong{position->position}))
                                       : tr("What the position will then read cannot be told.");
-    return askHowToCancel(window(), *m_setup.encoder, situation);
+    return situation;
 }
 
-// It had taken something before it heard of the cancel.
-void HandshakePage::cancelAgain()
+void HandshakePage::leaveEncoder(OnCancel how)
 {
-    if (!cancel())
+    if (m_job)
+        m_setup.encoder->cancel(how);
+}
+
+void HandshakePage::goOn()
+{
+    m_isCancelled = false;
+    if (m_job)
         Q_EMIT goesOn();
 }
 
@@ -332,7 +317,8 @@ void HandshakePage::bringBack(bool restore)
         return;
     }
     m_isRecovery = true;
-    m_isCancelled = m_asksIfTaken = false;
+    m_isCancelled = false;
+    m_cancel->begin(m_setup.encoder);
     m_job = *started;
     m_steps.begin();
     m_problem->withdraw();

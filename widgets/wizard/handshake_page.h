@@ -13,6 +13,8 @@ class QTableView;
 namespace codewheel {
 
 class InlineMessage;
+class JobCancel;
+struct CancelSituation;
 class RoleLabel;
 
 // The handshake, step by step, each with OUT and IN; "Next step" by hand, or running by itself. An error
@@ -49,8 +51,9 @@ private:
     void bringBack(bool restore);
     void showEnd();
     void showWords();
-    std::optional<OnCancel> askHowToEnd();
-    void cancelAgain();
+    CancelSituation situation(const EncoderSession &encoder, const Progress &progress) const;
+    void leaveEncoder(OnCancel how);
+    void goOn();
 
     StepTable m_steps{StepTable::Stage::running};
     QTableView *m_view;
@@ -63,12 +66,12 @@ private:
     QLabel *m_leftIn;
     QPushButton *m_restore;
     QPushButton *m_run;
+    JobCancel *m_cancel;
     std::vector<Job> m_jobs;    // to come
     DoneJobs m_done;            // before the one that runs
     std::optional<JobId> m_job; // of the handshake, or bringing the encoder back
     bool m_isRecovery = false;
     bool m_isCancelled = false;
-    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
     Word m_outNow = 0;
 };
 

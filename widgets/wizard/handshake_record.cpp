@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/handshake_record.h"
 
-#include "widgets/models/device_traits.h"
+#include "catalog/device_description.h"
 
 #include <algorithm>
 

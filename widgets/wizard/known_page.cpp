@@ -4,19 +4,20 @@
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/role_label.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/parameters/value_field.h"
 
 #include <QItemSelectionModel>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
-#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
@@ -35,8 +36,8 @@ ReadParameters everythingOf(const DeviceDescription &device)
 
 KnownPage::KnownPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("What is known"), parent)
-    , m_view(new QTableView(this))
-    , m_explanation(new QLabel(this))
+    , m_view(named(new QTableView(this), "known"))
+    , m_explanation(wrappedLabel(this))
     , m_read(describe(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this), "readAll",
                       tr("Reads all values.")))
     , m_tellLabel(new QLabel(this))
@@ -49,30 +50,23 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
                                    "Setting the position would change a cam otherwise.")))
     , m_problem(new InlineMessage(this))
 {
+    using Kind = ReviewColumn::Kind;
+    m_table.setColumns({{tr("Parameter")}, {tr("Value"), Kind::number}, {tr("Known by")}});
     setUpQuietTable(*m_view, m_table, tr("What is known of the encoder"));
-    m_view->setObjectName(QStringLiteral("known"));
-    m_explanation->setWordWrap(true);
     m_tell->setToolTip(tr("Say what the encoder has, for instance from its papers. Nothing is sent."));
 
-    auto *reading = new QHBoxLayout;
-    reading->addWidget(m_read);
-    reading->addWidget(m_explanation, 1);
     m_tellRow->addWidget(m_tellLabel);
     m_tellRow->addWidget(m_tellUnit);
     m_tellRow->addWidget(m_tell);
     m_tellRow->addStretch();
-    auto *mode = new QHBoxLayout;
-    mode->addWidget(m_mode);
-    mode->addStretch(1);
-    mode->addWidget(m_isPositionMode);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addLayout(reading);
-    layout->addWidget(m_view, 1);
-    layout->addLayout(m_tellRow);
-    layout->addLayout(mode);
-    layout->addWidget(m_problem);
+    layOutColumn(this,
+                 {layOutRow({m_read, {m_explanation, 1}}),
+                  {m_view, 1},
+                  m_tellRow,
+                  layOutRow({m_mode, Stretch{1}, m_isPositionMode}),
+                  m_problem},
+                 {.spacing = grid::margin});
 
     setFocusProxy(m_read);
     connect(m_read, &QPushButton::clicked, this, &KnownPage::read);
@@ -111,10 +105,33 @@ bool KnownPage::mayGoOn() const
 
 void KnownPage::showKnown()
 {
-    m_table.show(*m_setup.encoder); // of an encoder of another kind: no row is chosen any more
+    showTable();
     const QModelIndex chosen = m_view->currentIndex();
     if (chosen.isValid() && m_tellField != nullptr && !m_tellField->focusProxy()->hasFocus())
-        m_tellField->setValue(m_setup.valueNow(m_table.rowAt(chosen.row()).parameter));
+        m_tellField->setValue(m_setup.valueNow(parameterAt(chosen.row())));
+}
+
+void KnownPage::showTable()
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    std::vector<Parameter> parameters;
+    std::vector<ReviewRow> rows;
+    for (const ParameterDescription &described : encoder.device().parameters) {
+        const Parameter parameter = described.parameter;
+        if (isOpcRegister(parameter))
+            continue; // nothing a wizard asks for
+        const auto known = encoder.known(parameter);
+        parameters.push_back(parameter);
+        rows.push_back({.cells = {parameterName(parameter),
+                                  known ? valueWithUnit(encoder.device(), {parameter, known->value},
+                                                        valueOptionsOf(&encoder))
+                                        : QString(QChar(0x2013)),
+                                  evidenceText(known)},
+                        .tip = evidenceExplanation(known)});
+    }
+    if (std::exchange(m_parameters, parameters) != parameters)
+        m_table.setRows({}); // of an encoder of another kind: no row is chosen any more
+    m_table.show(std::move(rows));
 }
 
 void KnownPage::showPermission()
@@ -178,7 +195,7 @@ void KnownPage::selectRow()
     delete std::exchange(m_tellField, nullptr);
     const int row = m_view->currentIndex().row();
     const ParameterDescription *parameter =
-        row < 0 ? nullptr : m_setup.encoder->device().find(m_table.rowAt(row).parameter);
+        row < 0 ? nullptr : m_setup.encoder->device().find(parameterAt(row));
     const bool canTell = parameter != nullptr && (parameter->canBeWritten() || parameter->onLabel);
     m_tellLabel->setVisible(canTell);
     m_tellUnit->setVisible(canTell);
@@ -204,7 +221,7 @@ void KnownPage::tell()
         return;
     }
     m_problem->withdraw();
-    m_setup.encoder->tell(m_table.rowAt(m_view->currentIndex().row()).parameter, *value);
+    m_setup.encoder->tell(parameterAt(m_view->currentIndex().row()), *value);
 }
 
 void KnownPage::tellPositionMode()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/wizard/known_table.h"
+#include "widgets/job/review_table.h"
 #include "widgets/wizard/wizard_page.h"
 
 class QHBoxLayout;
@@ -34,12 +34,15 @@ public:
     void showOutcome(const Outcome &outcome) override;
 
 private:
+    void showTable();
+    Parameter parameterAt(int row) const { return m_parameters.at(static_cast<std::size_t>(row)); }
     void read();
     void selectRow();
     void tell();
     void tellPositionMode();
 
-    KnownTable m_table;
+    ReviewTable m_table;
+    std::vector<Parameter> m_parameters; // by row
     QTableView *m_view;
     QLabel *m_explanation;
     QPushButton *m_read;

@@ -7,6 +7,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
 #include "widgets/wizard/device_page.h"
 #include "widgets/wizard/direction_page.h"
 #include "widgets/wizard/handshake_page.h"
@@ -15,7 +16,6 @@
 #include "widgets/wizard/review_page.h"
 #include "widgets/wizard/values_page.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -37,7 +37,7 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
                         tr("Leaves the wizard. During a handshake it first asks how to leave the encoder.")))
     , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "wizardBack",
                       tr("To the page before.")))
-    , m_next(new QPushButton(lineIcon(Icon::next), tr("&Next"), this))
+    , m_next(named(new QPushButton(lineIcon(Icon::next), tr("&Next"), this), "wizardNext"))
 {
     makePages();
     QStringList titles;
@@ -45,21 +45,11 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
         titles.append(page->title());
     m_stepList = new StepList(titles, this);
     m_title->setFont(textFont(TextSize::large));
-    m_next->setObjectName(QStringLiteral("wizardNext"));
 
-    auto *buttons = new QHBoxLayout;
-    buttons->addWidget(m_cancel);
-    buttons->addStretch();
-    buttons->addWidget(m_back);
-    buttons->addWidget(m_next);
-    auto *main = new QVBoxLayout;
-    main->addWidget(m_title);
-    main->addWidget(m_pages, 1);
-    main->addLayout(buttons);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    layout->addWidget(m_stepList);
-    layout->addLayout(main, 1);
+    layOutRow(this,
+              {m_stepList,
+               {layOutColumn({m_title, {m_pages, 1}, layOutRow({m_cancel, Stretch{}, m_back, m_next})}), 1}},
+              {.margins = allAround(grid::margin)});
 
     connect(m_cancel, &QPushButton::clicked, this, &ParameterWizard::cancel);
     connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);

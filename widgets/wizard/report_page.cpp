@@ -4,25 +4,20 @@
 #include "widgets/job/account_view.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/wizard/wizard_report.h"
 
 #include <QCoreApplication>
-#include <QLabel>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
 ReportPage::ReportPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Report"), parent)
-    , m_leftIn(new QLabel(this))
+    , m_leftIn(wrappedLabel(this, "reportLeftIn"))
     , m_report(new AccountView(this))
 {
-    m_leftIn->setWordWrap(true);
-    m_leftIn->setObjectName(QStringLiteral("reportLeftIn"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_leftIn);
-    layout->addWidget(m_report, 1);
+    layOutColumn(this, {m_leftIn, {m_report, 1}}, {.spacing = grid::margin});
     setFocusProxy(m_report);
 }
 

@@ -5,19 +5,17 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "ring/ring_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
-#include "widgets/models/device_traits.h"
+#include "widgets/look/wrapped_label.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QRadioButton>
 #include <QStyledItemDelegate>
 
@@ -52,16 +50,16 @@ public:
 
 ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Review"), parent)
-    , m_changesView(new QTableView(this))
+    , m_changesView(named(new QTableView(this), "changes"))
     , m_words(new QLabel(this))
-    , m_stepsView(new QTableView(this))
+    , m_stepsView(named(new QTableView(this), "plannedWords"))
     , m_writeAll(new QCheckBox(tr("&Write all, also what is there already"), this))
-    , m_writes(new QLabel(this))
+    , m_writes(wrappedLabel(this, "eepromWrites"))
     , m_gate(new EepromGate(this))
-    , m_note(new QLabel(this))
+    , m_note(wrappedLabel(this))
     , m_byHand(new QRadioButton(tr("Step by step, b&y hand"), this))
     , m_byItself(new QRadioButton(tr("&Running by itself"), this))
-    , m_problem(new InlineMessage(this))
+    , m_problem(named(new InlineMessage(this), "reviewProblem"))
 {
     using Kind = ReviewColumn::Kind;
     m_changes.setColumns(
@@ -75,31 +73,21 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     for (const int column : {oldColumn, newColumn})
         m_changesView->setItemDelegateForColumn(column, values);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
-    m_changesView->setObjectName(QStringLiteral("changes"));
-    m_stepsView->setObjectName(QStringLiteral("plannedWords"));
     describe(m_writeAll, "writeAll", tr("Each write costs the EEPROM of the encoder one of its writes."));
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
-    m_writes->setObjectName(QStringLiteral("eepromWrites"));
-    m_writes->setWordWrap(true);
-    m_note->setWordWrap(true);
-    m_problem->setObjectName(QStringLiteral("reviewProblem"));
 
-    auto *pace = new QHBoxLayout;
-    pace->addWidget(m_byHand);
-    pace->addWidget(m_byItself);
-    pace->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_changesView, 2);
-    layout->addWidget(m_writeAll);
-    layout->addWidget(m_problem);
-    layout->addWidget(m_words);
-    layout->addWidget(m_stepsView, 3);
-    layout->addWidget(m_writes);
-    layout->addWidget(m_gate);
-    layout->addWidget(m_note);
-    layout->addLayout(pace);
+    layOutColumn(this,
+                 {{m_changesView, 2},
+                  m_writeAll,
+                  m_problem,
+                  m_words,
+                  {m_stepsView, 3},
+                  m_writes,
+                  m_gate,
+                  m_note,
+                  layOutRow({m_byHand, m_byItself, Stretch{}})},
+                 {.spacing = grid::margin});
 
     setFocusProxy(m_byHand);
     connect(m_writeAll, &QCheckBox::clicked, this, [this](bool on) {
@@ -112,8 +100,8 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
 
 void ReviewPage::enter()
 {
-    m_words->setText(isOnLine(m_setup.encoder->device()) ? tr("Requests that will be sent, in this order:")
-                                                         : tr("Words that will be sent, in this order:"));
+    m_words->setText(!m_setup.encoder->device().hasWords() ? tr("Requests that will be sent, in this order:")
+                                                           : tr("Words that will be sent, in this order:"));
     m_writeAll->setChecked(m_setup.wish.writeAll);
     (m_setup.byHand ? m_byHand : m_byItself)->setChecked(true);
     plan();

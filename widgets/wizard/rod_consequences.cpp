@@ -5,35 +5,21 @@
 #include "encoder/rod_scale.h"
 #include "encoder/sentence.h"
 #include "widgets/dial/resolution.h"
-#include "widgets/look/grid.h"
-#include "widgets/look/inline_message.h"
 #include "widgets/wizard/rod_panel.h"
 
-#include <QLabel>
 #include <QLocale>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
 RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
     : Consequences(setup, parent)
-    , m_scaleText(new QLabel(this))
-    , m_warning(new InlineMessage(this))
     , m_calculator(new RodPanel(this))
 {
-    m_scaleText->setObjectName(QStringLiteral("scaleText"));
-    m_scaleText->setWordWrap(true);
-    m_warning->setObjectName(QStringLiteral("scaleWarning"));
     if (const auto length = m_setup.valueNow(Parameter::rodLength))
         m_calculator->setRodLength(millimetresOf(*length));
     if (const ParameterDescription *length = m_setup.encoder->device().find(Parameter::measuringLength))
         m_calculator->setMostSteps(length->maximum);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_scaleText);
-    layout->addWidget(m_warning);
-    layout->addWidget(m_calculator);
+    layOut(m_calculator);
     connect(m_calculator, &RodPanel::chosen, this, [this](qint64 steps) {
         m_setup.encoder->tell(Parameter::rodLength, micrometresOf(m_calculator->rodLength()));
         Q_EMIT chosen({{Parameter::measuringLength, steps}});
@@ -42,12 +28,7 @@ RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
 
 void RodConsequences::refresh()
 {
-    m_scaleText->setText(scaleText());
-    const QString wrong = warning();
-    if (wrong.isEmpty())
-        m_warning->withdraw();
-    else if (wrong != m_warning->sentence())
-        m_warning->showMessage(Role::attention, wrong);
+    tell(scaleText(), warning());
 }
 
 QString RodConsequences::scaleText() const

@@ -3,11 +3,8 @@
 
 #include "widgets/wizard/consequences.h"
 
-class QLabel;
-
 namespace codewheel {
 
-class InlineMessage;
 class RodPanel;
 
 // Of an encoder on a rod: the resolution in mm, and presets that lie beside the rod.
@@ -24,8 +21,6 @@ private:
     QString scaleText() const;
     QString warning() const;
 
-    QLabel *m_scaleText;
-    InlineMessage *m_warning;
     RodPanel *m_calculator;
 };
 

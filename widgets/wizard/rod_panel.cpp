@@ -2,12 +2,13 @@
 #include "widgets/wizard/rod_panel.h"
 
 #include "widgets/dial/resolution.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/wizard/calculator_field.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 
@@ -24,8 +25,8 @@ QString hexText(std::int64_t number)
 
 RodPanel::RodPanel(QWidget *parent)
     : QGroupBox(tr("From rod length and resolution"), parent)
-    , m_answer(new QLabel(this))
-    , m_take(new QPushButton(tr("&Use this"), this))
+    , m_answer(wrappedLabel(this, "rodAnswer"))
+    , m_take(named(new QPushButton(tr("&Use this"), this), "rodUse"))
 {
     auto *layout = new QGridLayout(this);
     layout->setSpacing(grid::unit);
@@ -44,9 +45,6 @@ RodPanel::RodPanel(QWidget *parent)
                                      0.01);
     m_length->setObjectName(QStringLiteral("rodLength"));
     m_mmPerStep->setObjectName(QStringLiteral("rodResolution"));
-    m_answer->setWordWrap(true);
-    m_answer->setObjectName(QStringLiteral("rodAnswer"));
-    m_take->setObjectName(QStringLiteral("rodUse"));
     m_take->setToolTip(tr("Puts this measuring length among the wanted values, and takes the length of the "
                           "rod as told."));
     layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);

@@ -6,9 +6,9 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 
 #include <cmath>
@@ -30,13 +30,7 @@ ScalePreview::ScalePreview(QWidget *parent)
     m_turns->setRange(-4096, 4096);
     m_turns->setDecimals(2);
     m_turns->setSingleStep(0.25);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::unit);
-    layout->addWidget(title);
-    layout->addWidget(m_turns);
-    layout->addWidget(m_dial);
-    layout->addStretch();
+    layOutColumn(this, {title, m_turns, m_dial, Stretch{}}, {.spacing = grid::unit, .margins = QMargins()});
     connect(m_turns, &QDoubleSpinBox::valueChanged, this, &ScalePreview::draw);
 }
 

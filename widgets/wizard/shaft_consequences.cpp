@@ -1,47 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/shaft_consequences.h"
 
+#include "catalog/device_description.h"
 #include "drivers/value_notes.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "widgets/look/grid.h"
-#include "widgets/look/inline_message.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/scale_preview.h"
 #include "widgets/wizard/wanted_scale.h"
 #include "words/k3_word.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
 ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     : Consequences(setup, parent)
-    , m_scaleText(new QLabel(this))
-    , m_warning(new InlineMessage(this))
     , m_gear(new GearPanel(this))
     , m_preview(new ScalePreview(this))
 {
-    m_scaleText->setObjectName(QStringLiteral("scaleText"));
-    m_scaleText->setWordWrap(true);
-    m_warning->setObjectName(QStringLiteral("scaleWarning"));
-    auto *aids = new QHBoxLayout;
-    aids->setSpacing(grid::margin);
-    aids->addWidget(m_gear, 1, Qt::AlignTop);
-    aids->addWidget(m_preview, 0, Qt::AlignTop);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_scaleText);
-    layout->addWidget(m_warning);
-    layout->addLayout(aids);
+    layOut(layOutRow({{m_gear, 1, Qt::AlignTop}, {m_preview, 0, Qt::AlignTop}}, {.spacing = grid::margin}));
     connect(m_gear, &GearPanel::chosen, this, [this](qint64 steps, qint64 revolutions) {
         ParameterValues values{{Parameter::steps, steps}};
-        if (!isOnLine(m_setup.encoder->device()))
+        if (m_setup.encoder->device().hasWords())
             values.push_back({Parameter::revolutions, revolutions});
         Q_EMIT chosen(values);
     });
@@ -51,7 +33,7 @@ void ShaftConsequences::showLimits()
 {
     const DeviceDescription &device = m_setup.encoder->device();
     GearLimits limits{.physicalStepsPerTurn = device.physicalStepsPerTurn};
-    if (isOnLine(device)) { // it takes the steps of one turn
+    if (!device.hasWords()) { // it takes the steps of one turn
         limits.maxRevolutions = 1;
         limits.turns = device.physicalTurns;
         m_gear->setLimits(limits);
@@ -66,18 +48,13 @@ void ShaftConsequences::refresh()
 {
     showLimits();
     const auto then = scaleAfter(m_setup);
-    m_scaleText->setText(
-        then ? scaleText(*then)
-             : tr("Resolution and range can be told once steps, revolutions and direction are "
-                  "known or wanted."));
+    QString scale = then ? scaleText(*then)
+                         : tr("Resolution and range can be told once steps, revolutions and direction are "
+                              "known or wanted.");
     for (const ValueNote &note : notes())
         if (note.id == ValueNote::Id::presetNeeded)
-            m_scaleText->setText(m_scaleText->text() + u' ' + noteText(note));
-    const QString warning = warnings(then).join(u' ');
-    if (warning.isEmpty())
-        m_warning->withdraw();
-    else if (warning != m_warning->sentence())
-        m_warning->showMessage(Role::attention, warning);
+            scale += u' ' + noteText(note);
+    tell(scale, warnings(then).join(u' '));
     const auto start = positionAfterHandshake(m_setup);
     m_preview->setScale(
         then, start ? std::optional(start->position) : std::nullopt,
@@ -124,7 +101,7 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
             {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), k3::largestTotalRange}});
     for (const Parameter parameter : {Parameter::preset, Parameter::offset})
         if (const auto value = m_setup.valueAfter(parameter);
-            value && *value >= scale.total() && !isOnLine(m_setup.encoder->device()))
+            value && *value >= scale.total() && m_setup.encoder->device().hasWords())
             return refusalText({RefusalKind::badInput,
                                 RefusalId::valueAboveTotalRange,
                                 {parameter, *value, scale.total() - 1}});

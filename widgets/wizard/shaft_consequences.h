@@ -4,12 +4,9 @@
 #include "drivers/value_notes.h"
 #include "widgets/wizard/consequences.h"
 
-class QLabel;
-
 namespace codewheel {
 
 class GearPanel;
-class InlineMessage;
 class ScalePreview;
 
 // Of an encoder on a shaft: resolution, total range, a jump at the wrap, the position the shaft will read.
@@ -29,8 +26,6 @@ private:
     QString warningFor(const PositionScale &scale) const;
     void showLimits();
 
-    QLabel *m_scaleText;
-    InlineMessage *m_warning;
     GearPanel *m_gear;
     ScalePreview *m_preview;
 };

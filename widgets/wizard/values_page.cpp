@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/values_page.h"
 
+#include "catalog/device_description.h"
 #include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/parameters/position_to_set.h"
 #include "widgets/parameters/value_field.h"
 #include "widgets/wizard/consequences.h"
@@ -22,14 +22,12 @@ namespace codewheel {
 ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Values"), parent)
     , m_form(new QWidget(this))
-    , m_initialise(new QCheckBox(tr("&Set the position to the preset now"), this))
+    , m_initialise(named(new QCheckBox(tr("&Set the position to the preset now"), this), "initialisePreset"))
     , m_setting(new QHBoxLayout)
-    , m_badInput(new InlineMessage(this))
+    , m_badInput(named(new InlineMessage(this), "badInput"))
     , m_layout(new QVBoxLayout(this))
 {
-    m_initialise->setObjectName(QStringLiteral("initialisePreset"));
     m_initialise->hide(); // until it is known how this encoder sets its position
-    m_badInput->setObjectName(QStringLiteral("badInput"));
 
     m_setting->addWidget(m_initialise);
     m_setting->addStretch();
@@ -68,7 +66,7 @@ void ValuesPage::showSetting()
                                                : tr("&Set the position to the preset now"));
     m_initialise->setToolTip(
         can.presetNeedsValue
-            ? isOnLine(m_setup.encoder->device())
+            ? !m_setup.encoder->device().hasWords()
                   ? tr("After the values, GP makes the place where the shaft stands this position.")
                   : tr("After the values, service 6 makes the place where the magnet stands this position.")
             : tr("After run, 40000000 makes the place where the shaft stands the preset value."));

@@ -6,17 +6,6 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-ValueOf valuesBefore(const HandshakeRecord &record)
-{
-    return [&record](Parameter parameter) -> std::optional<std::int64_t> {
-        const auto found = std::ranges::find(record.before, parameter, &Known::parameter);
-        return found == record.before.end() ? std::nullopt : std::optional(found->value);
-    };
-}
-
-} // namespace
 
 std::optional<PositionScale> scaleNow(const Setup &setup)
 {
@@ -50,7 +39,8 @@ std::optional<ForetoldPosition> positionWithTaken(const Setup &setup)
     const HandshakeRecord &record = setup.record;
     if (!record.positionBefore)
         return std::nullopt;
-    const ValueOf before = valuesBefore(record);
+    const ParameterValues values = valuesOf(record.before);
+    const auto before = [&](Parameter parameter) { return valueOf(values, parameter); };
     const ParameterValues taken = record.taken();
     const auto now = scaleOf(setup.encoder->device(), before);
     const auto then = scaleOf(setup.encoder->device(), [&](Parameter parameter) {

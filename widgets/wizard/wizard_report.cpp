@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/wizard_report.h"
 
+#include "catalog/device_description.h"
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/job/step_text.h"
-#include "widgets/models/device_traits.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -135,7 +135,7 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
              .arg(record.eepromWritesInAll));
     fact(WizardReport::tr("Program"), QStringLiteral("Codewheel %1").arg(version));
     report.sections = {valueSection(record, device),
-                       isOnLine(device) ? requestSection(record, device) : wordSection(record, device)};
+                       !device.hasWords() ? requestSection(record, device) : wordSection(record, device)};
     return report;
 }
 

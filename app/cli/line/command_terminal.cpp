@@ -50,8 +50,7 @@ QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
     return rowTime(passed.row.at).rightJustified(timeWidth) + gap +
            rowKindWord(passed.row.kind).leftJustified(kindWidth) + gap +
            controlText(passed.row.bytes, ControlCharacters::numbers).leftJustified(textWidth) + gap +
-           byteText(passed.row.bytes).leftJustified(bytesWidth) + gap +
-           rowMeaning(passed.row, passed.request, explain) + u'\n';
+           byteText(passed.row.bytes).leftJustified(bytesWidth) + gap + rowMeaning(passed, explain) + u'\n';
 }
 
 // One call on its way.
@@ -151,7 +150,7 @@ bool TypedCall::take(const QString &typed)
     if (m_answered && m_answered->result.answer)
         return goesOn();
     if (!m_answered)
-        return fail(m_access.isConnected() && m_refusal ? complaintAbout(*m_refusal) : m_access.portLost());
+        return fail(m_access.isConnected() && m_refusal ? complaintAbout(*m_refusal) : m_access.linkLost());
     Complaint complaint = m_access.complaint({RefusalKind::device,
                                               RefusalId::escNoAnswer,
                                               {QString::fromLatin1(request->text()), std::int64_t{1}}});
@@ -278,8 +277,9 @@ Checked<Answer> runTerminal(const Call &call)
     else
         takeTyped(line, typed);
     Answer answer = typed.answer();
+    addBus(answer.json, line);
     if (!answer.complaint && !line.isConnected())
-        answer.complaint = line.portLost();
+        answer.complaint = line.linkLost();
     return answer;
 }
 

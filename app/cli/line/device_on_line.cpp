@@ -3,7 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/label_key.h"
-#include "cli/device_text.h"
+#include "cli/parameter_arguments.h"
 #include "cli/texts.h"
 
 #include <algorithm>
@@ -31,12 +31,10 @@ Checked<void> checkIsAlone(const Call &call, Place place)
     const LineAddress address = LineAddress::of(place.node);
     if (!address.isMaster() || call.project == nullptr || devicesOn(*call.project, place.bus).size() < 2)
         return {};
-    QStringList others;
-    for (const ProjectDevice &encoder : devicesOn(*call.project, place.bus))
-        others << encoder.place().shown();
-    return tl::unexpected(complaintAbout({RefusalKind::badInput,
-                                          RefusalId::lineAddressNotAlone,
-                                          {address.shown(), others.join(QStringLiteral(", "))}}));
+    const QString others = listed(devicesOn(*call.project, place.bus),
+                                  [](const ProjectDevice &encoder) { return encoder.place().shown(); });
+    return tl::unexpected(
+        complaintAbout({RefusalKind::badInput, RefusalId::lineAddressNotAlone, {address.shown(), others}}));
 }
 
 Checked<QString> deviceOnLine(const Call &call, Place place)

@@ -25,7 +25,7 @@ constexpr Instant longestLook = 1s; // for what the encoder shows after a job
 KeptAdapter adapterOf(const LineLink &link)
 {
     LinePlan line;
-    line.wish = link.wish;
+    line.settings = link.settings;
     line.adapter = link.adapter;
     return keptAdapterOf(line);
 }
@@ -96,15 +96,8 @@ LineAccess::LineAccess(const LineLink &settings, std::unique_ptr<LineSession> se
     : BusAccess(*session, QString::fromLatin1(escKind))
     , m_link(settings)
     , m_session(std::move(session))
-    , m_lost(
-          std::make_shared<Refusal>(Refusal{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}}))
 {
     m_session->setFractionBits(m_link.driver().fractionBits);
-    QObject::connect(m_session.get(), &LineSession::messaged, m_session.get(),
-                     [lost = m_lost](const Message &message) {
-                         if (message.refusal && message.refusal->kind == RefusalKind::link)
-                             *lost = *message.refusal;
-                     });
 }
 
 std::unique_ptr<LineAccess> LineAccess::to(const LineLink &link, const Catalog &catalog, BusId id)
@@ -125,8 +118,8 @@ Checked<void> LineAccess::open()
         return {};
     if (m_link.whyNot)
         return tl::unexpected(*m_link.whyNot);
-    const auto opened = m_session->open(m_link.wish.line, m_link.wish.timing, LineSession::Start::watching,
-                                        LineSession::Drive::byHand);
+    const auto opened = m_session->open(m_link.settings.serial, m_link.settings.timing,
+                                        LineSession::Start::watching, LineSession::Drive::byHand);
     return opened ? Checked<void>() : tl::unexpected(aboutOpening(opened.error()));
 }
 
@@ -210,11 +203,11 @@ Checked<EncoderSession *> LineAccess::inContact(EncoderSession *encoder)
     const auto state = [&] { return encoder->latest().state; };
     if (!waitUntil([&] { return state() == EncoderState::operation || state() == EncoderState::silent; },
                    longestContact))
-        return tl::unexpected(portLost());
+        return tl::unexpected(linkLost());
     if (state() != EncoderState::operation)
         return tl::unexpected(noAnswerFrom(address));
     if (!waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentity))
-        return tl::unexpected(portLost());
+        return tl::unexpected(linkLost());
     if (address.isMaster() && !encoder->known(Parameter::serialNumber))
         return tl::unexpected(aboutSeveral(address));
     if (std::exchange(m_link.asksForFractionBits, false))
@@ -254,10 +247,10 @@ Checked<void> LineAccess::determineFractionBits(Place place)
     if (const auto asked = m_session->determineFractionBits(place); !asked)
         return tl::unexpected(complaintAbout(asked.error()));
     if (!waitUntil([&] { return bits.has_value(); }, longestContact) || !bits)
-        return tl::unexpected(portLost());
+        return tl::unexpected(linkLost());
     if (!*bits)
         return tl::unexpected(complaint(bits->error()));
-    m_link.wish.fractionBits = **bits;
+    m_link.settings.fractionBits = **bits;
     m_session->setFractionBits(**bits);
     advance(lookInterval());
     return {};
@@ -272,12 +265,6 @@ bool LineAccess::waitUntil(const std::function<bool()> &isDone, Instant atMost)
     return true;
 }
 
-bool LineAccess::advance(Instant duration)
-{
-    m_session->advance(duration);
-    return isConnected();
-}
-
 QString LineAccess::portKey() const
 {
     return m_link.isSimulated() ? QStringLiteral("training") : m_session->linkName();
@@ -285,7 +272,7 @@ QString LineAccess::portKey() const
 
 Complaint LineAccess::noAnswerFrom(LineAddress address) const
 {
-    const int baudRate = m_link.wish.line.baudRate;
+    const int baudRate = m_link.settings.serial.baudRate;
     const std::uint64_t bytes = strayBytes();
     return bytes == 0 || address.isMaster() ? aboutSilence(address, baudRate)
                                             : aboutStrayBytes(address, baudRate, bytes);
@@ -309,16 +296,16 @@ QString LineAccess::strayBytesText() const
         {QString::number(bytes)});
 }
 
-Complaint LineAccess::portLost() const
+Refusal LineAccess::whatIsLost() const
 {
-    return complaintAbout(*m_lost);
+    return {RefusalKind::link, RefusalId::portLost, {m_session->linkName()}};
 }
 
 Complaint LineAccess::complaint(const Refusal &why) const
 {
     Complaint told = complaintAbout(why);
-    if (!isConnected() && why.id != m_lost->id)
-        told.text.prepend(portLost().text + u' ');
+    if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
+        told.text.prepend(lost.text + u' ');
     if (why.id == RefusalId::escNoAnswer)
         if (const QString stray = strayBytesText(); !stray.isEmpty())
             told.text += u' ' + stray;

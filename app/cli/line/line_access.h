@@ -48,7 +48,6 @@ public:
     }
     void useProject(const Call &call, const Project &project) override;
 
-    bool advance(Instant duration) override;
     Complaint complaint(const Refusal &why) const override;
     void prepare(const Job &job) override; // what writes needs Operate
     void lookAgain(const EncoderSession &encoder) override;
@@ -70,14 +69,13 @@ public:
 
     // The port for programs; "training" of the simulated line.
     QString portKey() const;
-    bool isConnected() const { return m_session->latest().connected; }
-    Complaint portLost() const; // why it is gone
     // Of those that came until now: neither answers nor echo.
     std::uint64_t strayBytes() const;
     QString strayBytesText() const; // how many, and what that can mean; empty where none came
 
 private:
     LineAccess(const LineLink &settings, std::unique_ptr<LineSession> session);
+    Refusal whatIsLost() const override;
     Checked<EncoderSession *> inContact(EncoderSession *encoder);
     Complaint noAnswerFrom(LineAddress address) const;
     Checked<void> determineFractionBits(Place place);
@@ -85,7 +83,6 @@ private:
 
     LineLink m_link;
     std::unique_ptr<LineSession> m_session;
-    std::shared_ptr<Refusal> m_lost;              // what the port said when it was gone
     std::optional<std::vector<NodeId>> m_planned; // of the project of the call
     std::vector<FoundEncoder> m_found;            // by the search
     const SerialPortLink *m_port = nullptr;       // of the session; null: it is at none

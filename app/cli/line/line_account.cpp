@@ -2,6 +2,7 @@
 #include "cli/line/line_account.h"
 
 #include "cli/json.h"
+#include "cli/keys.h"
 #include "cli/parameter_text.h"
 #include "cli/texts.h"
 #include "drivers/esc_plan.h"
@@ -77,34 +78,20 @@ QString LineAccount::fateOf(const ParameterValue &value) const
 
 QJsonObject LineAccount::toJson() const
 {
-    const auto key = [](Fate fate) {
-        switch (fate) {
-        case Fate::readBack:
-            return QStringLiteral("readBack");
-        case Fate::accepted:
-            return QStringLiteral("accepted");
-        case Fate::alreadyThere:
-            return QStringLiteral("alreadyThere");
-        case Fate::unknown:
-            return QStringLiteral("unknown");
-        case Fate::refused:
-            return QStringLiteral("refused");
-        case Fate::notSent:
-            break;
-        }
-        return QStringLiteral("notSent");
+    static constexpr NamedValue<Fate> fates[] = {
+        {"notSent", Fate::notSent},           {"readBack", Fate::readBack}, {"accepted", Fate::accepted},
+        {"alreadyThere", Fate::alreadyThere}, {"unknown", Fate::unknown},   {"refused", Fate::refused},
     };
     QJsonArray json;
-    for (const ParameterValue &value : wanted()) {
+    const auto add = [&](const ParameterValue &value, const QString &fate) {
         QJsonObject object = valueJson(*encoder().device().find(value.parameter), value.value);
-        object.insert(QStringLiteral("fate"), key(fate(value)));
+        object.insert(QStringLiteral("fate"), fate);
         json.append(object);
-    }
-    for (const ParameterValue &value : outcome().setAlong) {
-        QJsonObject object = valueJson(*encoder().device().find(value.parameter), value.value);
-        object.insert(QStringLiteral("fate"), QStringLiteral("setAlong"));
-        json.append(object);
-    }
+    };
+    for (const ParameterValue &value : wanted())
+        add(value, keyOf(fates, fate(value)));
+    for (const ParameterValue &value : outcome().setAlong)
+        add(value, QStringLiteral("setAlong"));
     return {{QStringLiteral("values"), json}, {QStringLiteral("placeNow"), encoder().place().toString()}};
 }
 

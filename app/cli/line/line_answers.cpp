@@ -126,7 +126,7 @@ QString LineAccess::whereItIsNow(const EncoderSession &encoder, const ParameterV
                          {address.shown(), address.onWire()}) +
                 u'\n';
     const auto baudRate = encoder.known(Parameter::baudRate);
-    if (baudRate && baudRate->value != m_link.wish.line.baudRate)
+    if (baudRate && baudRate->value != m_link.settings.serial.baudRate)
         text += sentence(CommandLine::tr("The encoder has %1 Bd now: give the link as ...,baud=%1."),
                          {QString::number(baudRate->value)}) +
                 u'\n';
@@ -157,8 +157,6 @@ void LineAccess::addFigures(const Call &call, const EncoderSession &encoder, Ans
     if (m_session->latest().lowLatency == LowLatency::refused)
         call.terminal.complain(
             messageText({.id = MessageId::lowLatencyRefused, .arguments = {m_session->linkName()}}));
-    if (!isConnected())
-        answer.complaint = portLost();
 }
 
 Checked<Answer> LineAccess::scan(const Call &call)
@@ -175,10 +173,10 @@ void LineAccess::keepFound(const Call &call, Project &project) const
     LinePlan plan;
     if (const LinePlan *before = linePlan(project, bus().id()))
         plan = *before;
-    plan.wish = m_link.wish;
+    plan.settings = m_link.settings;
     plan.adapter = m_port != nullptr ? lineAdapter(m_port->adapter()) : LineAdapter();
     if (m_port != nullptr)
-        plan.wish.port = m_port->name();
+        plan.settings.port = m_port->name();
     setLinePlan(project, bus().id(), plan);
     std::vector<ProjectDevice> devices;
     for (const FoundEncoder &found : m_found) {

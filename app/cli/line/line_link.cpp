@@ -31,19 +31,22 @@ struct NumberSetting
 constexpr auto fractionBitsKey = "fraction-bits";
 
 constexpr std::array numberSettings{
-    NumberSetting{"baud", line_limits::baudRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
+    NumberSetting{"baud", line_limits::baudRate,
+                  [](LineLink &link, int v) { link.settings.serial.baudRate = v; }},
     NumberSetting{"time-out", line_limits::timeOut,
-                  [](LineLink &link, int v) { link.wish.timing.answerTimeOut = milliseconds(v); }},
+                  [](LineLink &link, int v) { link.settings.timing.answerTimeOut = milliseconds(v); }},
     NumberSetting{"retries", line_limits::retries,
-                  [](LineLink &link, int v) { link.wish.timing.retries = v; }},
+                  [](LineLink &link, int v) { link.settings.timing.retries = v; }},
     NumberSetting{"quiet", line_limits::quietAfterWrite,
-                  [](LineLink &link, int v) { link.wish.timing.quietAfterWrite = milliseconds(v); }},
+                  [](LineLink &link, int v) { link.settings.timing.quietAfterWrite = milliseconds(v); }},
     NumberSetting{"poll", line_limits::pollInterval,
-                  [](LineLink &link, int v) { link.wish.pollInterval = milliseconds(v); }},
-    NumberSetting{"top-speed", line_limits::topSpeed, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
+                  [](LineLink &link, int v) { link.settings.pollInterval = milliseconds(v); }},
+    NumberSetting{"top-speed", line_limits::topSpeed,
+                  [](LineLink &link, int v) { link.settings.topSpeed = v; }},
     NumberSetting{fractionBitsKey, line_limits::fractionBits,
-                  [](LineLink &link, int v) { link.wish.fractionBits = v; }},
-    NumberSetting{"low-latency", {0, 1}, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
+                  [](LineLink &link, int v) { link.settings.fractionBits = v; }},
+    NumberSetting{
+        "low-latency", {0, 1}, [](LineLink &link, int v) { link.settings.serial.lowLatency = v == 1; }},
     NumberSetting{"swap-warnings",
                   {0, 1},
                   [](LineLink &link, int v) {
@@ -79,9 +82,9 @@ Checked<void> takeFormat(LineLink &link, const QString &text)
                         CommandLine::tr("\"%1\" is no format of a serial line. Give data bits (7, 8), parity "
                                         "(N, E, O) and stop bits (1, 2), as 8N2."),
                         {text});
-    link.wish.line.dataBits = text[0].digitValue();
-    link.wish.line.parity = parities.at(static_cast<std::size_t>(letters.indexOf(text[1].toUpper())));
-    link.wish.line.stopBits = text[2].digitValue();
+    link.settings.serial.dataBits = text[0].digitValue();
+    link.settings.serial.parity = parities.at(static_cast<std::size_t>(letters.indexOf(text[1].toUpper())));
+    link.settings.serial.stopBits = text[2].digitValue();
     return {};
 }
 
@@ -137,7 +140,7 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
     if (port == projectPort)
         return lineOf(project, line);
     link.swapping = swappingOf(project, line);
-    link.wish.port = port;
+    link.settings.port = port;
     return link;
 }
 
@@ -145,13 +148,15 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
 
 EscSettings LineLink::driver() const
 {
-    return {
-        .positionInterval = wish.pollInterval, .topSpeed = wish.topSpeed, .fractionBits = wish.fractionBits};
+    return {.positionInterval = settings.pollInterval,
+            .topSpeed = settings.topSpeed,
+            .fractionBits = settings.fractionBits};
 }
 
 esc::ExplainOptions LineLink::explainOptions() const
 {
-    return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits, .swapping = swapping};
+    return {
+        .swapWarningBytes = swapWarningBytes, .fractionBits = settings.fractionBits, .swapping = swapping};
 }
 
 Checked<LineLink> lineOf(const Project *project, BusId line)
@@ -162,7 +167,7 @@ Checked<LineLink> lineOf(const Project *project, BusId line)
             QStringLiteral("noLineInProject"),
             CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
                             "with --project FILE, or the port, as --link esc:ttyUSB0."));
-    if (planned->wish.port.isEmpty())
+    if (planned->settings.port.isEmpty())
         return tl::unexpected(Complaint{
             ExitCode::refused,
             QStringLiteral("noPortInProject"),
@@ -171,7 +176,7 @@ Checked<LineLink> lineOf(const Project *project, BusId line)
                      {findBus(*project, line)->name}),
             {findBus(*project, line)->name}});
     LineLink link;
-    link.wish = planned->wish;
+    link.settings = planned->settings;
     link.adapter = planned->adapter;
     link.swapping = swappingOf(project, line);
     return link;

@@ -13,14 +13,14 @@ namespace codewheel {
 // The serial line that --link names.
 struct LineLink
 {
-    LineSettings wish{};               // its port: a name or a path; empty: the simulated line
+    LineSettings settings{};           // its port: a name or a path; empty: the simulated line
     bool swapWarningBytes = false;     // of all its encoders
     std::set<LineAddress> swapping{};  // of these, as the project says
     bool asksForFractionBits = false;  // of the scaling factor, from the encoder
     LineAdapter adapter{};             // that the port belongs to; nothing: whichever is there
     std::optional<Complaint> whyNot{}; // it cannot be opened
 
-    bool isSimulated() const { return wish.port.isEmpty(); }
+    bool isSimulated() const { return settings.port.isEmpty(); }
     EscSettings driver() const;
     esc::ExplainOptions explainOptions() const;
 };

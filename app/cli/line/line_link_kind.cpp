@@ -32,7 +32,7 @@ std::optional<BusId> lineAtPort(const Project *project, const QString &port)
 {
     const std::vector<BusId> lines = project != nullptr ? linesOf(*project) : std::vector<BusId>();
     for (const BusId line : lines)
-        if (portPath(linePlan(*project, line)->wish.port) == portPath(port))
+        if (portPath(linePlan(*project, line)->settings.port) == portPath(port))
             return line;
     const bool isPort = port != QStringLiteral("training");
     return lines.size() > 1 && isPort
@@ -42,32 +42,37 @@ std::optional<BusId> lineAtPort(const Project *project, const QString &port)
 
 MakeLink lineTo(const LineLink &link, BusId id)
 {
-    return [link, id](const Catalog &catalog, const Arguments &) {
+    return [link, id](const Catalog &catalog) {
         return Checked<std::unique_ptr<BusAccess>>(LineAccess::to(link, catalog, id));
     };
 }
 
-} // namespace
-
-QString LineLinkKind::bus() const
+// Serial lines with the ESC protocol at the command line: a port, or the training line.
+class LineLinkKind final : public LinkKind
 {
-    return QString::fromLatin1(escKind);
-}
-
-QStringList LineLinkKind::schemes() const
-{
-    return {QStringLiteral("esc")};
-}
-
-QString LineLinkKind::help() const
-{
-    return CommandLine::tr("esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600");
-}
-
-bool LineLinkKind::isPlace(const QString &typed) const
-{
-    return addressTyped(typed).has_value();
-}
+public:
+    QString bus() const override { return QString::fromLatin1(escKind); }
+    QStringList schemes() const override { return {QStringLiteral("esc")}; }
+    QString help() const override
+    {
+        return CommandLine::tr("esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600");
+    }
+    bool isPlace(const QString &typed) const override { return addressTyped(typed).has_value(); }
+    Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
+    MakeLink planned(const Project &project, BusId bus) const override
+    {
+        const auto link = lineOf(&project, bus);
+        return lineTo(link ? *link : LineLink{.whyNot = link.error()}, bus); // the other buses can be used
+    }
+    MakeLink training(const Project *project) const override { return lineTo({}, numberOf(*this, project)); }
+    std::span<const Subcommand *const> commands() const override { return lineCommands; }
+    std::span<const Option> scanOptions() const override { return scanLineOptions; }
+    std::optional<Checked<Answer>> explain(const Call &call, const DeviceDescription &device) const override
+    {
+        return device.profile == Profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;
+    }
+    Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device) const override;
+};
 
 Checked<std::vector<MakeLink>> LineLinkKind::links(const LinkText &text, const Project *project) const
 {
@@ -86,32 +91,6 @@ Checked<std::vector<MakeLink>> LineLinkKind::links(const LinkText &text, const P
     return links;
 }
 
-MakeLink LineLinkKind::planned(const Project &project, BusId bus) const
-{
-    const auto link = lineOf(&project, bus);
-    return lineTo(link ? *link : LineLink{.whyNot = link.error()}, bus); // the other buses can be used
-}
-
-MakeLink LineLinkKind::training(const Project *project) const
-{
-    return lineTo({}, numberOf(*this, project));
-}
-
-std::span<const Subcommand *const> LineLinkKind::commands() const
-{
-    return lineCommands;
-}
-
-std::span<const Option> LineLinkKind::scanOptions() const
-{
-    return scanLineOptions;
-}
-
-std::optional<Checked<Answer>> LineLinkKind::explain(const Call &call, const DeviceDescription &device) const
-{
-    return device.profile == Profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;
-}
-
 // With the limits of a scaling factor in the format of the line.
 Checked<DeviceDescription> LineLinkKind::asOnLink(const Call &call, DeviceDescription device) const
 {
@@ -119,8 +98,15 @@ Checked<DeviceDescription> LineLinkKind::asOnLink(const Call &call, DeviceDescri
     if (!line)
         return tl::unexpected(line.error());
     for (ParameterDescription &parameter : device.parameters)
-        parameter = atFractionBits(parameter, line->wish.fractionBits);
+        parameter = withOptions(parameter, ValueOptions{.fractionBits = line->settings.fractionBits});
     return device;
+}
+
+} // namespace
+
+std::unique_ptr<const LinkKind> lineLinkKind()
+{
+    return std::make_unique<LineLinkKind>();
 }
 
 } // namespace codewheel

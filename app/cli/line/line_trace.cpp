@@ -2,66 +2,28 @@
 #include "cli/line/line_trace.h"
 
 #include "cli/json.h"
+#include "cli/keys.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "esc/esc_bits.h"
 #include "esc_line/line_session.h"
-#include "esc_line/typed_request.h"
 
 namespace codewheel {
 namespace {
 
 using Kind = esc::LineRow::Kind;
 
-QString kindKey(Kind kind)
-{
-    switch (kind) {
-    case Kind::sent:
-        return QStringLiteral("sent");
-    case Kind::answer:
-        return QStringLiteral("answer");
-    case Kind::echo:
-        return QStringLiteral("echo");
-    case Kind::garbage:
-        return QStringLiteral("garbage");
-    case Kind::late:
-        break;
-    }
-    return QStringLiteral("late");
-}
-
-QString answerKey(esc::Answer::Kind kind)
-{
-    using enum esc::Answer::Kind;
-    switch (kind) {
-    case value:
-        return QStringLiteral("value");
-    case text:
-        return QStringLiteral("text");
-    case accepted:
-        return QStringLiteral("accepted");
-    case unknownCommand:
-        return QStringLiteral("unknownCommand");
-    case outOfRange:
-        break;
-    }
-    return QStringLiteral("outOfRange");
-}
+constexpr NamedValue<Kind> rowKindKeys[] = {
+    {"sent", Kind::sent},       {"answer", Kind::answer}, {"echo", Kind::echo},
+    {"garbage", Kind::garbage}, {"late", Kind::late},
+};
+constexpr NamedValue<esc::Answer::Kind> answerKindKeys[] = {
+    {"value", esc::Answer::Kind::value},           {"text", esc::Answer::Kind::text},
+    {"accepted", esc::Answer::Kind::accepted},     {"unknownCommand", esc::Answer::Kind::unknownCommand},
+    {"outOfRange", esc::Answer::Kind::outOfRange},
+};
 
 } // namespace
-
-bool PassedRow::isPoll() const
-{
-    const bool isWrong = row.kind == Kind::garbage || row.kind == Kind::late;
-    return !isWrong && request && request->command == esc::Command::position;
-}
-
-PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest)
-{
-    if (row.kind == Kind::sent)
-        lastRequest = sentRequest(row.bytes);
-    return {row, lastRequest};
-}
 
 LineTrace::LineTrace(LineSession &line)
 {
@@ -79,8 +41,7 @@ QString lineTraceText(const std::vector<PassedRow> &rows, const esc::ExplainOpti
                CommandLine::tr("meaning")});
     for (const PassedRow &passed : rows)
         table.add({rowTime(passed.row.at), rowKindWord(passed.row.kind),
-                   controlText(passed.row.bytes, ControlCharacters::numbers),
-                   rowMeaning(passed.row, passed.request, options)});
+                   controlText(passed.row.bytes, ControlCharacters::numbers), rowMeaning(passed, options)});
     return table.toString();
 }
 
@@ -106,7 +67,7 @@ QJsonObject requestJson(const esc::Request &request)
 QJsonObject answerJson(const esc::Request &request, const esc::Answer &answer,
                        const esc::ExplainOptions &options)
 {
-    QJsonObject json{{QStringLiteral("answer"), answerKey(answer.kind)}};
+    QJsonObject json{{QStringLiteral("answer"), keyOf(answerKindKeys, answer.kind)}};
     if (answer.kind == esc::Answer::Kind::text)
         json.insert(QStringLiteral("version"), QString::fromLatin1(answer.text));
     if (answer.kind != esc::Answer::Kind::value)
@@ -123,7 +84,7 @@ QJsonObject answerJson(const esc::Request &request, const esc::Answer &answer,
 QJsonObject rowJson(const PassedRow &passed, const esc::ExplainOptions &options)
 {
     QJsonObject json{{QStringLiteral("microseconds"), static_cast<qint64>(passed.row.at.count())},
-                     {QStringLiteral("direction"), kindKey(passed.row.kind)},
+                     {QStringLiteral("direction"), keyOf(rowKindKeys, passed.row.kind)},
                      {QStringLiteral("bytes"), byteText(passed.row.bytes)},
                      {QStringLiteral("text"), controlText(passed.row.bytes, ControlCharacters::numbers)}};
     if (!passed.request)

@@ -13,16 +13,6 @@ namespace codewheel {
 
 class LineSession;
 
-// What passed on a line, with the request it belongs to.
-struct PassedRow
-{
-    esc::LineRow row;
-    std::optional<esc::Request> request; // that was sent, or that was sent before what came in
-
-    // Of a position request, and nothing is wrong with it: the polling.
-    bool isPoll() const;
-};
-
 // Collects what passes on a line as long as it lives, but the polling of positions.
 class LineTrace : public QObject
 {
@@ -35,9 +25,6 @@ private:
     std::optional<esc::Request> m_request;
     std::vector<PassedRow> m_rows;
 };
-
-// The request of each row, as rows come one after the other.
-PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest);
 
 // A row each: time, direction, bytes as text, what it means.
 QString lineTraceText(const std::vector<PassedRow> &rows, const esc::ExplainOptions &options);

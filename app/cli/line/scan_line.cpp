@@ -32,8 +32,8 @@ Checked<LineAddress> addressOf(const Arguments &arguments, const char *option, s
 Checked<ScanWish> wishOf(const Call &call, const LineAccess &line)
 {
     ScanWish wish;
-    wish.baudRates =
-        call.arguments.has("--all-rates") ? ratesOfEncoders : std::vector{line.link().wish.line.baudRate};
+    wish.baudRates = call.arguments.has("--all-rates") ? ratesOfEncoders
+                                                       : std::vector{line.link().settings.serial.baudRate};
     wish.throughMaster = call.arguments.has("--master");
     const auto first = addressOf(call.arguments, "--first", 1);
     if (!first)
@@ -108,7 +108,7 @@ QJsonObject foundJson(const FoundEncoder &one)
              one.serialNumber ? QJsonValue(hexWord(*one.serialNumber)) : QJsonValue()},
             {QStringLiteral("deviceCode"),
              one.deviceCode ? QJsonValue(static_cast<int>(*one.deviceCode)) : QJsonValue()},
-            {QStringLiteral("version"), one.version.isEmpty() ? QJsonValue() : QJsonValue(one.version)}};
+            {QStringLiteral("version"), textJson(one.version)}};
 }
 
 Answer scanAnswer(const ScanEnded &ended)
@@ -137,9 +137,9 @@ Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line,
     if (const auto opened = line.open(); !opened)
         return tl::unexpected(opened.error());
     const auto ended = search(
-        call, line, {.baudRates = {line.link().wish.line.baudRate}, .first = address, .last = address});
+        call, line, {.baudRates = {line.link().settings.serial.baudRate}, .first = address, .last = address});
     if (!ended)
-        return tl::unexpected(line.portLost());
+        return tl::unexpected(line.linkLost());
     return ended->found.empty() ? std::nullopt : std::optional(ended->found.front());
 }
 
@@ -152,7 +152,7 @@ Checked<ScannedLine> scanLine(const Call &call, LineAccess &line)
         return tl::unexpected(opened.error());
     const auto ended = search(call, line, *wish);
     if (!ended)
-        return tl::unexpected(line.portLost());
+        return tl::unexpected(line.linkLost());
     Answer answer = scanAnswer(*ended);
     if (const QString stray = line.strayBytesText(); ended->found.empty() && !stray.isEmpty())
         answer.text += stray + u'\n';

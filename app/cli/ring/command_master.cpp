@@ -195,6 +195,7 @@ Checked<Answer> runMaster(const Call &call)
     Answer answer{messageLines(told->messages) + u'\n' + masterLines(ring),
                   {{QStringLiteral("master"), masterJson(ring)},
                    {QStringLiteral("messages"), messagesJson(told->messages)}}};
+    addBus(answer.json, **access);
     if (told->refusal)
         answer.complaint = complaintAbout(*told->refusal);
     return answer;

@@ -2,6 +2,7 @@
 #include "cli/ring/master_text.h"
 
 #include "catalog/hex_code.h"
+#include "cli/keys.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "ring/master_text.h"
@@ -22,29 +23,24 @@ QString bitNames(std::uint16_t bits)
     return names.join(QStringLiteral(", "));
 }
 
-QString stateKeyOf(MasterState state)
-{
-    switch (state) {
-    case MasterState::ready:
-        break;
-    case MasterState::active:
-        return QStringLiteral("active");
-    case MasterState::run:
-        return QStringLiteral("run");
-    case MasterState::busFail:
-        return QStringLiteral("busFail");
-    }
-    return QStringLiteral("ready");
-}
+constexpr NamedValue<MasterState> masterStateKeys[] = {
+    {"ready", MasterState::ready},
+    {"active", MasterState::active},
+    {"run", MasterState::run},
+    {"busFail", MasterState::busFail},
+};
+constexpr NamedValue<FaultSpot> spotKeys[] = {
+    {"device", FaultSpot::device},
+    {"outgoingRemoteBus", FaultSpot::outgoingRemoteBus},
+    {"outgoingLocalBus", FaultSpot::outgoingLocalBus},
+};
 
 QJsonValue placeJson(const std::optional<FaultPlace> &place)
 {
     if (!place)
         return {};
-    const QString spot = place->spot == FaultSpot::outgoingRemoteBus  ? QStringLiteral("outgoingRemoteBus")
-                         : place->spot == FaultSpot::outgoingLocalBus ? QStringLiteral("outgoingLocalBus")
-                                                                      : QStringLiteral("device");
-    return QJsonObject{{QStringLiteral("place"), place->number.toString()}, {QStringLiteral("spot"), spot}};
+    return QJsonObject{{QStringLiteral("place"), place->number.toString()},
+                       {QStringLiteral("spot"), keyOf(spotKeys, place->spot)}};
 }
 
 QString hex(std::uint16_t word)
@@ -105,7 +101,7 @@ QJsonValue masterJson(const RingSession &bus)
         segments.append(QJsonObject{{QStringLiteral("segment"), segment.segment},
                                     {QStringLiteral("on"), !segment.switchedOff},
                                     {QStringLiteral("crcErrors"), static_cast<qint64>(segment.crcErrors)}});
-    return QJsonObject{{QStringLiteral("state"), stateKeyOf(master->state)},
+    return QJsonObject{{QStringLiteral("state"), keyOf(masterStateKeys, master->state)},
                        {QStringLiteral("status"), hex(master->statusBits)},
                        {QStringLiteral("errorCode"), hex(master->errorCode)},
                        {QStringLiteral("parameter"), hex(master->parameter)},

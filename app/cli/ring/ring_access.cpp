@@ -14,6 +14,7 @@
 #include "encoder/sentence.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan.h"
+#include "simulator/fault_plan_file.h"
 #include "transfer/project_places.h"
 
 #include <QJsonArray>
@@ -92,12 +93,20 @@ RingAccess::RingAccess(RingSession &ring)
     , m_ring(ring)
 {}
 
-RingAccess::RingAccess(std::unique_ptr<RingSession> ring, std::shared_ptr<void> world)
-    : BusAccess(*ring, QString::fromLatin1(interbusKind))
-    , m_owned(std::move(ring))
-    , m_world(std::move(world))
-    , m_ring(*m_owned)
+RingAccess::RingAccess(TrainingSession training)
+    : BusAccess(*training.bus, QString::fromLatin1(interbusKind))
+    , m_training(std::move(training))
+    , m_ring(*m_training.bus)
 {}
+
+Checked<void> RingAccess::followFaultPlan(const QString &file)
+{
+    auto plan = loadFaultPlan(file, m_training.controls->places());
+    if (!plan)
+        return tl::unexpected(complaintAbout(plan.error()));
+    m_training.controls->startFaultPlan(*std::move(plan));
+    return {};
+}
 
 std::optional<NodeId> RingAccess::placeTyped(const QString &text) const
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/bus_access.h"
-#include "ring/ring_session.h"
+#include "training_session.h"
 
 namespace codewheel {
 
@@ -12,12 +12,12 @@ class RingAccess final : public BusAccess
 {
 public:
     explicit RingAccess(RingSession &ring); // open; it outlives this
-    // `world`: what the session needs as long as it lives.
-    RingAccess(std::unique_ptr<RingSession> ring, std::shared_ptr<void> world);
+    explicit RingAccess(TrainingSession training);
 
     RingSession &ring() const { return m_ring; }
 
-    bool followsFaultPlan() const override { return m_world != nullptr; }
+    bool followsFaultPlan() const override { return m_training.controls != nullptr; }
+    Checked<void> followFaultPlan(const QString &file) override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
     // A device may stand elsewhere where the ring differs from the project at all.
     Checked<void> checkStation(const Project &project, const QString &station) const override;
@@ -32,8 +32,7 @@ public:
     void keepFound(const Call &call, Project &project) const override;
 
 private:
-    std::unique_ptr<RingSession> m_owned;
-    std::shared_ptr<void> m_world;
+    TrainingSession m_training; // none: of another owner
     RingSession &m_ring;
 };
 

@@ -5,8 +5,6 @@
 #include "cli/texts.h"
 #include "encoder/device_number.h"
 #include "project/ring_plan.h"
-#include "simulator/fault_plan_file.h"
-#include "training_session.h"
 
 #include <array>
 
@@ -15,54 +13,41 @@ namespace {
 
 constexpr std::array ringCommands{&masterCommand};
 
-Checked<std::unique_ptr<BusAccess>> makeTraining(const Catalog &catalog, const Arguments &arguments, BusId id)
-{
-    TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime(), id);
-    if (const auto path = arguments.value("--fault-plan")) {
-        auto plan = loadFaultPlan(*path, training.controls->places());
-        if (!plan)
-            return tl::unexpected(complaintAbout(plan.error()));
-        training.controls->startFaultPlan(*std::move(plan));
-    }
-    return std::make_unique<RingAccess>(std::move(training.bus), std::move(training.controls));
-}
-
 MakeLink trainingRing(BusId id)
 {
-    return [id](const Catalog &catalog, const Arguments &arguments) {
-        return makeTraining(catalog, arguments, id);
+    return [id](const Catalog &catalog) -> Checked<std::unique_ptr<BusAccess>> {
+        return std::make_unique<RingAccess>(openTrainingSession(catalog, QDateTime::currentDateTime(), id));
     };
 }
 
-} // namespace
-
-QString RingLinkKind::bus() const
+// INTERBUS at the command line: the training ring.
+class RingLinkKind final : public LinkKind
 {
-    return QString::fromLatin1(interbusKind);
-}
-
-QStringList RingLinkKind::schemes() const
-{
-    return {bus()};
-}
-
-QString RingLinkKind::help() const
-{
-    return CommandLine::tr("interbus:training, the simulated ring alone");
-}
-
-bool RingLinkKind::isPlace(const QString &typed) const
-{
-    return DeviceNumber::parse(typed).has_value();
-}
+public:
+    QString bus() const override { return QString::fromLatin1(interbusKind); }
+    QStringList schemes() const override { return {bus()}; }
+    QString help() const override { return CommandLine::tr("interbus:training, the simulated ring alone"); }
+    bool isPlace(const QString &typed) const override { return DeviceNumber::parse(typed).has_value(); }
+    Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
+    MakeLink planned(const Project &project, BusId bus) const override;
+    MakeLink training(const Project *project) const override
+    {
+        return trainingRing(numberOf(*this, project));
+    }
+    std::span<const Subcommand *const> commands() const override { return ringCommands; }
+};
 
 Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *project) const
 {
-    if (text.where == QStringLiteral("training") && text.settings.isEmpty())
-        return std::vector{training(project)};
-    return badInput(QStringLiteral("unknownLink"),
-                    CommandLine::tr("There is no link \"%1\". The links are: %2."),
-                    {(QStringList{text.scheme + u':' + text.where} + text.settings).join(u','), help()});
+    const QString link = text.scheme + u':' + text.where;
+    if (text.where != QStringLiteral("training"))
+        return badInput(QStringLiteral("unknownLink"),
+                        CommandLine::tr("There is no link \"%1\". The links are: %2."), {link, help()});
+    if (!text.settings.isEmpty())
+        return badInput(QStringLiteral("linkWithoutSettings"),
+                        CommandLine::tr("The link %1 has no settings. Leave \"%2\" out."),
+                        {link, text.settings.join(u',')});
+    return std::vector{training(project)};
 }
 
 MakeLink RingLinkKind::planned(const Project &project, BusId bus) const
@@ -70,7 +55,7 @@ MakeLink RingLinkKind::planned(const Project &project, BusId bus) const
     const ProjectLink &link = ringPlan(project, bus).link;
     if (link.kind == ProjectLink().kind)
         return trainingRing(bus);
-    return [name = findBus(project, bus)->name, link](const Catalog &, const Arguments &) {
+    return [name = findBus(project, bus)->name, link](const Catalog &) {
         return Checked<std::unique_ptr<BusAccess>>(
             badInput(QStringLiteral("noSuchLink"),
                      CommandLine::tr("The project links \"%1\" by \"%2\": this program has no such link."),
@@ -78,14 +63,11 @@ MakeLink RingLinkKind::planned(const Project &project, BusId bus) const
     };
 }
 
-MakeLink RingLinkKind::training(const Project *project) const
-{
-    return trainingRing(numberOf(*this, project));
-}
+} // namespace
 
-std::span<const Subcommand *const> RingLinkKind::commands() const
+std::unique_ptr<const LinkKind> ringLinkKind()
 {
-    return ringCommands;
+    return std::make_unique<RingLinkKind>();
 }
 
 } // namespace codewheel

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/widgets/cams/cam_test.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_shift_spin.h"
@@ -97,7 +97,7 @@ protected:
         return texts;
     }
 
-    TrainingRingSession ring;
+    TrainingBusSession ring;
     ProjectDocument project;
     CamEditor editor{ring.catalog, project};
 };

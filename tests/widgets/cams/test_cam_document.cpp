@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/cams/cam_test.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/cams/cam_document.h"
 
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/buses.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_html.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/look/inline_message.h"
@@ -50,7 +50,7 @@ protected:
         makes()->setCurrentIndex(row);
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     Buses buses;
     DevicePanel panel{buses, ring.catalog};
 };

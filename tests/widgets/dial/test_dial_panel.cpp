@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/shaft_motion.h"
@@ -47,7 +47,7 @@ protected:
         encoder.tell(Parameter::measuringRange, 4096);
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     DialPanel panel;
 };
 

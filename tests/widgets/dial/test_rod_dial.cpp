@@ -46,7 +46,7 @@ protected:
         encoder().tell(Parameter::rodLength, 500'000);
     }
 
-    test::TrainingRingSession ring{RingSession::Start::operating, test::makeRodBus};
+    test::TrainingBusSession ring{RingSession::Start::operating, test::makeRodBus};
     DialPanel panel;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A FRABA of the training bus whose ledger says that it was written to often: every place that starts a job.
 #include "tests/app/question.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/cancel_question.h"
@@ -50,7 +50,7 @@ protected:
         return *found;
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
 };
 
 TEST_F(EepromGateTest, SaysByWhatItIsCountedAndAsksNothing)
@@ -95,6 +95,19 @@ TEST_F(EepromGateTest, HasToBeTickedBeyondTheBudget)
     EXPECT_FALSE(gate.isOpen()); // another one
 }
 
+TEST_F(EepromGateTest, WhatWasAgreedToIsNotHeldForAnotherEncoderAtTheSamePlace)
+{
+    EepromGate gate;
+    count(200);
+    gate.setWrites(ring.encoder(fraba), 1);
+    find<QCheckBox>(gate, "writeNevertheless").click();
+    ASSERT_TRUE(gate.isOpen());
+    test::TrainingBusSession other;
+    other.encoder(fraba).setEepromCount({.writes = 200, .by = CountedBy::place});
+    gate.setWrites(other.encoder(fraba), 1);
+    EXPECT_FALSE(gate.isOpen());
+}
+
 TEST_F(EepromGateTest, WantsThePlaceBeyondTheLimit)
 {
     EepromGate gate;
@@ -107,6 +120,22 @@ TEST_F(EepromGateTest, WantsThePlaceBeyondTheLimit)
     QTest::keyClicks(&place, QStringLiteral("0"));
     EXPECT_TRUE(gate.isOpen());
     EXPECT_EQ(changes.size(), 3);
+}
+
+TEST_F(EepromGateTest, TakesAPlaceOnABusWithBlanksInItsNameAmongOthers)
+{
+    setBusNames({{fraba.bus, QStringLiteral("Crane, south")}});
+    EepromGate gate;
+    count(500);
+    gate.setWrites({{&ring.encoder(fraba), 1}, {&ring.encoder(baumer), 1}});
+    auto &places = find<QLineEdit>(gate, "typedPlace");
+    places.setText(QStringLiteral("1.0"));
+    EXPECT_FALSE(gate.isOpen());
+    places.setText(QStringLiteral("Crane, south/3.0; Crane, south/1.0"));
+    EXPECT_TRUE(gate.isOpen());
+    EXPECT_TRUE(find<QLabel>(gate, "eepromConcern").text().startsWith(QStringLiteral("Crane, south/1.0: ")));
+    EXPECT_FALSE(find<QLabel>(gate, "eepromCount").isVisibleTo(&gate));
+    setBusNames({});
 }
 
 TEST_F(EepromGateTest, AsksNothingWhereTheManualIsSilent)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes, FRABA preset and reset as they are asked for in the parameter panel's menu, with the mouse.
 #include "tests/app/question.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -75,7 +75,7 @@ protected:
         return m_panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))->sentence();
     }
 
-    test::TrainingRingSession m_ring;
+    test::TrainingBusSession m_ring;
     ProjectDocument m_project;
     WantedValues m_wanted{m_project};
     ParameterPanel m_panel{m_wanted};
@@ -158,7 +158,7 @@ TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
     {
         const Question question = Question::answeredBy(QStringLiteral("Set position"));
         click("frabaPreset");
-        EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM writes: 1")))
+        EXPECT_TRUE(question.text().contains(QStringLiteral("by this at most 1")))
             << question.text().toStdString();
         EXPECT_TRUE(question.text().contains(QStringLiteral("not known: read it")));
     }
@@ -178,7 +178,7 @@ TEST_F(EncoderFunctionsTest, AResetTellsWhatIsLostAndReadsBack)
         const Question question = Question::answeredBy(QStringLiteral("Reset"));
         click("resetToDefault");
         for (const char *part : {"Steps, Revolutions, Direction, Preset, Zero offset", "All cam programs",
-                                 "EEPROM writes: 1; by this program so far: 1.", "about 200"})
+                                 "EEPROM writes by this program so far: 1; by this at most 1.", "about 200"})
             EXPECT_TRUE(question.text().contains(QLatin1String(part)))
                 << part << question.text().toStdString();
     }

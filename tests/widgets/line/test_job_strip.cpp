@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/line/line_bench.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/job/job_strip.h"
 
 #include <QLabel>
@@ -38,7 +38,7 @@ TEST(JobStrip, TellsTheRequestsOfASerialEncoderAsWhatTheyAre)
 
 TEST(JobStrip, TellsWordsAsTheWizardDoes)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     EncoderSession &encoder = ring.encoder(test::fraba);
     EXPECT_EQ(told(encoder, {.kind = StepKind::parameter, .out = 0x0200'00FF, .parameter = Parameter::steps}),
               QStringLiteral("Step 1 of 1: Parameter 1 steps = 255"));

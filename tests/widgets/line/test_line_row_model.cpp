@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "esc_line/line_record.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/line/line_bench.h"
-#include "widgets/line/line_row_filter.h"
-#include "widgets/line/line_row_model.h"
+#include "widgets/line/line_row_table.h"
 
 namespace codewheel {
 namespace {
@@ -11,20 +11,30 @@ using namespace std::chrono_literals;
 using Kind = esc::LineRow::Kind;
 using test::wire;
 
+constexpr int mostRows = static_cast<int>(LineRecord::mostRows);
+
 class LineRowModelTest : public testing::Test
 {
 protected:
-    LineRowModelTest() { model.setBegin(QDateTime(QDate(2026, 11, 21), QTime(12, 0))); }
-    void add(Kind kind, const QByteArray &bytes) { model.add({at += 5ms, kind, bytes}); }
+    void add(Kind kind, const QByteArray &bytes)
+    {
+        TrafficRow row = traffic.row({at += 5ms, kind, bytes});
+        row.time = WallTime(QDateTime(QDate(2026, 11, 21), QTime(12, 0))).dateTime(at);
+        model.add(std::move(row));
+    }
     void poll()
     {
         add(Kind::sent, wire("05P"));
         add(Kind::answer, "\r\n00001235\r\n");
     }
-    QString cell(int row, int column) const { return filter.index(row, column).data().toString(); }
+    QString cell(int row, TrafficColumn column) const
+    {
+        return filter.index(row, model.columnOf(column)).data().toString();
+    }
 
     Instant at{};
-    LineRowModel model;
+    LineTraffic traffic;
+    TrafficModel model{lineTrafficColumns, mostRows};
     LineRowFilter filter{model};
     const test::ModelTester modelTester{model};
     const test::ModelTester filterTester{filter};
@@ -36,14 +46,14 @@ TEST_F(LineRowModelTest, ARowSaysTimeDirectionTextBytesAndMeaning)
     add(Kind::answer, "\r\n4000\r\n");
     EXPECT_EQ(model.rowCount(), 0); // until they are shown together
     model.showWaiting();
-    EXPECT_EQ(cell(0, LineRowModel::time), QStringLiteral("12:00:00.005"));
-    EXPECT_EQ(cell(0, LineRowModel::kind), QStringLiteral("sent"));
-    EXPECT_EQ(cell(0, LineRowModel::text), controlText(wire("05A"), shownControls()));
-    EXPECT_EQ(cell(0, LineRowModel::bytes), QStringLiteral("1B 30 35 41 0D 0A"));
-    EXPECT_EQ(cell(0, LineRowModel::meaning), QStringLiteral("05: alarms?"));
-    EXPECT_EQ(cell(1, LineRowModel::kind), QStringLiteral("answer"));
-    EXPECT_TRUE(cell(1, LineRowModel::meaning).startsWith(QLatin1String("4000h: ")));
-    EXPECT_FALSE(filter.index(0, LineRowModel::kind).data(Qt::DecorationRole).isNull());
+    EXPECT_EQ(cell(0, TrafficColumn::time), QStringLiteral("12:00:00.005"));
+    EXPECT_EQ(cell(0, TrafficColumn::direction), QStringLiteral("sent"));
+    EXPECT_EQ(cell(0, TrafficColumn::text), controlText(wire("05A"), shownControls()));
+    EXPECT_EQ(cell(0, TrafficColumn::bytes), QStringLiteral("1B 30 35 41 0D 0A"));
+    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("05: alarms?"));
+    EXPECT_EQ(cell(1, TrafficColumn::direction), QStringLiteral("answer"));
+    EXPECT_TRUE(cell(1, TrafficColumn::meaning).startsWith(QLatin1String("4000h: ")));
+    EXPECT_FALSE(filter.index(0, model.columnOf(TrafficColumn::direction)).data(Qt::DecorationRole).isNull());
 }
 
 TEST_F(LineRowModelTest, WhatIsNoAnswerIsMarked)
@@ -54,10 +64,10 @@ TEST_F(LineRowModelTest, WhatIsNoAnswerIsMarked)
     add(Kind::garbage, "40");
     add(Kind::late, "\r\n4000\r\n");
     model.showWaiting();
-    EXPECT_EQ(cell(0, LineRowModel::meaning), QStringLiteral("nobody asked for it: dropped"));
-    EXPECT_EQ(cell(2, LineRowModel::kind), QStringLiteral("echo"));
-    EXPECT_TRUE(cell(3, LineRowModel::meaning).contains(QLatin1String("\"05: alarms?\": dropped")));
-    EXPECT_EQ(cell(4, LineRowModel::kind), QStringLiteral("late"));
+    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("nobody asked for it: dropped"));
+    EXPECT_EQ(cell(2, TrafficColumn::direction), QStringLiteral("echo"));
+    EXPECT_TRUE(cell(3, TrafficColumn::meaning).contains(QLatin1String("\"05: alarms?\": dropped")));
+    EXPECT_EQ(cell(4, TrafficColumn::direction), QStringLiteral("late"));
 }
 
 TEST_F(LineRowModelTest, PollsAreHiddenButNotWhatIsWrongWithThem)
@@ -69,8 +79,8 @@ TEST_F(LineRowModelTest, PollsAreHiddenButNotWhatIsWrongWithThem)
     model.showWaiting();
     EXPECT_EQ(model.rowCount(), 5);
     ASSERT_EQ(filter.rowCount(), 2);
-    EXPECT_EQ(cell(0, LineRowModel::meaning), QStringLiteral("05: alarms?"));
-    EXPECT_EQ(cell(1, LineRowModel::kind), QStringLiteral("garbage"));
+    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("05: alarms?"));
+    EXPECT_EQ(cell(1, TrafficColumn::direction), QStringLiteral("garbage"));
     filter.hidePolls(false);
     EXPECT_EQ(filter.rowCount(), 5);
 }
@@ -80,11 +90,11 @@ TEST_F(LineRowModelTest, AnExchangeThatWasTypedIsShownAlthoughItLooksLikeAPoll)
     poll();
     poll();
     model.showWaiting();
-    model.markTyped({{5}, esc::Command::position, 0}); // shown already
+    model.markTyped(wire("05P")); // shown already
     EXPECT_EQ(filter.rowCount(), 2);
-    EXPECT_EQ(cell(0, LineRowModel::kind), QStringLiteral("sent, typed"));
+    EXPECT_EQ(cell(0, TrafficColumn::direction), QStringLiteral("sent, typed"));
     poll();
-    model.markTyped({{5}, esc::Command::position, 0}); // not shown yet
+    model.markTyped(wire("05P")); // not shown yet
     model.showWaiting();
     EXPECT_EQ(filter.rowCount(), 4);
     EXPECT_EQ(model.rowCount(), 6);
@@ -97,37 +107,33 @@ TEST_F(LineRowModelTest, HeldItKeepsWhatComesForLater)
     model.showWaiting();
     EXPECT_EQ(model.rowCount(), 0);
     EXPECT_EQ(model.waiting(), 1);
-    EXPECT_EQ(model.recordRows().size(), 1U);
     model.setHeld(false);
     EXPECT_EQ(model.rowCount(), 1);
 }
 
-TEST(LineRowModel, TheOldestRowsGoAndAreCounted)
+TEST_F(LineRowModelTest, TheOldestRowsGoAndAreCounted)
 {
-    LineRowModel model;
-    for (int i = 0; i < LineRowModel::mostRows; ++i)
-        model.add({Instant{i}, Kind::sent, wire("05A")});
+    for (int i = 0; i < mostRows; ++i)
+        model.add(traffic.row({Instant{i}, Kind::sent, wire("05A")}));
     model.showWaiting();
-    EXPECT_EQ(model.rowCount(), LineRowModel::mostRows);
+    EXPECT_EQ(model.rowCount(), mostRows);
     EXPECT_EQ(model.dropped(), 0U);
-    model.add({Instant{LineRowModel::mostRows}, Kind::sent, wire("05P")});
+    model.add(traffic.row({Instant{mostRows}, Kind::sent, wire("05P")}));
     model.showWaiting();
-    EXPECT_LT(model.rowCount(), LineRowModel::mostRows);
-    EXPECT_EQ(static_cast<int>(model.dropped()) + model.rowCount(), LineRowModel::mostRows + 1);
-    EXPECT_EQ(model.rowAt(model.rowCount() - 1).row.what.at, Instant{LineRowModel::mostRows});
+    EXPECT_LT(model.rowCount(), mostRows);
+    EXPECT_EQ(static_cast<int>(model.dropped()) + model.rowCount(), mostRows + 1);
+    EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, Instant{mostRows});
 }
 
-TEST_F(LineRowModelTest, ARecordIsShownAsItWasKept)
+TEST_F(LineRowModelTest, OtherOptionsExplainTheRowsThereAreAnew)
 {
-    poll();
-    add(Kind::sent, wire("05A"));
-    model.markTyped({{5}, esc::Command::alarms, 0});
+    add(Kind::sent, wire("05E"));
+    add(Kind::answer, "\r\n0098\r\n");
     model.showWaiting();
-    const LineRecord record{.begin = model.begin(), .port = {}, .rows = model.recordRows()};
-    LineRowModel other;
-    other.setRecord(record);
-    EXPECT_EQ(other.recordRows(), record.rows);
-    EXPECT_EQ(other.index(2, LineRowModel::meaning).data(), QStringLiteral("05: alarms?"));
+    const QString before = cell(1, TrafficColumn::meaning);
+    traffic.setExplainOptions({.fractionBits = 8, .swapping = {LineAddress{5}}});
+    model.tellMeaningsChanged();
+    EXPECT_NE(cell(1, TrafficColumn::meaning), before);
 }
 
 } // namespace

@@ -164,9 +164,9 @@ TEST_F(LineSearchTest, AsksAsWished)
     EXPECT_EQ(wish.last, LineAddress{0x12});
     EXPECT_EQ(wish.baudRates, (std::vector{19'200, 9'600, 4'800}));
     LineSearch other;
-    other.setWish(wish);
+    other.setSettings(wish);
     EXPECT_EQ(other.wish(), wish);
-    other.setWish({.baudRates = {38'400}});
+    other.setSettings({.baudRates = {38'400}});
     EXPECT_EQ(other.wish().baudRates, std::vector{38'400});
 }
 

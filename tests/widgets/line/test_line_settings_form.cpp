@@ -22,7 +22,7 @@ protected:
         form.resize(600, 500);
         form.show();
         QObject::connect(&form, &LineSettingsForm::connectWanted, &form,
-                         [this](const LineSettings &wish) { wanted.push_back(wish); });
+                         [this](const LineSettings &settings) { wanted.push_back(settings); });
     }
     template <typename Field>
     Field &field(const char *name) const
@@ -83,9 +83,9 @@ TEST_F(LineSettingsFormTest, APathMayBeTyped)
 {
     form.setPorts(ports);
     field<QComboBox>("Port").setEditText(QStringLiteral(" /dev/pts/7 "));
-    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/pts/7"));
+    EXPECT_EQ(form.settings().port, QStringLiteral("/dev/pts/7"));
     form.setPorts({ports.back()});
-    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/pts/7"));
+    EXPECT_EQ(form.settings().port, QStringLiteral("/dev/pts/7"));
 }
 
 TEST_F(LineSettingsFormTest, APortIsPickedOnceTheUserChoosesOrTypesIt)
@@ -102,7 +102,7 @@ TEST_F(LineSettingsFormTest, APortIsPickedOnceTheUserChoosesOrTypesIt)
     EXPECT_TRUE(isPicked());
     form.setPorts(ports);
     EXPECT_TRUE(isPicked()) << "the list was made anew";
-    form.setWish(form.wish());
+    form.setSettings(form.settings());
     EXPECT_FALSE(isPicked());
     QTest::keyClicks(list.lineEdit(), QStringLiteral("1"));
     EXPECT_TRUE(isPicked());
@@ -118,7 +118,7 @@ TEST_F(LineSettingsFormTest, TheBaudRateThatTheEncodersHaveIsTaken)
     EXPECT_EQ(said(), QStringLiteral("All have another."));
     test::button(form, QStringLiteral("Set the line to 9600 Bd"))->click();
     EXPECT_EQ(said(), QString());
-    EXPECT_EQ(form.wish().line.baudRate, 9'600);
+    EXPECT_EQ(form.settings().serial.baudRate, 9'600);
     ASSERT_EQ(wantedRate.count(), 1);
     EXPECT_EQ(wantedRate.front().front().toInt(), 9'600);
 }
@@ -128,15 +128,15 @@ TEST_F(LineSettingsFormTest, WhatWasChosenStaysWhenTheListIsMadeAnew)
     form.setPorts(ports);
     field<QComboBox>("Port").setCurrentIndex(1);
     form.setPorts({ports.back(), ports.front()});
-    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/ttyS0"));
+    EXPECT_EQ(form.settings().port, QStringLiteral("/dev/ttyS0"));
 }
 
 TEST_F(LineSettingsFormTest, AnyBaudRateMayBeTyped)
 {
     form.setPorts(ports);
     field<QComboBox>("Baud rate").setEditText(QStringLiteral("38400"));
-    EXPECT_EQ(form.wish().line.baudRate, 38'400);
-    EXPECT_EQ(form.wish().timing.character, SerialSettings{.baudRate = 38'400}.timeOf(1));
+    EXPECT_EQ(form.settings().serial.baudRate, 38'400);
+    EXPECT_EQ(form.settings().timing.character, SerialSettings{.baudRate = 38'400}.timeOf(1));
     field<QComboBox>("Baud rate").setEditText(QString());
     connectNow();
     EXPECT_TRUE(wanted.empty());
@@ -162,38 +162,38 @@ TEST_F(LineSettingsFormTest, SaysWhenTheListIsEmptyOrRightsAreMissing)
 
 TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
 {
-    LineSettings wish;
-    wish.port = QStringLiteral("/dev/ttyS4");
-    wish.line = {.baudRate = 57'600,
-                 .dataBits = 7,
-                 .parity = SerialSettings::Parity::even,
-                 .stopBits = 1,
-                 .lowLatency = false};
-    wish.timing.character = wish.line.timeOf(1);
-    wish.timing.answerTimeOut = 250ms;
-    wish.timing.retries = 5;
-    wish.timing.quietAfterWrite = 300ms;
-    wish.timing.adapterDelay = 18ms; // not in the form
-    wish.pollInterval = 50ms;
-    wish.fractionBits = 30;
-    wish.topSpeed = 3'000;
-    form.setWish(wish);
-    EXPECT_EQ(form.wish(), wish);
+    LineSettings settings;
+    settings.port = QStringLiteral("/dev/ttyS4");
+    settings.serial = {.baudRate = 57'600,
+                       .dataBits = 7,
+                       .parity = SerialSettings::Parity::even,
+                       .stopBits = 1,
+                       .lowLatency = false};
+    settings.timing.character = settings.serial.timeOf(1);
+    settings.timing.answerTimeOut = 250ms;
+    settings.timing.retries = 5;
+    settings.timing.quietAfterWrite = 300ms;
+    settings.timing.adapterDelay = 18ms; // not in the form
+    settings.pollInterval = 50ms;
+    settings.fractionBits = 30;
+    settings.topSpeed = 3'000;
+    form.setSettings(settings);
+    EXPECT_EQ(form.settings(), settings);
 }
 
 // What the command line and the project's file take, the form shows and gives back.
 TEST_F(LineSettingsFormTest, GoesAsFarAsTheCommandLine)
 {
-    LineSettings wish;
-    wish.port = QStringLiteral("/dev/ttyS4");
-    wish.line.baudRate = 10'000'000;
-    wish.timing.character = wish.line.timeOf(1);
-    wish.timing.answerTimeOut = 60s;
-    wish.timing.retries = 20;
-    wish.timing.quietAfterWrite = 60s;
-    wish.pollInterval = 60s;
-    form.setWish(wish);
-    EXPECT_EQ(form.wish(), wish);
+    LineSettings settings;
+    settings.port = QStringLiteral("/dev/ttyS4");
+    settings.serial.baudRate = 10'000'000;
+    settings.timing.character = settings.serial.timeOf(1);
+    settings.timing.answerTimeOut = 60s;
+    settings.timing.retries = 20;
+    settings.timing.quietAfterWrite = 60s;
+    settings.pollInterval = 60s;
+    form.setSettings(settings);
+    EXPECT_EQ(form.settings(), settings);
     connectNow();
     EXPECT_EQ(wanted.size(), 1U);
     field<QComboBox>("Baud rate").setEditText(QStringLiteral("49"));
@@ -205,7 +205,7 @@ TEST_F(LineSettingsFormTest, GoesAsFarAsTheCommandLine)
 TEST_F(LineSettingsFormTest, PositionsAreNotAskedForFasterThanTheManualAllows)
 {
     field<QSpinBox>("Poll interval").setValue(1);
-    EXPECT_EQ(form.wish().pollInterval, 10ms);
+    EXPECT_EQ(form.settings().pollInterval, 10ms);
 }
 
 TEST_F(LineSettingsFormTest, TheFormatOfTheFactorIsDeterminedByTheCaller)
@@ -217,7 +217,7 @@ TEST_F(LineSettingsFormTest, TheFormatOfTheFactorIsDeterminedByTheCaller)
     determine->click();
     EXPECT_EQ(wantedBits.count(), 1);
     form.setFractionBits(28);
-    EXPECT_EQ(form.wish().fractionBits, 28);
+    EXPECT_EQ(form.settings().fractionBits, 28);
 }
 
 TEST_F(LineSettingsFormTest, AProblemGoesWithItsCause)

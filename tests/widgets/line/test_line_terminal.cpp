@@ -49,7 +49,14 @@ protected:
                 sentences << message->sentence();
         return sentences.join(u'|');
     }
-    QString cell(int row, int column) const { return table.model()->index(row, column).data().toString(); }
+    static int columnOf(TrafficColumn column)
+    {
+        return static_cast<int>(std::ranges::find(lineTrafficColumns, column) - lineTrafficColumns.begin());
+    }
+    QString cell(int row, TrafficColumn column) const
+    {
+        return table.model()->index(row, columnOf(column)).data().toString();
+    }
     QPushButton *button(const char *text) const { return test::button(terminal, QLatin1String(text)); }
 
     test::LineBench bench;
@@ -75,8 +82,8 @@ TEST_F(LineTerminalTest, ATypedRequestAndItsAnswerAreSeenAmongThePolls)
     EXPECT_EQ(table.model()->rowCount(), 0);
     type("05p");
     ASSERT_EQ(table.model()->rowCount(), 2);
-    EXPECT_EQ(cell(0, LineRowModel::kind), QStringLiteral("sent, typed"));
-    EXPECT_EQ(cell(1, LineRowModel::meaning).remove(u','), QStringLiteral("1235h = 4661"));
+    EXPECT_EQ(cell(0, TrafficColumn::direction), QStringLiteral("sent, typed"));
+    EXPECT_EQ(cell(1, TrafficColumn::meaning).remove(u','), QStringLiteral("1235h = 4661"));
     EXPECT_EQ(field.text(), QString());
     EXPECT_EQ(terminal.history(), QStringList{QStringLiteral("05P")});
 }
@@ -142,7 +149,7 @@ TEST_F(LineTerminalTest, AWriteIsAskedForWithItsBytes)
     button("Send and write")->click();
     bench.pass(300);
     EXPECT_EQ(bench.link->sentTexts(), std::vector<QByteArray>{"05GP00005200"});
-    EXPECT_EQ(cell(1, LineRowModel::meaning), QStringLiteral("accepted"));
+    EXPECT_EQ(cell(1, TrafficColumn::meaning), QStringLiteral("accepted"));
 }
 
 TEST_F(LineTerminalTest, TheQuestionGoesWithOperateAndWithAlarmStop)
@@ -224,8 +231,8 @@ TEST_F(LineTerminalTest, ColumnsAreChosen)
     for (auto *box : terminal.findChildren<QCheckBox *>())
         if (box->text().remove(u'&') == QLatin1String("Hex") && box->isVisible())
             box->click();
-    EXPECT_TRUE(table.isColumnHidden(LineRowModel::bytes));
-    EXPECT_FALSE(table.isColumnHidden(LineRowModel::text));
+    EXPECT_TRUE(table.isColumnHidden(columnOf(TrafficColumn::bytes)));
+    EXPECT_FALSE(table.isColumnHidden(columnOf(TrafficColumn::text)));
 }
 
 TEST_F(LineTerminalTest, ASessionIsSavedWithItsPollsAndOpened)
@@ -258,7 +265,7 @@ TEST_F(LineTerminalTest, WhatWasCollectedOutlivesTheConnection)
     terminal.setLine(nullptr);
     EXPECT_EQ(table.model()->rowCount(), 2);
     bench.line.reset();
-    EXPECT_EQ(cell(0, LineRowModel::time).left(6), QStringLiteral("12:00:"));
+    EXPECT_EQ(cell(0, TrafficColumn::time).left(6), QStringLiteral("12:00:"));
 }
 
 TEST_F(LineTerminalTest, EveryButtonHasATooltip)
@@ -272,7 +279,7 @@ TEST_F(LineTerminalTest, WhatWasClearedIsBroughtBackWithItsTimes)
     type("05N");
     const int rows = table.model()->rowCount();
     ASSERT_GT(rows, 0);
-    const QString first = cell(0, LineRowModel::time);
+    const QString first = cell(0, TrafficColumn::time);
     QAction *bringBack = test::action(terminal, QStringLiteral("Bring back"));
     ASSERT_TRUE(bringBack);
     EXPECT_FALSE(bringBack->isEnabled());
@@ -283,7 +290,7 @@ TEST_F(LineTerminalTest, WhatWasClearedIsBroughtBackWithItsTimes)
     ASSERT_TRUE(bringBack->isEnabled());
     bringBack->trigger();
     EXPECT_EQ(table.model()->rowCount(), rows + since);
-    EXPECT_EQ(cell(0, LineRowModel::time), first);
+    EXPECT_EQ(cell(0, TrafficColumn::time), first);
     EXPECT_FALSE(bringBack->isEnabled());
 }
 

@@ -2,7 +2,7 @@
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/led_row.h"
@@ -62,7 +62,7 @@ protected:
     InlineMessage &message() const { return *panel.findChild<InlineMessage *>(); }
     QTableView &table() const { return *panel.findChild<QTableView *>(); }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     MasterPanel panel{ring.bus};
 };
 
@@ -206,7 +206,7 @@ TEST_F(MasterPanelTest, CountsCrcErrorsWithAHistory)
 
 TEST(ASegmentModel, KeepsTheRulesOfModels)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     SegmentModel model;
     const test::ModelTester tester(model);
     model.show(ring.bus);
@@ -222,7 +222,7 @@ TEST(ASegmentModel, KeepsTheRulesOfModels)
 
 TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     LedRow leds(ring.bus);
     leds.setPlace(fourth);
     EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
@@ -238,7 +238,7 @@ TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
 
 TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     LedRow leds(ring.bus);
     leds.setPlace(fourth);
     EXPECT_FALSE(leds.isHidden());
@@ -253,7 +253,7 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 
 TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     LedRow leds(ring.bus);
     StructureModel model;
     model.addBus(ring.bus);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/messages/message_model.h"
 
 #include <QAbstractItemModel>
@@ -55,7 +55,7 @@ TEST(MessageModel, ShowsTimeSeverityPlaceAndText)
 
 TEST(MessageModel, StampsWhatHappensNowWithTheTimeOfTheBus)
 {
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     MessageStore store({});
     MessageModel messages(store);
     messages.setClock(ring.bus);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/old_file.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/messages_view.h"
@@ -85,7 +85,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitFor([&] { return !note().isEmpty(); }));
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     MessageStore store{{}};
     MessageModel messages{store};
     MessagesView view{messages};

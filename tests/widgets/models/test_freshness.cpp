@@ -2,7 +2,7 @@
 // What is live looks alive, what is old looks old, in every view.
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "tests/widgets/rod_bus.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/rod_view.h"
@@ -52,7 +52,7 @@ protected:
         return QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
 };
 
 TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
@@ -105,7 +105,7 @@ TEST_F(FreshnessTest, TheAgeGoesOnByItself)
 
 TEST_F(FreshnessTest, ARodToo)
 {
-    test::TrainingRingSession rod(RingSession::Start::operating, test::makeRodBus);
+    test::TrainingBusSession rod(RingSession::Start::operating, test::makeRodBus);
     DialPanel panel;
     panel.show();
     panel.setEncoder(&rod.encoder(test::rodPlace));

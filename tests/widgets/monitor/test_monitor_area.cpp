@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/monitor_area.h"
@@ -39,7 +39,7 @@ protected:
         return names;
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     MonitorArea area{ring.buses};
 };
 

@@ -102,7 +102,7 @@ protected:
         return ring.bus.latest().devices.front().out;
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     QWidget window;
     WordMonitor in = monitorOf(MonitorKind::in32);
     WordMonitor out = monitorOf(MonitorKind::out32);
@@ -269,7 +269,7 @@ TEST_F(WordMonitorTest, AtOnceIsOffAndSendsHarmlessWordsOnly)
 // TR manual 2.2: without the service bit OUT has no effect.
 TEST_F(WordMonitorTest, OfALinearEncoderOnlyTheServiceBitIsAsked)
 {
-    test::TrainingRingSession bus{RingSession::Start::operating, test::makeRodBus};
+    test::TrainingBusSession bus{RingSession::Start::operating, test::makeRodBus};
     EncoderSession &encoder = bus.encoder(test::rodPlace);
     WordMonitor monitor(bus.channel(test::rodPlace), &encoder, &encoder.device(), MonitorKind::out32);
     monitor.show();

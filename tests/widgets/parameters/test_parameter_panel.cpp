@@ -5,7 +5,7 @@
 #include "simulator/training_bus.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"

@@ -4,7 +4,7 @@
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
@@ -74,7 +74,7 @@ protected:
         return false;
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     ProjectDocument project;
     WantedValues wanted{project};
     ParameterPanel panel{wanted};

@@ -85,7 +85,7 @@ protected:
         ASSERT_FALSE(rod().runningJob());
     }
 
-    test::TrainingRingSession ring{RingSession::Start::operating, test::makeRodBus};
+    test::TrainingBusSession ring{RingSession::Start::operating, test::makeRodBus};
     ProjectDocument project;
     WantedValues wanted{project};
     ParameterPanel panel{wanted};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
 

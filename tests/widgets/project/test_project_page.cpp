@@ -119,7 +119,7 @@ TEST_F(ProjectPageTest, TheLinkOfEachBusIsSeen)
                      .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
     });
     LinePlan line;
-    line.wish.port = QStringLiteral("/dev/ttyUSB1");
+    line.settings.port = QStringLiteral("/dev/ttyUSB1");
     setLinePlan(project, firstLine, line);
     document.setProject(project, {});
     const QAbstractItemModel &buses = *child<QTableView>("projectBuses").model();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/sequence/sequence_model.h"
@@ -75,7 +75,7 @@ protected:
     }
     QString cell(int row, int column) const { return model.index(row, column).data().toString(); }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     SequenceView view;
     QTableView &table = *view.findChild<QTableView *>();
     SequenceModel &model = *view.findChild<SequenceModel *>();

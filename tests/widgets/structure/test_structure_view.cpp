@@ -3,7 +3,7 @@
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/plans.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_model.h"
@@ -38,7 +38,7 @@ protected:
         return model.indexOf(number).siblingAtColumn(column).data().toString();
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     StructureModel model;
     test::ModelTester tester{model};
 };
@@ -146,7 +146,7 @@ TEST_F(StructureTest, OfflineItShowsWhatTheProjectPlans)
 TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
 {
     Project plan = projectOf(ring.bus.structure());
-    changeLine(plan, [](LinePlan &line) { line.wish.port = QStringLiteral("ttyUSB0"); });
+    changeLine(plan, [](LinePlan &line) { line.settings.port = QStringLiteral("ttyUSB0"); });
     ProjectDevice encoder;
     encoder.standAt(placeOnLine({5}));
     encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");

@@ -233,6 +233,7 @@ public:
     QString usualName() const override { return title(); }
     KindData usual() const override { return KindData(3); }
     QString linkText(const KindData &) const override { return {}; }
+    bool isTraining(const KindData & /*settings*/) const override { return true; }
     std::unique_ptr<BusOutline> outline(const Project &, BusId, const Catalog &) const override { return {}; }
     KindData read(const JsonObject &, std::vector<ProjectDevice> &) const override { return usual(); }
     void write(ProjectWriter &, const KindData &, std::span<const ProjectDevice>) const override {}

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/support/plain_bus.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/trace/trace_model.h"
+#include "widgets/models/traffic_model.h"
 #include "widgets/trace/trace_view.h"
 
 #include <QApplication>
@@ -32,6 +33,8 @@ using namespace std::chrono_literals;
 using test::baumer;
 using test::fraba;
 
+constexpr int mostRows = 20'000;
+
 class TraceViewTest : public testing::Test
 {
 protected:
@@ -44,14 +47,15 @@ protected:
         view.setEncoder(&ring.encoder(fraba));
         model().clear();
     }
-    TraceModel &model(Place number = fraba) { return *view.model(number); }
+    TrafficModel &model(Place number = fraba) { return *view.model(number); }
     void write(Place number, Word word)
     {
         ring.channel(number).stage(word);
         EXPECT_TRUE(ring.channel(number).write());
         ring.bus.advance(20);
     }
-    QString cell(int row, int column) { return model().index(row, column).data().toString(); }
+    QModelIndex index(int row, TrafficColumn column) { return model().index(row, model().columnOf(column)); }
+    QString cell(int row, TrafficColumn column) { return index(row, column).data().toString(); }
     void key(Qt::Key which, Qt::KeyboardModifiers modifiers = Qt::ControlModifier)
     {
         table.setFocus();
@@ -65,7 +69,7 @@ protected:
         return {};
     }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     TraceView view{ring.buses};
     QTableView &table = *view.findChild<QTableView *>();
 };
@@ -81,17 +85,17 @@ TEST_F(TraceViewTest, AHandshakeIsARowForEachChange)
     const test::ModelTester tester(model());
     write(fraba, 0x020000FF);
     ASSERT_GE(model().rowCount(), 2);
-    EXPECT_EQ(cell(0, TraceModel::out), QStringLiteral("020000FF"));
-    EXPECT_EQ(cell(0, TraceModel::sinceLast), QString());
+    EXPECT_EQ(cell(0, TrafficColumn::out), QStringLiteral("020000FF"));
+    EXPECT_EQ(cell(0, TrafficColumn::sinceLast), QString());
     const int last = model().rowCount() - 1;
-    EXPECT_EQ(cell(last, TraceModel::out), QStringLiteral("020000FF"));
-    EXPECT_EQ(cell(last, TraceModel::in), QStringLiteral("C20000FF"));
-    EXPECT_EQ(cell(0, TraceModel::meaning), QStringLiteral("Parameter 1 steps = 255: not taken yet"));
-    EXPECT_EQ(cell(last, TraceModel::meaning), QStringLiteral("Parameter 1 steps = 255: confirmed"));
-    EXPECT_GT(cell(last, TraceModel::sinceLast).toDouble(), 0.0);
-    EXPECT_TRUE(cell(last, TraceModel::time).startsWith(QLatin1String("14:02:00.")));
-    const QModelIndex time = model().index(last, TraceModel::time);
-    EXPECT_EQ(time.data(Qt::ToolTipRole).toString(), traceTimeText(model().rowAt(last)));
+    EXPECT_EQ(cell(last, TrafficColumn::out), QStringLiteral("020000FF"));
+    EXPECT_EQ(cell(last, TrafficColumn::in), QStringLiteral("C20000FF"));
+    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("Parameter 1 steps = 255: not taken yet"));
+    EXPECT_EQ(cell(last, TrafficColumn::meaning), QStringLiteral("Parameter 1 steps = 255: confirmed"));
+    EXPECT_GT(cell(last, TrafficColumn::sinceLast).toDouble(), 0.0);
+    EXPECT_TRUE(cell(last, TrafficColumn::time).startsWith(QLatin1String("14:02:00.")));
+    const QModelIndex time = index(last, TrafficColumn::time);
+    EXPECT_EQ(time.data(Qt::ToolTipRole).toString(), model().dateTimeText(model().rowAt(last)));
 }
 
 // Until the encoder has taken the next read-out, IN holds the value of the one before.
@@ -101,8 +105,8 @@ TEST_F(TraceViewTest, AnOldReadOutIsNotTakenForTheAnswerToTheNewWord)
     write(fraba, 0x2021'0002);
     QStringList meanings;
     for (int row = 0; row < model().rowCount(); ++row)
-        if (cell(row, TraceModel::in) == QLatin1String("A0002000"))
-            meanings << cell(row, TraceModel::meaning);
+        if (cell(row, TrafficColumn::in) == QLatin1String("A0002000"))
+            meanings << cell(row, TrafficColumn::meaning);
     EXPECT_EQ(meanings,
               (QStringList{QStringLiteral("Read out steps \u2013 Read-out: steps = 8192"),
                            QStringLiteral("Read out revolutions \u2013 Self test, or read-out of 8192")}));
@@ -112,12 +116,15 @@ TEST_F(TraceViewTest, NumbersAndMeaningHaveRoomInANarrowDock)
 {
     view.resize(460, 200);
     write(fraba, 0x020000FF);
-    const QFontMetrics metrics{model().index(0, TraceModel::time).data(Qt::FontRole).value<QFont>()};
+    const QFontMetrics metrics{index(0, TrafficColumn::time).data(Qt::FontRole).value<QFont>()};
     for (int row = 0; row < model().rowCount(); ++row)
-        for (int column = 0; column < TraceModel::meaning; ++column)
-            EXPECT_LT(metrics.horizontalAdvance(cell(row, column)), table.columnWidth(column));
-    EXPECT_GE(table.columnWidth(TraceModel::meaning), 20 * table.fontMetrics().averageCharWidth());
-    EXPECT_LE(table.columnViewportPosition(TraceModel::remark), table.viewport()->width());
+        for (int column = 0; column < model().columnOf(TrafficColumn::meaning); ++column)
+            EXPECT_LT(metrics.horizontalAdvance(cell(row, model().columnAt(column))),
+                      table.columnWidth(column));
+    EXPECT_GE(table.columnWidth(model().columnOf(TrafficColumn::meaning)),
+              20 * table.fontMetrics().averageCharWidth());
+    EXPECT_LE(table.columnViewportPosition(model().columnOf(TrafficColumn::remark)),
+              table.viewport()->width());
 }
 
 TEST_F(TraceViewTest, EachEncoderHasItsOwnRowsWhicheverIsSelected)
@@ -133,14 +140,14 @@ TEST_F(TraceViewTest, ARemarkIsTheUsers)
 {
     const test::ModelTester tester(model());
     write(fraba, 0x020000FF);
-    table.edit(model().index(0, TraceModel::remark));
+    table.edit(index(0, TrafficColumn::remark));
     auto *editor = qobject_cast<QLineEdit *>(QApplication::focusWidget());
     ASSERT_TRUE(editor);
     QTest::keyClicks(editor, QStringLiteral("first, \"steps\""));
     QTest::keyClick(editor, Qt::Key_Return);
     QCoreApplication::processEvents();
-    EXPECT_EQ(cell(0, TraceModel::remark), QStringLiteral("first, \"steps\""));
-    EXPECT_FALSE(model().flags(model().index(0, TraceModel::out)) & Qt::ItemIsEditable);
+    EXPECT_EQ(cell(0, TrafficColumn::remark), QStringLiteral("first, \"steps\""));
+    EXPECT_FALSE(model().flags(index(0, TrafficColumn::out)) & Qt::ItemIsEditable);
 }
 
 TEST_F(TraceViewTest, PausedItKeepsWhatComesForLater)
@@ -158,22 +165,24 @@ TEST_F(TraceViewTest, PausedItKeepsWhatComesForLater)
 
 TEST_F(TraceViewTest, TheOldestRowsGoAndAreCounted)
 {
-    const DeviceDescription device = model().device();
-    TraceModel many(device);
+    TrafficModel many(ring.bus.trafficColumns(), mostRows);
     many.setHeld(true);
-    for (int i = 0; i <= TraceModel::mostRows; ++i)
-        many.add({.cycle = static_cast<std::uint64_t>(i), .at = 1ms * i, .mode = {}, .coding = {}}, {});
+    for (int i = 0; i <= mostRows; ++i)
+        many.add({.at = 1ms * i, .cycle = static_cast<std::uint64_t>(i)});
     many.setHeld(false);
-    EXPECT_EQ(many.dropped() + static_cast<quint64>(many.rowCount()), TraceModel::mostRows + 1U);
-    EXPECT_LE(many.rowCount(), TraceModel::mostRows);
-    EXPECT_EQ(many.rowAt(many.rowCount() - 1).exchange.cycle,
-              static_cast<std::uint64_t>(TraceModel::mostRows));
-    while (many.rowCount() < TraceModel::mostRows)
-        many.add({.mode = {}, .coding = {}}, {});
+    EXPECT_EQ(many.dropped() + static_cast<quint64>(many.rowCount()), mostRows + 1U);
+    EXPECT_LE(many.rowCount(), mostRows);
+    EXPECT_EQ(many.rowAt(many.rowCount() - 1).what.cycle, static_cast<std::uint64_t>(mostRows));
+    const auto add = [&many] {
+        many.add({});
+        many.showWaiting();
+    };
+    while (many.rowCount() < mostRows)
+        add();
     const quint64 before = many.dropped();
-    many.add({.mode = {}, .coding = {}}, {});
+    add();
     EXPECT_GT(many.dropped(), before);
-    EXPECT_LE(many.rowCount(), TraceModel::mostRows);
+    EXPECT_LE(many.rowCount(), mostRows);
 }
 
 TEST_F(TraceViewTest, FollowsTheNewestRowUnlessToldNotTo)
@@ -196,7 +205,7 @@ TEST_F(TraceViewTest, CopiesSelectedRowsWithTabs)
     ASSERT_EQ(lines.size(), 1);
     const QStringList cells = lines.first().split(QLatin1Char('\t'));
     ASSERT_EQ(cells.size(), 7);
-    EXPECT_EQ(cells.at(TraceModel::out), QStringLiteral("020000FF"));
+    EXPECT_EQ(cells.at(model().columnOf(TrafficColumn::out)), QStringLiteral("020000FF"));
     table.clearSelection();
     key(Qt::Key_C);
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), model().rowCount());
@@ -205,7 +214,7 @@ TEST_F(TraceViewTest, CopiesSelectedRowsWithTabs)
 TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
 {
     write(fraba, 0x020000FF);
-    model().setData(model().index(0, TraceModel::remark), QStringLiteral("a \"b\", c"));
+    model().setData(index(0, TrafficColumn::remark), QStringLiteral("a \"b\", c"));
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("trace.csv"));
     ASSERT_TRUE(view.exportTo(path));
@@ -224,7 +233,7 @@ TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
 TEST_F(TraceViewTest, ARemarkIsNoFormulaInATable)
 {
     write(fraba, 0x020000FF);
-    model().setData(model().index(0, TraceModel::remark), QStringLiteral("=HYPERLINK(1)"));
+    model().setData(index(0, TrafficColumn::remark), QStringLiteral("=HYPERLINK(1)"));
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("trace.csv"));
     ASSERT_TRUE(view.exportTo(path));
@@ -264,7 +273,7 @@ TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
     write(fraba, 0x0200'00FF);
     const int rows = model().rowCount();
     ASSERT_GT(rows, before);
-    const QString first = cell(0, TraceModel::time);
+    const QString first = cell(0, TrafficColumn::time);
     key(Qt::Key_Delete);
     EXPECT_EQ(model().rowCount(), 0);
     write(fraba, 0);
@@ -274,8 +283,8 @@ TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
     const int last = model().rowCount();
     key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(model().rowCount(), rows + since + last);
-    EXPECT_EQ(cell(0, TraceModel::time), first);
-    EXPECT_EQ(cell(model().rowCount() - last, TraceModel::out), QStringLiteral("02000100"));
+    EXPECT_EQ(cell(0, TrafficColumn::time), first);
+    EXPECT_EQ(cell(model().rowCount() - last, TrafficColumn::out), QStringLiteral("02000100"));
     EXPECT_FALSE(model().hasCleared());
 }
 
@@ -296,16 +305,48 @@ TEST_F(TraceViewTest, WhatIsHeldBackIsClearedAndBroughtBackToo)
 TEST_F(TraceViewTest, WhatIsClearedIsBounded)
 {
     const auto fill = [this](std::uint64_t from) {
-        for (std::uint64_t n = 0; n < TraceModel::mostRows; ++n)
-            model().add({.cycle = from + n, .at = {}, .out = 0, .in = 0, .mode = {}, .coding = {}}, {});
+        for (std::uint64_t n = 0; n < mostRows; ++n)
+            model().add({.cycle = from + n});
+        model().showWaiting();
     };
     fill(0);
     model().clear();
     fill(100'000);
     model().clear();
     model().bringBack();
-    EXPECT_EQ(model().rowCount(), TraceModel::mostRows);
-    EXPECT_EQ(model().rowAt(0).exchange.cycle, 100'000U);
+    EXPECT_EQ(model().rowCount(), mostRows);
+    EXPECT_EQ(model().rowAt(0).what.cycle, 100'000U);
+}
+
+// A kind of bus that nobody knew when the view was written.
+TEST_F(TraceViewTest, AnyBusShowsWhatItTellsOfItsTraffic)
+{
+    test::PlainBus plain(ring.catalog);
+    ring.buses.add(plain);
+    view.setEncoder(plain.encoder(test::plainGate));
+    TrafficModel &rows = model(test::plainGate);
+    const test::ModelTester tester(rows);
+    plain.tellTraffic({.at = 1'500ms,
+                       .place = test::plainGate,
+                       .kind = TrafficKind::sent,
+                       .bytes = "\x10\xAB",
+                       .meaning = [] { return QStringLiteral("gate, open"); }});
+    plain.tellTraffic({.place = test::plainHoist, .meaning = {}});
+    ASSERT_EQ(rows.rowCount(), 1);
+    EXPECT_EQ(table.model(), &rows);
+    QStringList titles;
+    QStringList cells;
+    for (int column = 0; column < rows.columnCount(); ++column) {
+        titles << rows.headerData(column, Qt::Horizontal).toString();
+        cells << rows.index(0, column).data().toString();
+    }
+    EXPECT_EQ(titles.join(u'|'), QStringLiteral("Time|\u0394 ms|Direction|Hex|Meaning|Remark"));
+    EXPECT_EQ(cells.join(u'|'), QStringLiteral("14:02:01.500||sent|10 AB|gate, open|"));
+    EXPECT_EQ(QString::fromUtf8(rows.csv(test::plainGate)),
+              QStringLiteral("time,since_last_ms,direction,bytes,meaning,remark,bus,place\r\n"
+                             "2026-03-01T14:02:01.500Z,,\"sent\",10 AB,\"gate, open\",\"\",9,n:2\r\n"));
+    view.setEncoder(nullptr);
+    ring.buses.remove(&plain);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/training/fault_plan_bar.h"
 #include "widgets/training/training_panel.h"
@@ -68,7 +68,7 @@ protected:
     }
 
     QTemporaryDir folder;
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     TrainingPanel panel{*ring.controls};
     QStringList acts;
     QStringList steps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/places.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/training/training_panel.h"
 
 #include <QAbstractButton>
@@ -83,7 +83,7 @@ protected:
     QString text(const char *name) const { return find<QLabel>(name).text(); }
     QString lastAct() const { return acts.empty() ? QString() : acts.back().what; }
 
-    test::TrainingRingSession ring;
+    test::TrainingBusSession ring;
     TrainingPanel panel{*ring.controls};
     std::vector<Act> acts;
 };

@@ -183,7 +183,7 @@ TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
     ASSERT_TRUE(page.isBusy());
     {
         const auto question = test::Question::answeredBy(QStringLiteral("Run with what it has"));
-        click("transferCancel");
+        click("cancelJob");
         EXPECT_TRUE(question.wasAsked());
     }
     advanceWhileBusy(page);
@@ -206,7 +206,7 @@ TEST_F(TransferPageTest, AfterCancelNoOtherEncoderIsBegunWhateverBecomesOfTheQue
                 session.bus.advance(1);
             EXPECT_FALSE(dialog.isVisible());
         });
-        click("transferCancel");
+        click("cancelJob");
         EXPECT_TRUE(question.wasAsked());
     }
     EXPECT_FALSE(page.isBusy());
@@ -223,11 +223,11 @@ TEST_F(TransferPageTest, GoingOnAfterCancelFinishesTheEncoderAndBeginsNoOther)
         session.bus.advance(1);
     {
         const auto question = test::Question::answeredBy(QStringLiteral("Go on"));
-        click("transferCancel");
+        click("cancelJob");
         EXPECT_TRUE(question.wasAsked());
     }
     EXPECT_TRUE(page.isBusy());
-    EXPECT_TRUE(text("transferProgress").contains(QStringLiteral("No other is begun.")));
+    EXPECT_TRUE(text("jobProgress").contains(QStringLiteral("No other is begun.")));
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 255);
     EXPECT_FALSE(session.encoder(baumer).known(Parameter::steps));
@@ -240,7 +240,7 @@ TEST_F(TransferPageTest, WhetherTheEncoderHasTakenSomethingIsNotDecidedByAnOldPi
     bool cancelled = false;
     QObject::connect(&session.encoder(baumer), &EncoderSession::progressed, &page, [&] {
         if (!std::exchange(cancelled, true))
-            click("transferCancel");
+            click("cancelJob");
     });
     click("transferBegin");
     {
@@ -263,7 +263,7 @@ TEST_F(TransferPageTest, AnEncoderLeftInParameterizationIsAccountedForWithWhatIt
         session.bus.advance(1);
     {
         const auto question = test::Question::answeredBy(QStringLiteral("Leave in parameterization"));
-        click("transferCancel");
+        click("cancelJob");
         EXPECT_TRUE(question.wasAsked());
     }
     advanceWhileBusy(page);

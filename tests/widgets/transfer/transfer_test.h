@@ -2,7 +2,7 @@
 #pragma once
 
 #include "project/project_take_over.h"
-#include "tests/widgets/training_ring_session.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/project/project_document.h"
 
 #include <QAbstractButton>
@@ -69,7 +69,7 @@ protected:
         EXPECT_FALSE(page.isBusy());
     }
 
-    TrainingRingSession session;
+    TrainingBusSession session;
     ProjectDocument project;
     QWidget *shown = nullptr;
 };

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/ring_actions.h"
+
+#include "app/window/described_action.h"
+#include "app/window/window_actions.h"
+#include "widgets/look/icons.h"
+
+namespace codewheel {
+
+RingActions::RingActions(WindowActions &window)
+    : QObject(&window)
+{
+    const auto action = [](Icon icon, const QString &text) { return new QAction(lineIcon(icon), text); };
+    connectBus = described(action(Icon::ring, tr("&Connect")), Qt::CTRL | Qt::Key_F5,
+                           tr("Connects to the ring; nothing is sent"));
+    disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), Qt::CTRL | Qt::SHIFT | Qt::Key_F5,
+                              tr("Leaves the ring: work goes on offline"));
+    readIn = described(action(Icon::read, tr("&Read in the ring")), Qt::CTRL | Qt::SHIFT | Qt::Key_R,
+                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile. "
+                          "Needs Operate."));
+    confirmDiagnostics =
+        described(action(Icon::ok, tr("&Confirm diagnostics")), Qt::CTRL | Qt::Key_F9,
+                  tr("Confirms peripheral faults; one whose cause is still there comes back. Needs "
+                     "Operate."));
+    switchSegment = action(Icon::power, tr("Switch se&gment off or on"));
+    showSegment(false, false);
+    window.insert(WindowActions::Section::connections, {connectBus, disconnectBus, readIn});
+    window.insert(WindowActions::Section::services, {confirmDiagnostics, switchSegment});
+}
+
+void RingActions::disable()
+{
+    for (QAction *action : {connectBus, disconnectBus, readIn, confirmDiagnostics})
+        action->setEnabled(false);
+    showSegment(false, false);
+}
+
+void RingActions::showSegment(bool hasMaster, bool isChosen)
+{
+    described(switchSegment, Qt::SHIFT | Qt::Key_F9,
+              !hasMaster  ? tr("The ring is not connected.")
+              : !isChosen ? tr("No device with a segment of this ring is chosen.")
+                          : tr("Takes the segment of the chosen device, and what is behind it, out of the "
+                               "data cycles, after asking, or puts it back. Needs Operate."));
+    switchSegment->setEnabled(hasMaster && isChosen);
+}
+
+} // namespace codewheel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QAction;
+
+namespace codewheel {
+
+class WindowActions;
+
+// What can be asked for of a ring alone. All rings of a window share them (WindowActions::ofKind()).
+class RingActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit RingActions(WindowActions &window);
+
+    void disable(); // there is no ring they could mean
+    // Whether the master can be asked, and the chosen device has a segment.
+    void showSegment(bool hasMaster, bool isChosen);
+
+    QAction *connectBus;
+    QAction *disconnectBus;
+    QAction *readIn;
+    QAction *confirmDiagnostics;
+    QAction *switchSegment; // of the chosen device
+};
+
+} // namespace codewheel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/traffic.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct Traffic
+{
+    Q_DECLARE_TR_FUNCTIONS(Traffic)
+};
+
+constexpr uchar firstPrintable = 0x20;
+constexpr uchar deleteCharacter = 0x7F;
+constexpr char16_t controlPictures = 0x2400; // of 00h, then one after the other
+constexpr char16_t deletePicture = 0x2421;
+
+} // namespace
+
+QString rowKindWord(TrafficKind kind)
+{
+    switch (kind) {
+    case TrafficKind::sent:
+        return Traffic::tr("sent");
+    case TrafficKind::answer:
+        return Traffic::tr("answer");
+    case TrafficKind::echo:
+        return Traffic::tr("echo");
+    case TrafficKind::garbage:
+        return Traffic::tr("garbage");
+    case TrafficKind::late:
+        break;
+    }
+    return Traffic::tr("late");
+}
+
+QString controlText(const QByteArray &bytes, ControlCharacters controls)
+{
+    const bool asPictures = controls == ControlCharacters::pictures;
+    QString text;
+    for (const char byte : bytes) {
+        const auto code = static_cast<uchar>(byte);
+        if (code < firstPrintable && asPictures)
+            text += QChar(static_cast<char16_t>(controlPictures + code));
+        else if (code == deleteCharacter && asPictures)
+            text += QChar(deletePicture);
+        else if (code < firstPrintable || code >= deleteCharacter)
+            text += QStringLiteral("<%1>").arg(byteText(QByteArray(1, byte)));
+        else
+            text += QLatin1Char(byte);
+    }
+    return text;
+}
+
+QString byteText(const QByteArray &bytes)
+{
+    return QString::fromLatin1(bytes.toHex(' ').toUpper());
+}
+
+} // namespace codewheel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/instant.h"
+#include "encoder/place.h"
+#include "encoder/traffic_kind.h"
+#include "words/k3_word.h"
+
+#include <QByteArray>
+#include <QDateTime>
+
+#include <functional>
+#include <optional>
+
+namespace codewheel {
+
+// What passed on a bus, one row each, whatever bus it is. The session of the bus makes it; views show the
+// columns that the bus has.
+struct TrafficRow
+{
+    Instant at{};
+    QDateTime time{};                  // that `at` stands for
+    std::optional<Place> place{};      // whose it is; nothing: told with the bus alone
+    std::optional<TrafficKind> kind{}; // nothing: both ways at once, as the words of a bus cycle
+    std::uint64_t cycle = 0;           // of the bus, where it has cycles
+    Word out = 0;
+    Word in = 0;
+    QByteArray bytes{};                 // as they stood on the wire, where it is no words that pass
+    std::function<QString()> meaning{}; // in the language of the moment
+    bool isPoll = false;  // sent by the bus on its own, or its answer, and nothing is wrong with it
+    bool isTyped = false; // or its answer
+
+    bool isRoutine() const { return isPoll && !isTyped; }
+};
+
+enum class TrafficColumn : std::uint8_t {
+    time,
+    sinceLast,
+    cycle,
+    direction,
+    out,
+    in,
+    text,
+    meaning,
+    bytes,
+    remark, // the user's
+};
+
+// "sent", "answer", "echo", "garbage", "late"
+QString rowKindWord(TrafficKind kind);
+
+// How control characters are shown: "␛05P␍␊", or "<1B>05P<0D><0A>" where there are no pictures of them.
+enum class ControlCharacters { pictures, numbers };
+
+// What is no ASCII is shown as <FF>.
+QString controlText(const QByteArray &bytes, ControlCharacters controls = ControlCharacters::pictures);
+// "1B 30 35 50 0D 0A"
+QString byteText(const QByteArray &bytes);
+
+} // namespace codewheel

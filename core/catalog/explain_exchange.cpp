@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/explain_exchange.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+bool isOnly(const Explanation &explanation, MeaningId id)
+{
+    return explanation.isUnique() && explanation.first().id == id;
+}
+
+} // namespace
+
+ExplainedExchange explainExchange(const DeviceDescription &device, const Exchange &row,
+                                  std::optional<Word> asked)
+{
+    k3::ExplainContext context;
+    context.mode = row.mode;
+    context.coding = row.coding;
+    context.counterpart = asked;
+    const Explanation in = explainWord(device, row.in, context);
+    context.direction = WordDirection::out;
+    context.counterpart = row.in;
+    return {explainWord(device, row.out, context), in};
+}
+
+// As the manuals tell a handshake: what the master asks for, and how far the encoder is.
+QString exchangeText(const DeviceDescription &device, const Exchange &row, std::optional<Word> asked)
+{
+    const auto [out, in] = explainExchange(device, row, asked);
+    QString answer = explanationText(device, in);
+    if (isOnly(out, MeaningId::normalRunning))
+        return answer;
+    const QString question = explanationText(device, out);
+    if (out.isUnique() && asksForParameter(out.first().id)) {
+        if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
+            return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(question);
+        if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(row.in))
+            return QCoreApplication::translate("Trace", "%1: not taken yet", "parameter = value")
+                .arg(question);
+    }
+    return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN")
+        .arg(question, answer);
+}
+
+} // namespace codewheel

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/protocol.h"
+
+namespace codewheel {
+
+// Of encoders with the serial protocol of Kübler.
+const Protocol &escProtocol();
+
+} // namespace codewheel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/device_number.h"
+#include "encoder/line_address.h"
+
+#include <array>
+
+namespace codewheel {
+
+// A kind of bus without a row here has its places read with the number of their bus alone.
+std::span<const PlaceFormat> placeFormats()
+{
+    const auto ofRing = [](QStringView text) -> std::optional<NodeId> {
+        const auto number = DeviceNumber::parse(text);
+        return number ? std::optional(number->node()) : std::nullopt;
+    };
+    const auto ofLine = [](QStringView text) -> std::optional<NodeId> {
+        const auto address = addressTyped(text);
+        return address ? std::optional(address->node()) : std::nullopt;
+    };
+    static const std::array formats{PlaceFormat{firstRing, ofRing}, PlaceFormat{firstLine, ofLine}};
+    return formats;
+}
+
+} // namespace codewheel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report.h"
+#include "report/reported_device.h"
+
+// What the report tells of a ring alone.
+namespace codewheel::report_sections {
+
+// Its devices with their addresses in the process image; `devices` are all of it.
+ReportTable ringTable(const Project &project, BusId ring, const std::vector<ReportedDevice> &devices);
+// About how long a bus cycle takes, by both formulas.
+ReportSection cycleTime(const Project &project, BusId ring);
+
+} // namespace codewheel::report_sections

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QBoxLayout>
+#include <QMargins>
+
+#include <initializer_list>
+#include <optional>
+
+namespace codewheel {
+
+struct Stretch
+{
+    int factor = 0;
+};
+
+// What stands in a row or column: a widget, a row or column of its own, or free room.
+struct LayoutPart
+{
+    LayoutPart(QWidget *part, int stretch = 0, Qt::Alignment where = {})
+        : widget(part)
+        , factor(stretch)
+        , alignment(where)
+    {}
+    LayoutPart(QLayout *part, int stretch = 0)
+        : layout(part)
+        , factor(stretch)
+    {}
+    LayoutPart(Stretch stretch)
+        : factor(stretch.factor)
+    {}
+
+    QWidget *widget = nullptr;
+    QLayout *layout = nullptr; // neither: free room
+    int factor = 0;
+    Qt::Alignment alignment{};
+};
+
+struct LayoutRoom
+{
+    std::optional<int> spacing{}; // between the parts; without it that of the style
+    std::optional<QMargins> margins{};
+};
+
+inline QMargins allAround(int margin)
+{
+    return {margin, margin, margin, margin};
+}
+
+// The parts beside or below each other; of a widget, or to be put into another layout.
+using LayoutParts = std::initializer_list<LayoutPart>;
+QBoxLayout *layOutRow(LayoutParts parts, const LayoutRoom &room = {});
+QBoxLayout *layOutColumn(LayoutParts parts, const LayoutRoom &room = {});
+void layOutRow(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
+void layOutColumn(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
+
+// A row or a column in a widget whose parts come one by one, without a margin unless one is told.
+template <class Box>
+Box *layOut(QWidget *widget, int spacing, const QMargins &margins = {})
+{
+    auto *box = new Box(widget);
+    box->setSpacing(spacing);
+    box->setContentsMargins(margins);
+    return box;
+}
+template <class Box>
+Box *layOut(QWidget *widget, int spacing, int marginOnAllSides)
+{
+    return layOut<Box>(widget, spacing, allAround(marginOnAllSides));
+}
+
+} // namespace codewheel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QScrollArea>
+
+class QFormLayout;
+class QLabel;
+
+namespace codewheel {
+
+// A panel in a dock, as high as its content or as `mostHeight`: the rest is scrolled to.
+class ScrolledPanel : public QScrollArea
+{
+public:
+    QSize sizeHint() const override;
+
+protected:
+    ScrolledPanel(const QString &name, int mostHeight, QWidget *parent);
+
+    QWidget *content() const { return m_content; }
+    // A text beside its caption, which can be selected.
+    QLabel *addLine(QFormLayout &form, const QString &caption, const QString &toolTip);
+
+private:
+    QWidget *m_content;
+    int m_mostHeight;
+};
+
+} // namespace codewheel

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/traffic_model.h"
+
+#include "encoder/csv_text.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/roles.h"
+
+#include <QFontMetrics>
+#include <QLocale>
+
+namespace codewheel {
+namespace {
+
+constexpr char16_t escapePicture = 0x241B;
+constexpr int partDropped = 40; // one of so many
+
+struct ColumnShape
+{
+    const char *title;
+    const char *key; // in exports
+    bool isRightAligned = false;
+    bool hasNumberFont = false;
+    bool hasToolTip = false; // its text, where the column is too narrow for it
+};
+
+// By TrafficColumn.
+constexpr ColumnShape columnShapes[] = {
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Time"), "time", false, true, false},
+    {"\u0394 ms", "since_last_ms", true, true, false},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Cycle"), "cycle", true, true, false},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Direction"), "direction", false, false, true},
+    {"OUT", "out", false, true, false},
+    {"IN", "in", false, true, false},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Text"), "text", false, true, true},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Meaning"), "meaning", false, false, true},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Hex"), "bytes", false, true, true},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Remark"), "remark", false, false, true},
+};
+
+const ColumnShape &shapeOf(TrafficColumn column)
+{
+    return columnShapes[static_cast<std::size_t>(column)];
+}
+
+double inMilliseconds(Instant duration)
+{
+    return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+QIcon kindIcon(std::optional<TrafficKind> kind)
+{
+    if (!kind)
+        return {};
+    switch (*kind) {
+    case TrafficKind::sent:
+        return lineIcon(Icon::next);
+    case TrafficKind::answer:
+        return lineIcon(Icon::back);
+    case TrafficKind::echo:
+        return lineIcon(Icon::refresh, Role::inactive);
+    case TrafficKind::garbage:
+        return lineIcon(Icon::fault, Role::fault);
+    case TrafficKind::late:
+        break;
+    }
+    return lineIcon(Icon::attention, Role::attention);
+}
+
+} // namespace
+
+ControlCharacters shownControls()
+{
+    static const bool hasPictures = QFontMetrics(numberFont()).inFont(QChar(escapePicture));
+    return hasPictures ? ControlCharacters::pictures : ControlCharacters::numbers;
+}
+
+TrafficModel::TrafficModel(std::span<const TrafficColumn> columns, int most, QObject *parent)
+    : TableModelBase(parent)
+    , m_columns(columns)
+    , m_most(most)
+    , m_droppedAtOnce(most / partDropped)
+{}
+
+int TrafficModel::columnOf(TrafficColumn column) const
+{
+    return static_cast<int>(std::ranges::find(m_columns, column) - m_columns.begin());
+}
+
+void TrafficModel::setHeld(bool held)
+{
+    m_held = held;
+    showWaiting();
+}
+
+void TrafficModel::add(TrafficRow row)
+{
+    const auto last = std::exchange(m_last, row.at);
+    const bool isLater = last && row.at >= *last;
+    const auto sinceLast = isLater ? std::optional(row.at - *last) : std::nullopt;
+    m_waiting.push_back({std::move(row), sinceLast});
+    if (waiting() <= m_most)
+        return;
+    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + m_droppedAtOnce);
+    m_dropped += static_cast<quint64>(m_droppedAtOnce);
+}
+
+void TrafficModel::showWaiting()
+{
+    if (!m_held) {
+        append(std::exchange(m_waiting, {}));
+        dropOldest();
+    }
+    Q_EMIT countsChanged();
+}
+
+void TrafficModel::dropOldest()
+{
+    if (rowCount() <= m_most)
+        return;
+    const int surplus = std::max(rowCount() - m_most, m_droppedAtOnce);
+    removeFirst(surplus);
+    m_dropped += static_cast<quint64>(surplus);
+}
+
+// It was sent once, and all that came since came in answer to it.
+void TrafficModel::markTyped(const QByteArray &sent)
+{
+    const auto begins = [&sent](const TrafficRow &row) {
+        return row.kind == TrafficKind::sent && row.bytes == sent;
+    };
+    for (auto row = m_waiting.rbegin(); row != m_waiting.rend(); ++row) {
+        row->what.isTyped = true;
+        if (begins(row->what))
+            return;
+    }
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        ShownTraffic marked = rowAt(row);
+        marked.what.isTyped = true;
+        const bool isFirst = begins(marked.what);
+        replace(row, std::move(marked));
+        if (isFirst)
+            return;
+    }
+}
+
+void TrafficModel::tellMeaningsChanged()
+{
+    const int meaning = columnOf(TrafficColumn::meaning);
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, meaning), index(rowCount() - 1, meaning));
+}
+
+void TrafficModel::clear()
+{
+    clearRows(std::exchange(m_waiting, {}), m_most);
+    m_droppedBefore += std::exchange(m_dropped, 0);
+    m_last.reset();
+    Q_EMIT countsChanged();
+}
+
+void TrafficModel::bringBack()
+{
+    bringRowsBack();
+    m_dropped += std::exchange(m_droppedBefore, 0);
+    dropOldest();
+    Q_EMIT countsChanged();
+}
+
+QString TrafficModel::cellText(const ShownTraffic &row, TrafficColumn column,
+                               ControlCharacters controls) const
+{
+    const TrafficRow &what = row.what;
+    switch (column) {
+    case TrafficColumn::time:
+        return what.time.time().toString(QStringLiteral("HH:mm:ss.zzz"));
+    case TrafficColumn::sinceLast:
+        return row.sinceLast ? QLocale().toString(inMilliseconds(*row.sinceLast), 'f', 1) : QString();
+    case TrafficColumn::cycle:
+        return QLocale().toString(static_cast<qulonglong>(what.cycle));
+    case TrafficColumn::direction:
+        if (!what.kind)
+            return {};
+        return what.isTyped ? tr("%1, typed", "sent, answer ...").arg(rowKindWord(*what.kind))
+                            : rowKindWord(*what.kind);
+    case TrafficColumn::out:
+        return hexWord(what.out);
+    case TrafficColumn::in:
+        return hexWord(what.in);
+    case TrafficColumn::text:
+        return controlText(what.bytes, controls);
+    case TrafficColumn::meaning:
+        return what.meaning ? what.meaning() : QString();
+    case TrafficColumn::bytes:
+        return byteText(what.bytes);
+    case TrafficColumn::remark:
+        break;
+    }
+    return row.remark;
+}
+
+QString TrafficModel::dateTimeText(const ShownTraffic &row) const
+{
+    return QLocale().toString(row.what.time.date(), QLocale::ShortFormat) + QLatin1Char(' ') +
+           cellText(row, TrafficColumn::time);
+}
+
+QString TrafficModel::countsText(int shown) const
+{
+    QStringList texts{tr("%n rows", nullptr, rowCount())};
+    if (shown != rowCount())
+        texts << sentence(tr("%1 shown"), {QLocale().toString(shown)});
+    if (isHeld())
+        texts << tr("paused, %n new", nullptr, waiting());
+    if (dropped() > 0)
+        texts << sentence(tr("%1 oldest dropped"), {QLocale().toString(dropped())});
+    return texts.join(QStringLiteral("; "));
+}
+
+QByteArray TrafficModel::csv(Place place) const
+{
+    const auto field = [this](const ShownTraffic &row, TrafficColumn column) {
+        switch (column) {
+        case TrafficColumn::time:
+            return row.what.time.toString(Qt::ISODateWithMs);
+        case TrafficColumn::sinceLast:
+            return row.sinceLast ? QString::number(inMilliseconds(*row.sinceLast), 'f', 1) : QString();
+        case TrafficColumn::cycle:
+            return QString::number(row.what.cycle);
+        case TrafficColumn::out:
+        case TrafficColumn::in:
+        case TrafficColumn::bytes:
+            return cellText(row, column);
+        default:
+            return csvText(cellText(row, column, ControlCharacters::pictures));
+        }
+    };
+    QString csv;
+    for (const TrafficColumn column : m_columns)
+        csv += QLatin1String(shapeOf(column).key) + QLatin1Char(',');
+    csv += QLatin1String("bus,place\r\n");
+    for (const ShownTraffic &row : rows()) {
+        for (const TrafficColumn column : m_columns)
+            csv += field(row, column) + QLatin1Char(',');
+        csv +=
+            QString::number(place.bus.number) + QLatin1Char(',') + place.toString() + QLatin1String("\r\n");
+    }
+    return csv.toUtf8();
+}
+
+Qt::ItemFlags TrafficModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags usual = TableModelBase::flags(index);
+    const bool isRemark = index.isValid() && columnAt(index.column()) == TrafficColumn::remark;
+    return isRemark ? usual | Qt::ItemIsEditable : usual;
+}
+
+bool TrafficModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (!index.isValid() || role != Qt::EditRole || columnAt(index.column()) != TrafficColumn::remark)
+        return false;
+    ShownTraffic row = rowAt(index.row());
+    row.remark = value.toString().simplified();
+    replace(index.row(), std::move(row));
+    return true;
+}
+
+QVariant TrafficModel::headerCell(int column, int role) const
+{
+    const ColumnShape &shape = shapeOf(columnAt(column));
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((shape.isRightAligned ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (columnAt(column) == TrafficColumn::sinceLast &&
+        (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
+        return tr("Since last, ms");
+    return role == Qt::DisplayRole ? tr(shape.title) : QVariant();
+}
+
+QVariant TrafficModel::cell(const ShownTraffic &row, int column, int role) const
+{
+    const TrafficColumn shown = columnAt(column);
+    const ColumnShape &shape = shapeOf(shown);
+    switch (role) {
+    case Qt::DisplayRole:
+        return cellText(row, shown);
+    case Qt::EditRole:
+        return shown == TrafficColumn::remark ? QVariant(row.remark) : QVariant();
+    case Qt::DecorationRole:
+        return shown == TrafficColumn::direction ? QVariant(kindIcon(row.what.kind)) : QVariant();
+    case Qt::ToolTipRole:
+        if (shown == TrafficColumn::time)
+            return dateTimeText(row);
+        return shape.hasToolTip ? QVariant(cellText(row, shown)) : QVariant();
+    case Qt::FontRole:
+        return shape.hasNumberFont ? QVariant(numberFont()) : QVariant();
+    case Qt::TextAlignmentRole:
+        return headerCell(column, role);
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/traffic.h"
+#include "widgets/models/table_model_base.h"
+
+#include <span>
+
+namespace codewheel {
+
+struct ShownTraffic
+{
+    TrafficRow what;
+    std::optional<Instant> sinceLast{}; // nothing for the first row
+    QString remark{};
+};
+
+ControlCharacters shownControls(); // as the font for numbers has it
+
+// What passes on a bus, the newest last; the oldest rows go when there are too many. While it is held, new
+// rows wait and come when it is let go. What was cleared can be brought back. Under the handshake trace and
+// the terminal of a line.
+class TrafficModel : public TableModelBase<ShownTraffic>
+{
+    Q_OBJECT
+
+public:
+    // `columns` are those of the bus, and outlive it.
+    TrafficModel(std::span<const TrafficColumn> columns, int most, QObject *parent = nullptr);
+
+    int columnOf(TrafficColumn column) const; // columnCount(): it has none
+    TrafficColumn columnAt(int column) const { return m_columns[static_cast<std::size_t>(column)]; }
+
+    bool isHeld() const { return m_held; }
+    void setHeld(bool held);
+    const std::vector<ShownTraffic> &waitingRows() const { return m_waiting; }
+    int waiting() const { return static_cast<int>(m_waiting.size()); }
+    quint64 dropped() const { return m_dropped; } // since it was cleared
+    bool isEmpty() const { return rowCount() == 0 && m_waiting.empty(); }
+
+    void add(TrafficRow row); // waits until showWaiting()
+    void showWaiting();
+    // The exchange that ended last, which began with sending this, was typed: all its rows are.
+    void markTyped(const QByteArray &sent);
+    void tellMeaningsChanged();
+    // All rows go, also those that wait; bringBack() shows them again, before those that came since.
+    void clear();
+    void bringBack();
+
+    // As on the screen; exported with control characters as pictures, and the time with its date.
+    QString cellText(const ShownTraffic &row, TrafficColumn column,
+                     ControlCharacters controls = shownControls()) const;
+    // Short, by locale.
+    QString dateTimeText(const ShownTraffic &row) const;
+    // "9 rows; paused, 3 new; 500 oldest dropped". `shown`: a filter hides the others.
+    QString countsText(int shown) const;
+    // A table for other programs, with a header: comma separated, UTF-8, time as ISO 8601, whatever the
+    // locale.
+    QByteArray csv(Place place) const;
+
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+
+Q_SIGNALS:
+    void countsChanged();
+
+protected:
+    int columns() const override { return static_cast<int>(m_columns.size()); }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const ShownTraffic &row, int column, int role) const override;
+
+private:
+    void dropOldest();
+
+    const std::span<const TrafficColumn> m_columns;
+    const int m_most;
+    const int m_droppedAtOnce; // so that it is seldom
+    std::vector<ShownTraffic> m_waiting;
+    std::optional<Instant> m_last;
+    bool m_held = false;
+    quint64 m_dropped = 0;
+    quint64 m_droppedBefore = 0; // it was cleared
+};
+
+} // namespace codewheel
