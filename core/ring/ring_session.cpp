@@ -209,9 +209,9 @@ void RingSession::dispatch(const RingEvent &event)
     } else if (const auto *slept = std::get_if<Slept>(&event.what)) {
         takeSleep(*slept, event.at);
     } else if (const auto *found = std::get_if<RingFound>(&event.what)) {
-        if (isOpen() && d->generation > 0)
+        if (isOpen())
             useOtherRing(*found);
-        else if (isOpen())
+        else if (d->engine.state() == BusState::open)
             useFirstRing(*found);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
         dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);
@@ -313,10 +313,14 @@ const BusOutline &RingSession::outline() const
     return d->outline;
 }
 
+// Not open before its devices are known.
 BusState RingSession::state() const
 {
-    const bool isLost = d->engine.state() == BusState::open && d->generation > 0 && !d->latest().connected;
-    return isLost ? BusState::lost : d->engine.state();
+    if (d->engine.state() != BusState::open)
+        return d->engine.state();
+    if (d->generation == 0)
+        return BusState::opening;
+    return d->latest().connected ? BusState::open : BusState::lost;
 }
 
 bool RingSession::isSimulated() const

@@ -300,6 +300,17 @@ TYPED_TEST(EncoderBusContract, AThreadOpensIt)
     EXPECT_EQ(this->changes(), 0);
 }
 
+TYPED_TEST(EncoderBusContract, ItIsOpenWithItsDevices)
+{
+    for (int i = 0; i < 100; ++i) {
+        this->openByThread();
+        while (!this->bus().isOpen())
+            this->bus().pump();
+        ASSERT_NE(this->bus().encoder(TypeParam::place), nullptr);
+        this->bus().close();
+    }
+}
+
 TYPED_TEST(EncoderBusContract, AThreadTellsThatTheLinkDoesNotOpen)
 {
     std::vector<RefusalId> refused;
