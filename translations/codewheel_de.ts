@@ -5282,10 +5282,6 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
         <translation>information, attention oder fault: dies oder schlimmer</translation>
     </message>
     <message>
-        <source>of this device; &quot;bus&quot; is the bus itself</source>
-        <translation>von diesem Teilnehmer; &quot;bus&quot; ist der Bus selbst</translation>
-    </message>
-    <message>
         <source>from this time on: 2026-03-01 or 2026-03-01T14:02</source>
         <translation>von dieser Zeit an: 2026-03-01 oder 2026-03-01T14:02</translation>
     </message>
@@ -6361,6 +6357,22 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>%1 is for a bus that the link does not lead to: %2. Leave it out.</source>
         <translation>%1 ist für einen Bus, zu dem die Verbindung nicht führt: %2. Weglassen.</translation>
+    </message>
+    <message>
+        <source>of this device; &quot;bus&quot;: of none</source>
+        <translation>von diesem Teilnehmer; &quot;bus&quot;: von keinem</translation>
+    </message>
+    <message>
+        <source>of this bus and its devices: its number, or its name in the project</source>
+        <translation>von diesem Bus und seinen Teilnehmern: seine Nummer oder sein Name im Projekt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no bus. Write its number, or its name with --project.</source>
+        <translation>&quot;%1&quot; ist kein Bus. Seine Nummer schreiben, oder seinen Namen mit --project.</translation>
+    </message>
+    <message>
+        <source>Give --place or --bus, not both. A place on another bus is written as 3/1.0.</source>
+        <translation>--place oder --bus angeben, nicht beides. Ein Platz an einem anderen Bus wird als 3/1.0 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -9698,16 +9710,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Alle Orte</translation>
     </message>
     <message>
-        <source>Bus</source>
-        <translation>Bus</translation>
-    </message>
-    <message>
         <source>Place of messages</source>
         <translation>Ort der Meldungen</translation>
-    </message>
-    <message>
-        <source>Show only messages of this device, or of the bus itself</source>
-        <translation>Nur Meldungen dieses Teilnehmers oder des Busses selbst zeigen</translation>
     </message>
     <message>
         <source>All times</source>
@@ -9756,6 +9760,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Show messages before this date and time</source>
         <translation>Meldungen vor diesem Zeitpunkt zeigen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this device, of this bus and its devices, or of no device</source>
+        <translation>Nur Meldungen dieses Teilnehmers, dieses Busses mit seinen Teilnehmern oder keines Teilnehmers zeigen</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>Kein Teilnehmer</translation>
     </message>
 </context>
 <context>

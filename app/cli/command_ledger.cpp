@@ -93,10 +93,10 @@ Checked<Answer> listAccounts(const Call &call)
     TextTable table({left, left, right, right});
     table.add({CommandLine::tr("since"), CommandLine::tr("last at"), CommandLine::tr("writes"),
                CommandLine::tr("perhaps"), CommandLine::tr("counted by"), CommandLine::tr("encoder")});
-    std::set<BusId> buses;
+    std::set<Place> places;
     for (const Ledger::Account &account : accounts)
-        buses.insert(account.place.bus);
-    BusNames::tellApart(call, buses);
+        places.insert(account.place);
+    BusNames::tellApart(call, places);
     QJsonArray json;
     for (const Ledger::Account &account : accounts) {
         const QDateTime since = account.count.since.toLocalTime();

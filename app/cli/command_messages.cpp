@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/consent.h"
+#include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -30,7 +31,10 @@ constexpr std::array messagesOptions{
     Option{"--severity", "SEVERITY",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "information, attention or fault: this or worse")},
     Option{"--place", "PLACE",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this device; \"bus\" is the bus itself")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this device; \"bus\": of none")},
+    Option{"--bus", "BUS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "of this bus and its devices: its number, or its name in the project")},
     Option{"--from", "TIME",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01 or 2026-03-01T14:02")},
     Option{"--until", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "before this time")},
@@ -58,8 +62,28 @@ Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
     return at.toMSecsSinceEpoch();
 }
 
+Checked<MessageFilter::Where> busFrom(const Call &call, const QString &bus)
+{
+    if (call.arguments.has("--place"))
+        return badInput(
+            QStringLiteral("badOption"),
+            CommandLine::tr("Give --place or --bus, not both. A place on another bus is written as 3/1.0."));
+    int number = bus.toInt();
+    if (call.project != nullptr)
+        for (const PlannedBus &planned : call.project->buses)
+            if (planned.name == bus)
+                number = planned.id.number;
+    if (number <= 0)
+        return badInput(QStringLiteral("badBus"),
+                        CommandLine::tr("\"%1\" is no bus. Write its number, or its name with --project."),
+                        {bus});
+    return MessageFilter::Where{.all = false, .at = Place{{number}, {}}};
+}
+
 Checked<MessageFilter::Where> placeFrom(const Call &call)
 {
+    if (const auto bus = call.arguments.value("--bus"))
+        return busFrom(call, *bus);
     const auto text = call.arguments.value("--place");
     if (!text)
         return MessageFilter::Where{};
@@ -128,15 +152,22 @@ QJsonObject toJson(const StoredMessage &message)
              QDateTime::fromMSecsSinceEpoch(message.at, Qt::UTC).toString(Qt::ISODateWithMs)},
             {QStringLiteral("severity"), severityKey(message.severity)},
             {QStringLiteral("bus"), message.place ? QJsonValue(message.place->bus.number) : QJsonValue()},
-            {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
+            {QStringLiteral("place"), message.place && !message.place->isEmpty()
+                                          ? QJsonValue(message.place->toString())
+                                          : QJsonValue()},
             {QStringLiteral("code"), message.code},
             {QStringLiteral("arguments"), parsed(message.arguments).array()},
             {QStringLiteral("refusal"),
              message.refusal.isEmpty() ? QJsonValue() : QJsonValue(parsed(message.refusal).object())}};
 }
 
-Answer listedMessages(const std::vector<StoredMessage> &messages)
+Answer listedMessages(const Call &call, const std::vector<StoredMessage> &messages)
 {
+    std::set<Place> places;
+    for (const StoredMessage &message : messages)
+        if (message.place)
+            places.insert(*message.place);
+    BusNames::tellApart(call, places);
     TextTable table;
     QJsonArray json;
     for (const StoredMessage &message : messages) {
@@ -234,15 +265,15 @@ Checked<Answer> runMessages(const Call &call)
     const auto messages = table->read(*ids);
     if (!messages)
         return tl::unexpected(databaseComplaint(file, messages.error()));
-    return listedMessages(*messages);
+    return listedMessages(call, *messages);
 }
 
 } // namespace
 
 const Subcommand messagesCommand{
     .name = "messages",
-    .usage = "[--severity SEVERITY] [--place PLACE] [--from TIME] [--until TIME] [--text TEXT] [--last N] "
-             "[--export FILE [--yes]]",
+    .usage = "[--severity SEVERITY] [--place PLACE] [--bus BUS] [--from TIME] [--until TIME] [--text TEXT] "
+             "[--last N] [--export FILE [--yes]]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list or export the messages that are kept"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

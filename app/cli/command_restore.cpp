@@ -120,15 +120,16 @@ QString assignments(const DeviceDescription &device, const ParameterValues &valu
 Answer listedValues(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
 {
     const QDateTime now = call.buses.now(encoder.place());
-    std::set<BusId> buses;
+    std::set<Place> places;
     for (const ValuesBefore &before : all)
-        buses.insert(before.writtenAt.bus);
-    BusNames::tellApart(call, buses);
+        places.insert(before.writtenAt);
+    BusNames::tellApart(call, places);
+    const bool isOfSeveralBuses = !places.empty() && places.begin()->bus != places.rbegin()->bus;
     TextTable table;
     QJsonArray json;
     for (const ValuesBefore &before : all) {
         QStringList cells{localTime(before, now), assignments(encoder.device(), before.values)};
-        if (buses.size() > 1)
+        if (isOfSeveralBuses)
             cells.insert(1, before.writtenAt.shown());
         table.add(cells);
         json.append(placeJson(call, before.writtenAt,

@@ -25,6 +25,24 @@ void nameBuses(const Call &call, const Project &project)
     BusNames::tell(call);
 }
 
+// One that nobody has named has its number.
+QString nameOf(const Call &call, BusId bus)
+{
+    if (const BusAccess *access = call.findBus(bus))
+        return access->name();
+    const PlannedBus *planned = call.project != nullptr ? findBus(*call.project, bus) : nullptr;
+    return planned != nullptr ? planned->name : QString::number(bus.number);
+}
+
+// Places of the same form may be the same on two buses.
+QString formOf(NodeId node)
+{
+    for (const PlaceFormat &format : placeFormats())
+        if (format.node(node.toString()))
+            return QString::number(format.bus.number);
+    return {};
+}
+
 } // namespace
 
 Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments)
@@ -82,20 +100,29 @@ void BusNames::tell(const Call &call)
     std::vector<NamedBus> buses;
     for (const BusAccess *bus : call.links)
         buses.push_back({bus->bus().id(), bus->kind(), bus->name()});
-    setBusNames(namesOfSeveral(buses));
+    std::map<BusId, QString> names;
+    for (const NamedBus &bus : buses)
+        names[bus.id] = bus.name;
+    setBusNames(namesOfSeveral(buses), std::move(names));
 }
 
-void BusNames::tellApart(const Call &call, const std::set<BusId> &buses)
+void BusNames::tellApart(const Call &call, const std::set<Place> &places)
 {
-    std::map<BusId, QString> names;
-    for (const BusId bus : buses.size() > 1 ? buses : std::set<BusId>()) {
-        const BusAccess *access = call.findBus(bus);
-        const PlannedBus *planned = call.project != nullptr ? findBus(*call.project, bus) : nullptr;
-        names[bus] = access != nullptr    ? access->name()
-                     : planned != nullptr ? planned->name
-                                          : QString::number(bus.number);
+    std::map<BusId, NamedBus> buses;
+    for (const Place &place : places) {
+        NamedBus &bus = buses[place.bus];
+        bus.id = place.bus;
+        bus.name = nameOf(call, place.bus);
+        if (!place.isEmpty())
+            bus.kind = formOf(place.node);
     }
-    setBusNames(std::move(names));
+    std::vector<NamedBus> named;
+    std::map<BusId, QString> names;
+    for (const auto &[id, bus] : buses) {
+        named.push_back(bus);
+        names[id] = bus.name;
+    }
+    setBusNames(namesOfSeveral(named), buses.size() > 1 ? names : std::map<BusId, QString>());
 }
 
 } // namespace codewheel

@@ -28,9 +28,9 @@ public:
     Q_DISABLE_COPY_MOVE(BusNames)
 
     static void tell(const Call &call);
-    // Of a list of places: each with its bus, where they are on several; one that nobody has named has its
-    // number.
-    static void tellApart(const Call &call, const std::set<BusId> &buses);
+    // Of a list: each place with its bus, where those of the same form are on several, and each bus itself;
+    // a bus that nobody has named has its number.
+    static void tellApart(const Call &call, const std::set<Place> &places);
 };
 
 } // namespace codewheel

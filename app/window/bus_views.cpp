@@ -26,10 +26,7 @@ void BusViews::setCurrent(bool isCurrent)
 
 void BusViews::tellTraining(Place place, const QString &what, MessageId id)
 {
-    Q_EMIT told({.place = place.isEmpty() ? std::nullopt : std::optional(place),
-                 .severity = Severity::information,
-                 .id = id,
-                 .arguments = {what}});
+    Q_EMIT told({.place = place, .severity = Severity::information, .id = id, .arguments = {what}});
 }
 
 BusViews *makeBusViews(BusAtWork &bus, const WindowParts &parts, QObject *parent)

@@ -57,7 +57,10 @@ void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
     m_views[id] = &views;
     for (const auto &[panel, page] : views.panels())
         m_panels.addPage(panel, page);
-    connect(&views, &BusViews::told, this, &MainWindow::tell);
+    connect(&views, &BusViews::told, this, [this, id](Message message) {
+        message.place = Place{id, message.place ? message.place->node : NodeId()};
+        tell(message);
+    });
     connect(&views, &BusViews::panelRequested, this, [this, id](Panel panel) {
         chooseBus(id);
         m_panels.show(panel);

@@ -142,10 +142,13 @@ void Plant::nameBuses()
     for (const auto &bus : m_buses)
         if (bus->isOpen() || !devicesOn(project, bus->id()).empty())
             buses.push_back({bus->id(), bus->kind(), nameOf(bus->id())});
-    std::map<BusId, QString> names = namesOfSeveral(buses);
+    std::map<BusId, QString> all;
+    for (const auto &bus : m_buses)
+        all[bus->id()] = nameOf(bus->id());
+    std::pair names(namesOfSeveral(buses), std::move(all));
     if (std::exchange(m_names, names) == names)
         return;
-    setBusNames(std::move(names));
+    setBusNames(std::move(names.first), std::move(names.second));
     Q_EMIT m_sessions.changed();
 }
 

@@ -55,7 +55,8 @@ private:
     void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;
-    std::map<BusId, QString> m_names; // of those whose places others may have as well
+    using Names = std::map<BusId, QString>;
+    std::pair<Names, Names> m_names; // of those whose places others may have as well, and of all
     Buses m_sessions;
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;

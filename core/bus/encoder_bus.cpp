@@ -25,6 +25,12 @@ Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) c
     return {};
 }
 
+void EncoderBus::tell(Message message)
+{
+    message.place = placeOf(message.place ? message.place->node : NodeId());
+    Q_EMIT messaged(message);
+}
+
 void EncoderBus::tellTraffic(TrafficRow row)
 {
     row.time = dateTime(row.at);
@@ -33,7 +39,7 @@ void EncoderBus::tellTraffic(TrafficRow row)
 
 void EncoderBus::linkRefused(const Refusal &why)
 {
-    Q_EMIT messaged({.at = now(), .severity = Severity::fault, .refusal = why});
+    tell({.at = now(), .severity = Severity::fault, .refusal = why});
     tellState();
     Q_EMIT openRefused(why);
 }
@@ -49,10 +55,10 @@ void EncoderBus::takeSleep(const Slept &slept, Instant at)
 {
     m_wallTime.slept(slept.duration, at);
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(slept.duration).count();
-    Q_EMIT messaged({.at = at,
-                     .severity = Severity::attention,
-                     .id = MessageId::computerSlept,
-                     .arguments = {std::int64_t{seconds}}});
+    tell({.at = at,
+          .severity = Severity::attention,
+          .id = MessageId::computerSlept,
+          .arguments = {std::int64_t{seconds}}});
 }
 
 Refusal EncoderBus::whyNotThere(Place place) const

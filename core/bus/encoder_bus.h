@@ -110,7 +110,7 @@ Q_SIGNALS:
     void nodesChanged(); // other devices, or an encoder has another session than before
     // An encoder has another place now: encoder() finds it by that one.
     void moved(codewheel::Place from, codewheel::Place to);
-    void messaged(const codewheel::Message &message);
+    void messaged(const codewheel::Message &message); // with its place, of a device or of the bus itself
     void trafficPassed(const codewheel::TrafficRow &row);
     // Nothing of it has been sent yet. For the ledger of EEPROM writes.
     void writeAboutToBeSent(const codewheel::TypedWrite &write);
@@ -121,6 +121,7 @@ Q_SIGNALS:
 protected:
     // What name() may be refused for on every bus; null: the make is not known any more.
     Result<void> mayName(Place place, const DeviceDescription *device) const;
+    void tell(Message message);           // of one of its devices, or of the bus: its place need not know it
     void tellTraffic(TrafficRow row);     // with its time
     void linkRefused(const Refusal &why); // it is closed: it is told
     void tellState(bool isOther = false); // stateChanged(), if it is another; `isOther`: for more reasons

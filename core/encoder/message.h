@@ -93,7 +93,7 @@ inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::
 struct Message
 {
     Instant at{};
-    std::optional<Place> place{};
+    std::optional<Place> place{}; // whose it is, a device or the bus itself; nothing: the program's
     Severity severity = Severity::information;
     MessageId id = MessageId::refused;
     std::vector<RefusalArgument> arguments{};

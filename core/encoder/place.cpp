@@ -13,9 +13,15 @@ std::string_view takePart(std::string_view &text)
     return part;
 }
 
-std::map<BusId, QString> &busNames()
+struct BusNames
 {
-    static std::map<BusId, QString> names;
+    std::map<BusId, QString> ofPlaces;
+    std::map<BusId, QString> ofBuses;
+};
+
+BusNames &busNames()
+{
+    static BusNames names;
     return names;
 }
 
@@ -65,12 +71,15 @@ std::optional<Place> Place::parse(QStringView text)
 
 QString Place::shown() const
 {
-    return shownPlace(*this, busNames());
+    if (!isEmpty())
+        return shownPlace(*this, busNames().ofPlaces);
+    const auto name = busNames().ofBuses.find(bus);
+    return name == busNames().ofBuses.end() ? QString() : name->second;
 }
 
-void setBusNames(std::map<BusId, QString> names)
+void setBusNames(std::map<BusId, QString> ofPlaces, std::map<BusId, QString> ofBuses)
 {
-    busNames() = std::move(names);
+    busNames() = {std::move(ofPlaces), std::move(ofBuses)};
 }
 
 } // namespace codewheel

@@ -59,7 +59,7 @@ struct PlaceFormat
 };
 std::span<const PlaceFormat> placeFormats();
 
-// Where a device stands: on which bus, and where there.
+// Where a device stands: on which bus, and where there. Without a node: the bus itself.
 struct Place
 {
     BusId bus{};
@@ -79,12 +79,13 @@ struct Place
     QString key() const;
     // Of a key; and of what is typed: "12" on the first line. Nothing for anything else.
     static std::optional<Place> parse(QStringView text);
-    // As people are told it: "1.0", or "Crane 2/1.0" where another bus may have it too (setBusNames()).
+    // As people are told it: "1.0", or "Crane 2/1.0" where another bus may have it too; of a bus its name, or
+    // nothing where it has none (setBusNames()).
     QString shown() const;
 };
 
-// The names of the buses that may have the same places as others. By the thread of the window or of the
-// command line, as shown().
-void setBusNames(std::map<BusId, QString> names);
+// The names of the buses that may have the same places as others, and of those that are told by name when
+// they are meant themselves. By the thread of the window or of the command line, as shown().
+void setBusNames(std::map<BusId, QString> ofPlaces, std::map<BusId, QString> ofBuses = {});
 
 } // namespace codewheel

@@ -45,7 +45,7 @@ void LineEncoderSession::report(Message message, Instant at)
 {
     message.at = at;
     message.place = place();
-    Q_EMIT m_line.messaged(message);
+    m_line.tell(std::move(message));
 }
 
 Instant LineEncoderSession::now() const

@@ -127,9 +127,9 @@ void LineSession::linkOpened()
                                            .polling = true,
                                            .operate = d->start == Start::operating};
     d->engine.setLatest(std::move(expected));
-    Q_EMIT messaged({.at = now(),
-                     .id = MessageId::lineOpened,
-                     .arguments = {d->link->name(), QString::number(d->settings.baudRate)}});
+    tell({.at = now(),
+          .id = MessageId::lineOpened,
+          .arguments = {d->link->name(), QString::number(d->settings.baudRate)}});
     showLatest();
     Q_EMIT nodesChanged();
 }
@@ -143,7 +143,7 @@ void LineSession::close()
     static_cast<LineState &>(*closed) = {};
     d->engine.setLatest(std::move(closed));
     if (wasOpen)
-        Q_EMIT messaged({.at = now(), .id = MessageId::lineClosed, .arguments = {d->link->name()}});
+        tell({.at = now(), .id = MessageId::lineClosed, .arguments = {d->link->name()}});
     showLatest();
 }
 
@@ -204,12 +204,9 @@ void LineSession::dispatch(const LineEvent &event)
     }
 }
 
-// The runner knows no bus.
-void LineSession::dispatch(Message message)
+void LineSession::dispatch(const Message &message)
 {
-    if (message.place)
-        message.place->bus = id();
-    Q_EMIT messaged(message);
+    tell(message);
     if (message.refusal && message.refusal->id == RefusalId::portOfOther)
         Q_EMIT otherAdapterFound(*message.refusal);
 }

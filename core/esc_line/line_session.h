@@ -122,7 +122,7 @@ private:
     void tellEnd(const TypedAnswered &answered);
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
-    void dispatch(Message message);
+    void dispatch(const Message &message);
     void linkOpened();
     void showLatest();
 

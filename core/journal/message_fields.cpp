@@ -31,7 +31,15 @@ QString severityName(Severity severity)
 
 QString placeName(const std::optional<Place> &place)
 {
-    return place ? place->shown() : Fields::tr("Bus");
+    if (!place)
+        return {};
+    const QString shown = place->shown();
+    return shown.isEmpty() ? Fields::tr("Bus") : shown;
+}
+
+QString placeText(const std::optional<Place> &place)
+{
+    return place ? place->toString() : QString();
 }
 
 QString messageTime(const QDateTime &at)

@@ -7,14 +7,15 @@
 
 namespace codewheel {
 
-// Which messages are wanted: of this severity or worse, of one place, of a time, with this text somewhere in
-// the row as it is shown.
+// Which messages are wanted: of this severity or worse, of one place or bus, of a time, with this text
+// somewhere in the row as it is shown.
 struct MessageFilter
 {
     struct Where
     {
         bool all = true;
-        std::optional<Place> at = {}; // nothing: the bus itself
+        // Of a bus itself: all of that bus, its devices included. Nothing: of no device.
+        std::optional<Place> at = {};
 
         friend bool operator==(const Where &, const Where &) = default;
     };

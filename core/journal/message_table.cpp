@@ -32,25 +32,49 @@ Severity severityOf(int number)
     return number <= 0 ? Severity::information : number == 1 ? Severity::attention : Severity::fault;
 }
 
+// "6.1"; "3/": the bus itself.
+std::optional<Place> placeOf(const QString &key)
+{
+    if (!key.endsWith(u'/'))
+        return Place::parse(key);
+    const int bus = key.chopped(1).toInt();
+    return bus > 0 ? std::optional(Place{{bus}, {}}) : std::nullopt;
+}
+
 StoredMessage messageOf(const QSqlQuery &query)
 {
     return {.id = query.value(0).toLongLong(),
             .at = query.value(1).toLongLong(),
             .severity = severityOf(query.value(2).toInt()),
-            .place = Place::parse(query.value(3).toString()),
+            .place = placeOf(query.value(3).toString()),
             .code = query.value(4).toString(),
             .arguments = query.value(5).toString(),
             .refusal = query.value(6).toString()};
 }
 
-QString conditions(const MessageFilter &filter)
+// Of a bus all that happened there; `places` are those of the table.
+QString placeCondition(const MessageFilter::Where &where, const std::vector<Place> &places)
+{
+    if (where.all)
+        return {};
+    if (!where.at)
+        return QStringLiteral(" AND (place IS NULL OR place LIKE '%/')");
+    const auto quoted = [](const Place &place) {
+        return u'\'' + place.key().replace(u'\'', QStringLiteral("''")) + u'\'';
+    };
+    QStringList keys{quoted(*where.at)};
+    for (const Place &place : places)
+        if (place.bus == where.at->bus)
+            keys << quoted(place);
+    return QStringLiteral(" AND place IN (%1)").arg(keys.join(u','));
+}
+
+QString conditions(const MessageFilter &filter, const std::vector<Place> &places)
 {
     QString text = QStringLiteral(" WHERE id BETWEEN ? AND ?");
     if (filter.least != Severity::information)
         text += QStringLiteral(" AND severity >= %1").arg(static_cast<int>(filter.least));
-    if (!filter.place.all)
-        text += filter.place.at ? QStringLiteral(" AND place = '%1'").arg(filter.place.at->key())
-                                : QStringLiteral(" AND place IS NULL");
+    text += placeCondition(filter.place, places);
     if (filter.from)
         text += QStringLiteral(" AND at >= %1").arg(*filter.from);
     if (filter.until)
@@ -162,8 +186,8 @@ Stored<std::vector<StoredMessage>> MessageTable::read(const std::vector<qint64> 
 Stored<std::vector<StoredMessage>> MessageTable::read(qint64 first, qint64 last,
                                                       const MessageFilter &filter) const
 {
-    QSqlQuery query =
-        m_database.query(QStringLiteral("SELECT %1 FROM message").arg(messageColumns) + conditions(filter));
+    QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM message").arg(messageColumns) +
+                                       conditions(filter, placesFor(filter)));
     query.bindValue(0, first);
     query.bindValue(1, last);
     return all<StoredMessage>(m_database, std::move(query), messageOf);
@@ -171,7 +195,8 @@ Stored<std::vector<StoredMessage>> MessageTable::read(qint64 first, qint64 last,
 
 Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const MessageFilter &filter) const
 {
-    QSqlQuery query = m_database.query(QStringLiteral("SELECT id FROM message") + conditions(filter));
+    QSqlQuery query =
+        m_database.query(QStringLiteral("SELECT id FROM message") + conditions(filter, placesFor(filter)));
     query.bindValue(0, first);
     query.bindValue(1, last);
     return all<qint64>(m_database, std::move(query),
@@ -184,10 +209,16 @@ std::vector<Place> MessageTable::places() const
     std::vector<Place> places;
     (void)m_database.run(query);
     while (query.next())
-        if (const auto number = Place::parse(query.value(0).toString()))
-            places.push_back(*number);
+        if (const auto place = placeOf(query.value(0).toString()))
+            places.push_back(*place);
     std::ranges::sort(places);
     return places;
+}
+
+// Looked up where a bus is asked for alone.
+std::vector<Place> MessageTable::placesFor(const MessageFilter &filter) const
+{
+    return filter.place.at && filter.place.at->isEmpty() ? places() : std::vector<Place>();
 }
 
 qint64 MessageTable::size() const

@@ -39,7 +39,7 @@ public:
                                             const MessageFilter &filter = {}) const;
     // The same, ids alone.
     Stored<std::vector<qint64>> ids(qint64 first, qint64 last, const MessageFilter &filter) const;
-    // Where something happened, in order.
+    // Where something happened, in order; a bus itself before its devices.
     std::vector<Place> places() const;
 
     qint64 size() const; // bytes
@@ -50,6 +50,7 @@ private:
     explicit MessageTable(Database database)
         : m_database(std::move(database))
     {}
+    std::vector<Place> placesFor(const MessageFilter &filter) const;
     Stored<void> freePages();
     Stored<void> insert(const std::vector<StoredMessage> &messages, bool withIds);
 

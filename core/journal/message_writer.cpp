@@ -21,7 +21,7 @@ QString csvLine(const StoredMessage &message)
     const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
     const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
                              severityKey(message.severity),
-                             message.place ? message.place->toString() : QString(),
+                             placeText(message.place),
                              codeOf(message),
                              csvText(messageText(message)),
                              message.place ? QString::number(message.place->bus.number) : QString()};

@@ -102,7 +102,7 @@ void RingEncoderSession::report(Message message, Instant at)
 {
     message.at = at;
     message.place = place();
-    Q_EMIT m_bus.messaged(message);
+    m_bus.tell(std::move(message));
 }
 
 } // namespace codewheel

@@ -220,13 +220,11 @@ void RingSession::dispatch(const RingEvent &event)
 
 void RingSession::dispatch(Message message, std::optional<std::size_t> device)
 {
-    if (message.place)
-        message.place->bus = id();
     RingEncoderSession *session = device ? d->sessions[*device].get() : nullptr;
     const bool isFault = session && message.id == MessageId::deviceFault;
     if (isFault)
         message.refusal = session->nameOf(message);
-    Q_EMIT messaged(message);
+    tell(message);
     if (isFault)
         session->takeFault(message);
     else if (device && message.place && message.refusal)

@@ -257,6 +257,31 @@ TYPED_TEST(EncoderBusContract, ALostLinkThatIsBackSendsNothingByItself)
     EXPECT_EQ(this->changes(), 0);
 }
 
+TYPED_TEST(EncoderBusContract, EveryMessageTellsItsBus)
+{
+    int ofBus = 0;
+    int ofDevice = 0;
+    QObject::connect(&this->bus(), &EncoderBus::messaged, &this->bus(), [&](const Message &message) {
+        ASSERT_TRUE(message.place);
+        EXPECT_EQ(message.place->bus, this->bus().id());
+        ++(message.place->isEmpty() ? ofBus : ofDevice);
+    });
+    this->open(true);
+    this->bus().setOperate(false);
+    this->bus().advance(100ms);
+    this->bus().setOperate(true);
+    this->bus().advance(100ms);
+    ASSERT_TRUE(this->start());
+    this->finish();
+    this->bus().advance(100ms);
+    EXPECT_GE(ofBus, 1);
+    EXPECT_GE(ofDevice, 1);
+    const int before = ofBus;
+    this->watch().isGone = true;
+    this->bus().advance(100ms);
+    EXPECT_GT(ofBus, before) << "the link is lost";
+}
+
 TYPED_TEST(EncoderBusContract, ALinkThatDoesNotOpenIsTold)
 {
     std::vector<RefusalId> refused;

@@ -80,7 +80,7 @@ protected:
     {
         MessageStore store({.file = path("messages.sqlite")});
         const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0));
-        store.add({.id = MessageId::busStarted}, noon);
+        store.add({.place = Place{firstRing, {}}, .id = MessageId::busStarted}, noon);
         store.add({.place = "1.0"_ring,
                    .severity = Severity::fault,
                    .id = MessageId::deviceFault,
@@ -115,6 +115,33 @@ TEST_F(CliMessages, AreFiltered)
                   .toArray()
                   .size(),
               0);
+}
+
+// Of two buses: what stopped is told with the bus, and each can be looked at alone.
+TEST_F(CliMessages, TellTheBus)
+{
+    {
+        MessageStore store({.file = path("messages.sqlite")});
+        const QDateTime later(QDate(2026, 3, 1), QTime(13, 0));
+        store.add({.place = Place{BusId{3}, {}}, .id = MessageId::busStopped}, later);
+        store.add({.place = Place{BusId{3}, NodeId("1.0")}, .id = MessageId::valuesForgotten}, later);
+    }
+    const CliRun all = run("messages --file %1/messages.sqlite");
+    EXPECT_NE(all.out.find("Information  1      The bus runs."), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("Fault        1/1.0  The encoder"), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("Information  3      The bus is stopped."), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("Information  3/1.0  "), std::string::npos) << all.out;
+
+    const QJsonArray third =
+        run("messages --json --file %1/messages.sqlite --bus 3").json()[u"messages"].toArray();
+    ASSERT_EQ(third.size(), 2);
+    EXPECT_EQ(third[0][u"bus"], 3);
+    EXPECT_TRUE(third[0][u"place"].isNull());
+    EXPECT_EQ(third[1][u"place"], QStringLiteral("1.0"));
+    EXPECT_EQ(run("messages --json --file %1/messages.sqlite --bus 1").json()[u"messages"].toArray().size(),
+              2);
+    EXPECT_EQ(errorKey(run("messages --json --file %1/messages.sqlite --bus Crane")), "badBus");
+    EXPECT_EQ(errorKey(run("messages --json --file %1/messages.sqlite --bus 3 --place 1.0")), "badOption");
 }
 
 TEST_F(CliMessages, NoneThatFitsIsTold)

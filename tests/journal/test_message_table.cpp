@@ -62,6 +62,27 @@ TEST(MessageTable, FiltersBySeverityPlaceAndTime)
     EXPECT_EQ(ids({.from = 20, .until = 40}), (Ids{2, 3}));
 }
 
+TEST(MessageTable, FindsAllOfABus)
+{
+    const Place first{firstRing, {}};
+    const Place third{BusId{3}, {}};
+    const Place onThird{BusId{3}, NodeId("1.0")};
+    auto table = MessageTable::open(DatabasePlace::memory());
+    ASSERT_TRUE(table &&
+                table->append({messageAt(1, "a", first), messageAt(2, "b", "1.0"_ring),
+                               messageAt(3, "c", third), messageAt(4, "d", onThird), messageAt(5, "e")}));
+    using Ids = std::vector<qint64>;
+    const auto ids = [&](std::optional<Place> place) {
+        return table->ids(1, 9, {.place = {.all = false, .at = place}}).value_or(Ids());
+    };
+    EXPECT_EQ(ids(first), (Ids{1, 2}));
+    EXPECT_EQ(ids(third), (Ids{3, 4}));
+    EXPECT_EQ(ids(Place{BusId{4}, {}}), Ids());
+    EXPECT_EQ(ids({}), (Ids{1, 3, 5}));
+    EXPECT_EQ(table->read({3}).value().front().place, third);
+    EXPECT_EQ(table->places(), (std::vector<Place>{first, "1.0"_ring, third, onThird}));
+}
+
 TEST(MessageTable, IsSeenByOthers)
 {
     const JournalFile file;

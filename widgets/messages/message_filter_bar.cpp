@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_filter_bar.h"
 
+#include "journal/message_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -19,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int firstPlace = 2; // after "all places" and "bus"
+constexpr int firstPlace = 2; // after "all places" and "no device"
 constexpr int daysOfWeek = 7;
 constexpr int shortChoice = 9;                  // characters
 constexpr int shortestChoice = 16 * grid::unit; // in a small window
@@ -36,7 +37,7 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
     , m_severity(describe(new QComboBox(this), tr("Severity of messages"),
                           tr("Show only messages of this severity or worse")))
     , m_place(describe(new QComboBox(this), tr("Place of messages"),
-                       tr("Show only messages of this device, or of the bus itself")))
+                       tr("Show only messages of this device, of this bus and its devices, or of no device")))
     , m_period(describe(new QComboBox(this), tr("Time of messages"),
                         tr("Show only messages of this time; the start is that of the program")))
     , m_from(new QDateTimeEdit(m_span))
@@ -76,7 +77,7 @@ void MessageFilterBar::makeChoices()
     m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
     m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
     m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Where{}));
-    m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Where{.all = false}));
+    m_place->addItem(tr("No device"), QVariant::fromValue(MessageFilter::Where{.all = false}));
     m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
     m_period->addItem(tr("Since the start"), QVariant::fromValue(Period::sinceStart));
     m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
@@ -163,8 +164,8 @@ void MessageFilterBar::setPlaces(const std::vector<Place> &places)
         int index = firstPlace;
         while (index < m_place->count() && before(index))
             ++index;
-        if (m_place->itemText(index) != place.shown())
-            m_place->insertItem(index, place.shown(),
+        if (m_place->itemText(index) != placeName(place))
+            m_place->insertItem(index, placeName(place),
                                 QVariant::fromValue(MessageFilter::Where{.all = false, .at = place}));
     }
 }
