@@ -46,7 +46,8 @@ public:
     using QObject::QObject;
     ~BusViews() override;
 
-    virtual std::vector<std::pair<Panel, QWidget *>> panels() const = 0;
+    // Its pages, of the panels of its kind and of panel::training.
+    virtual std::vector<std::pair<const Panel *, QWidget *>> pages() const = 0;
     // The page that lays it beside the project.
     virtual QWidget *comparison() const = 0;
     virtual bool tellsState() const { return false; } // at the head of the status line
@@ -63,7 +64,7 @@ public:
     virtual void compare() {}     // it says how its bus differs from the project
 
 Q_SIGNALS:
-    void panelRequested(codewheel::Panel panel); // it is to be seen
+    void panelRequested(const codewheel::Panel &panel); // it is to be seen
     void told(const codewheel::Message &message);
     void devicesChanged(); // another ring was read in: what is chosen stays so if it is there
 
@@ -93,8 +94,5 @@ private:
     std::vector<QWidget *> m_own;
     bool m_isCurrent = false;
 };
-
-// The list of kinds: the views of each.
-BusViews *makeBusViews(BusAtWork &bus, const WindowParts &parts, QObject *parent);
 
 } // namespace codewheel

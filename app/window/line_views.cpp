@@ -90,6 +90,12 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showChosen);
     connect(m_training, &LineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
+    connect(&line, &LineAtWork::portOpened, this, &LineViews::showOpened);
+    connect(&line, &LineAtWork::openRefused, this, &LineViews::showRefused);
+    connect(&line, &LineAtWork::openingChanged, this, [this] {
+        m_form->setConnecting(m_line.isOpening());
+        showActions();
+    });
     connect(&line, &LineAtWork::aboutToChange, this, [this] { setLine(nullptr); });
     connect(&line, &LineAtWork::changed, this, [this] { setLine(m_line.session()); });
     onAction(m_actions.settings, [this] { showSettings(); });
@@ -104,9 +110,9 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     showPlanned();
 }
 
-std::vector<std::pair<Panel, QWidget *>> LineViews::panels() const
+std::vector<std::pair<const Panel *, QWidget *>> LineViews::pages() const
 {
-    return {{Panel::training, m_training}, {Panel::terminal, m_terminal}, {Panel::line, m_panel}};
+    return {{&panel::training, m_training}, {&terminalPanel, m_terminal}, {&linePanel, m_panel}};
 }
 
 QWidget *LineViews::comparison() const
@@ -132,7 +138,7 @@ void LineViews::showStatus()
 
 void LineViews::tellActions()
 {
-    m_actions.disconnectLine->setEnabled(isCurrent() && m_line.session() != nullptr);
+    m_actions.disconnectLine->setEnabled(isCurrent() && (m_line.session() != nullptr || m_line.isOpening()));
     m_actions.training->setEnabled(isCurrent() && m_line.training() == nullptr);
     showChosen();
 }
@@ -166,7 +172,7 @@ void LineViews::showPicture()
 
 void LineViews::open()
 {
-    Q_EMIT panelRequested(Panel::line);
+    Q_EMIT panelRequested(linePanel);
     m_panel->setFocus();
 }
 
@@ -178,7 +184,7 @@ bool LineViews::open(Place)
 
 void LineViews::showTerminal()
 {
-    Q_EMIT panelRequested(Panel::terminal);
+    Q_EMIT panelRequested(terminalPanel);
     m_terminal->setFocus();
 }
 
@@ -253,7 +259,8 @@ void LineViews::connectPort(const LineSettings &wish, bool isPicked)
         if (isPicked || wanted.settings.port != wish.port)
             wanted.adapter = {}; // whichever is there
         wanted.settings = wish;
-        showConnected(m_line.openPort(wanted), wanted);
+        m_opened = wanted;
+        m_line.openPort(wanted);
     });
 }
 
@@ -262,23 +269,25 @@ void LineViews::connectOtherAdapter(const LineSettings &wish)
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
         LinePlan wanted = m_keeper->line();
         wanted.settings = wish;
-        showConnected(m_line.openOtherAdapter(wanted), wanted);
+        m_opened = wanted;
+        m_line.openOtherAdapter(wanted);
     });
 }
 
-void LineViews::showConnected(const Result<void> &opened, const LinePlan &wanted)
+void LineViews::showOpened()
 {
-    if (opened)
-        m_form->setProblem({});
-    else if (opened.error().id == RefusalId::portOfOther)
-        m_form->askForOtherAdapter(refusalText(opened.error()));
-    else
-        m_form->setProblem(refusalText(opened.error()));
-    if (!opened)
-        return;
+    m_form->setProblem({});
     m_form->tellBaudRate({});
-    keepPort(wanted);
+    keepPort(m_opened);
     open();
+}
+
+void LineViews::showRefused(const Refusal &why)
+{
+    if (why.id == RefusalId::portOfOther)
+        m_form->askForOtherAdapter(refusalText(why));
+    else
+        m_form->setProblem(refusalText(why));
 }
 
 void LineViews::keepPort(const LinePlan &line)

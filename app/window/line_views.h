@@ -5,6 +5,7 @@
 #include "app/window/line_status.h"
 #include "encoder/refusal.h"
 #include "esc_line/line_scan.h"
+#include "project/line_plan.h"
 
 #include <QPointer>
 
@@ -26,6 +27,12 @@ struct LinePlan;
 
 // The views of a serial line in the window: terminal and panel, which stand in docks, and the pages to
 // connect it and to search for encoders; and the actions that open them.
+inline constexpr Panel terminalPanel{"terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
+                                     Qt::ALT | Qt::Key_0, Panel::Behind::messages};
+inline constexpr Panel linePanel{"lineDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Serial line"),
+                                 Qt::ALT | Qt::SHIFT | Qt::Key_L, Panel::Behind::state};
+inline constexpr std::array linePanels{&terminalPanel, &linePanel};
+
 class LineViews final : public BusViews
 {
     Q_OBJECT
@@ -33,7 +40,7 @@ class LineViews final : public BusViews
 public:
     LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent);
 
-    std::vector<std::pair<Panel, QWidget *>> panels() const override;
+    std::vector<std::pair<const Panel *, QWidget *>> pages() const override;
     QWidget *comparison() const override;
     QMenu *menu() const override;
     void setChosen(std::optional<Place> place) override;
@@ -57,7 +64,8 @@ private:
     void listPorts();
     void connectPort(const LineSettings &wish, bool isPicked);
     void connectOtherAdapter(const LineSettings &wish);
-    void showConnected(const Result<void> &opened, const LinePlan &wanted);
+    void showOpened();
+    void showRefused(const Refusal &why);
     void keepPort(const LinePlan &line);
     void showState();
     void connectTraining();
@@ -87,6 +95,7 @@ private:
     LineSettingsForm *m_form;
     LineSearch *m_search;
     LineTrainingPanel *m_training;
+    LinePlan m_opened; // when a port was to be opened last
     ComparisonPage *m_comparison;
 };
 

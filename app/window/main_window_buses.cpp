@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buses in the window: each has views of its own kind, and one of them is the chosen one.
-#include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
+#include "app/window/window_kinds.h"
 #include "bus/buses.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -39,11 +39,11 @@ void MainWindow::connectBuses()
 void MainWindow::addBus(BusAtWork *bus)
 {
     auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
-    if (BusViews *views = makeBusViews(
-            *bus,
-            {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device, *m_editor},
-            this))
-        addViews(*bus, *views);
+    if (const WindowKind *kind = windowKind(bus->kind()); kind != nullptr && kind->makeViews != nullptr)
+        addViews(*bus, *kind->makeViews(*bus,
+                                        {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice,
+                                         *m_status, *m_device, *m_editor},
+                                        this));
     connect(bus, &BusAtWork::aboutToChange, this, [this, bus] { leaveBus(*bus); });
     connect(bus, &BusAtWork::changed, this, [this, bus] { takeBus(*bus); });
     takeBus(*bus);
@@ -55,13 +55,13 @@ void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
 {
     const BusId id = bus.id();
     m_views[id] = &views;
-    for (const auto &[panel, page] : views.panels())
-        m_panels.addPage(panel, page);
+    for (const auto &[panel, page] : views.pages())
+        m_panels.addPage(*panel, page);
     connect(&views, &BusViews::told, this, [this, id](Message message) {
         message.place = Place{id, message.place ? message.place->node : NodeId()};
         tell(message);
     });
-    connect(&views, &BusViews::panelRequested, this, [this, id](Panel panel) {
+    connect(&views, &BusViews::panelRequested, this, [this, id](const Panel &panel) {
         chooseBus(id);
         m_panels.show(panel);
     });
@@ -155,8 +155,8 @@ void MainWindow::chooseBus(BusId bus)
     if (const BusViews *views = viewsOf(bus)) {
         if (before != nullptr && m_pages->currentWidget() == before->comparison())
             m_pages->setCurrentWidget(views->comparison());
-        for (const auto &[panel, page] : views->panels())
-            m_panels.showPage(panel, page);
+        for (const auto &[panel, page] : views->pages())
+            m_panels.showPage(*panel, page);
     }
     setCurrent(*its);
     showBusState();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window is made of, and how its parts are connected.
-#include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/report_export.h"
 #include "app/window/transfer_pages.h"
+#include "app/window/window_kinds.h"
 #include "transfer/values_before.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
@@ -67,21 +67,23 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_messages = new MessagesView(messages, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
-    const auto add = [this](Panel panel, QWidget *content) {
+    const auto add = [this](const Panel &panel, QWidget *content) {
         m_actions.docks->addAction(m_panels.add(panel, content));
     };
-    const auto addPaged = [this](Panel panel) { m_actions.docks->addAction(m_panels.addPaged(panel)); };
-    add(Panel::structure, m_structure);
-    addPaged(Panel::training);
-    add(Panel::parameters, m_parameters);
-    add(Panel::dial, m_dial);
-    add(Panel::messages, m_messages);
-    add(Panel::trace, m_trace);
-    add(Panel::sequence, sequences);
-    add(Panel::device, m_device);
-    addPaged(Panel::master);
-    addPaged(Panel::terminal);
-    addPaged(Panel::line);
+    const auto addPaged = [this](const Panel &panel) {
+        m_actions.docks->addAction(m_panels.addPaged(panel));
+    };
+    add(panel::structure, m_structure);
+    addPaged(panel::training);
+    add(panel::parameters, m_parameters);
+    add(panel::dial, m_dial);
+    add(panel::messages, m_messages);
+    add(panel::trace, m_trace);
+    add(panel::sequence, sequences);
+    add(panel::device, m_device);
+    for (const WindowKind *kind : windowKinds())
+        for (const Panel *its : kind->panels)
+            addPaged(*its);
     m_panels.arrange();
     m_defaultLayout = saveState(layoutVersion);
     if (!restoreState(m_settings.layout(), layoutVersion))
@@ -112,11 +114,11 @@ void MainWindow::connectViews()
     connect(m_structure, &StructureView::menuRequested, this,
             [this](Place, const QPoint &position) { m_actions.deviceMenu->popup(position); });
     connect(m_structure, &StructureView::namingRequested, this, [this] {
-        m_panels.show(Panel::device);
+        m_panels.show(panel::device);
         m_device->focusNaming();
     });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
-    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(Panel::parameters); });
+    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
     const auto openChosen = [this] {
         const auto place = m_choice->place();

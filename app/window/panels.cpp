@@ -7,40 +7,12 @@
 #include <QStackedWidget>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
 constexpr int lowWindow = 720; // below, there is no room for all panels above each other
-
-struct PanelRow
-{
-    Panel panel;
-    const char *name; // by which settings and tests know its dock
-    const char *title;
-    QKeyCombination key;
-};
-
-constexpr PanelRow panelRows[] = {
-    {Panel::structure, "structureDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Bus structure"),
-     Qt::ALT | Qt::Key_1},
-    {Panel::training, "trainingDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Training"),
-     Qt::ALT | Qt::Key_2},
-    {Panel::parameters, "parametersDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Parameters"),
-     Qt::ALT | Qt::Key_3},
-    {Panel::dial, "dialDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Encoder"), Qt::ALT | Qt::Key_4},
-    {Panel::messages, "messagesDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Messages"),
-     Qt::ALT | Qt::Key_5},
-    {Panel::trace, "traceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Handshake trace"),
-     Qt::ALT | Qt::Key_6},
-    {Panel::sequence, "sequenceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Sequence"),
-     Qt::ALT | Qt::Key_7},
-    {Panel::device, "deviceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Device"), Qt::ALT | Qt::Key_8},
-    {Panel::master, "masterDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Master"), Qt::ALT | Qt::Key_9},
-    {Panel::terminal, "terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
-     Qt::ALT | Qt::Key_0},
-    {Panel::line, "lineDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Serial line"),
-     Qt::ALT | Qt::SHIFT | Qt::Key_L},
-};
 
 // Where the keys go in a panel: to itself, or to the first control in it.
 QWidget *firstFocus(QWidget &content)
@@ -73,38 +45,41 @@ QAction *makePanelAction(QDockWidget &panel)
 
 } // namespace
 
-QAction *Panels::add(Panel panel, QWidget *content)
+const Panels::Dock &Panels::find(const Panel &panel) const
 {
-    const PanelRow &row = panelRows[static_cast<std::size_t>(panel)];
-    auto *dock = new QDockWidget(tr(row.title), &m_window);
-    dock->setObjectName(QLatin1String(row.name));
+    return *std::ranges::find(m_docks, &panel, &Dock::panel);
+}
+
+QAction *Panels::add(const Panel &panel, QWidget *content)
+{
+    auto *dock = new QDockWidget(tr(panel.title), &m_window);
+    dock->setObjectName(QLatin1String(panel.name));
     dock->setWidget(content);
     content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
-    m_docks[panel] = dock;
+    m_docks.push_back({&panel, dock, qobject_cast<QStackedWidget *>(content)});
     QAction *toggle = makePanelAction(*dock);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(dock->windowTitle()));
-    toggle->setShortcut(row.key);
+    toggle->setShortcut(panel.key);
     return toggle;
 }
 
-QAction *Panels::addPaged(Panel panel)
+QAction *Panels::addPaged(const Panel &panel)
 {
-    m_pages[panel] = new QStackedWidget(&m_window);
-    return add(panel, m_pages[panel]);
+    return add(panel, new QStackedWidget(&m_window));
 }
 
-void Panels::addPage(Panel panel, QWidget *page)
+void Panels::addPage(const Panel &panel, QWidget *page)
 {
-    m_pages.at(panel)->addWidget(page);
+    find(panel).pages->addWidget(page);
 }
 
-void Panels::showPage(Panel panel, QWidget *page)
+void Panels::showPage(const Panel &panel, QWidget *page)
 {
-    m_pages.at(panel)->setCurrentWidget(page);
+    find(panel).pages->setCurrentWidget(page);
 }
 
 // Whoever has more room for it keeps that.
-void Panels::show(Panel panel)
+void Panels::show(const Panel &panel)
 {
     QDockWidget *its = dock(panel);
     its->show();
@@ -115,40 +90,48 @@ void Panels::show(Panel panel)
         m_window.resizeDocks({its}, {wanted}, Qt::Vertical);
 }
 
-void Panels::splitBelow(Panel above, Panel below)
+void Panels::splitBelow(const Panel &above, const Panel &below)
 {
     m_window.splitDockWidget(dock(above), dock(below), Qt::Vertical);
 }
 
 // Behind each other, the first in front.
-void Panels::stack(std::initializer_list<Panel> panels)
+void Panels::stack(const Panel &front, std::initializer_list<const Panel *> panels)
 {
-    for (const Panel *behind = panels.begin() + 1; behind != panels.end(); ++behind)
-        m_window.tabifyDockWidget(dock(behind[-1]), dock(*behind));
+    for (const Panel *behind : panels)
+        m_window.tabifyDockWidget(dock(front), dock(*behind));
+}
+
+void Panels::stackBehind(const Panel &front, Panel::Behind which)
+{
+    for (const Dock &its : m_docks)
+        if (its.panel->behind == which)
+            m_window.tabifyDockWidget(dock(front), its.dock);
 }
 
 void Panels::arrange()
 {
-    using enum Panel;
+    using namespace panel;
     const bool isLow = m_window.height() < lowWindow;
-    for (const auto &[panel, its] : m_docks) // while they move, the window would grow to hold them
-        m_window.removeDockWidget(its);
+    for (const Dock &its : m_docks) // while they move, the window would grow to hold them
+        m_window.removeDockWidget(its.dock);
     m_window.addDockWidget(Qt::LeftDockWidgetArea, dock(structure));
     m_window.addDockWidget(Qt::RightDockWidgetArea, dock(parameters));
     m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(messages));
-    stack({messages, trace, sequence, terminal});
+    stack(messages, {&trace, &sequence});
+    stackBehind(messages, Panel::Behind::messages);
     if (isLow) { // what one looks at all the time stays in sight: the dial below the tree
         splitBelow(structure, dial);
-        stack({dial, master, line});
-        stack({parameters, device, training});
+        stackBehind(dial, Panel::Behind::state);
+        stack(parameters, {&device, &training});
     } else {
         splitBelow(structure, training);
-        stack({training, master, line});
+        stackBehind(training, Panel::Behind::state);
         splitBelow(parameters, dial);
-        stack({parameters, device});
+        stack(parameters, {&device});
     }
-    for (const auto &[panel, its] : m_docks)
-        its->show();
+    for (const Dock &its : m_docks)
+        its.dock->show();
 
     // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
     m_window.resizeDocks({dock(structure), dock(parameters)}, {isLow ? 210 : 370, isLow ? 290 : 310},
@@ -162,10 +145,11 @@ void Panels::arrange()
 
 void Panels::raiseFirst()
 {
-    using enum Panel;
+    using namespace panel;
     // the parameters last: in a low window they share the place of the training panel
-    for (const Panel first : {trace, training, dial, parameters})
-        QTimer::singleShot(0, dock(first), [its = dock(first)] { its->raise(); }); // once there are tab bars
+    for (const Panel *first : {&trace, &training, &dial, &parameters})
+        QTimer::singleShot(0, dock(*first),
+                           [its = dock(*first)] { its->raise(); }); // once there are tab bars
 }
 
 } // namespace codewheel

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QKeySequence>
 
-#include <map>
+#include <vector>
 
 class QAction;
 class QDockWidget;
@@ -13,19 +13,39 @@ class QStackedWidget;
 
 namespace codewheel {
 
-enum class Panel {
-    structure,
-    training, // this and those from master on hold a page for each bus
-    parameters,
-    dial,
-    messages,
-    trace,
-    sequence,
-    device,
-    master,
-    terminal,
-    line,
+// A panel of the main window; each is one object.
+struct Panel
+{
+    enum class Behind { none, messages, state }; // which other panels, at first
+
+    const char *name; // by which settings and tests know its dock
+    const char *title;
+    QKeyCombination key;
+    Behind behind = Behind::none;
 };
+
+// Those that the window has whatever buses there are; a kind of bus adds its own (WindowKind).
+namespace panel {
+
+inline constexpr Panel structure{"structureDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Bus structure"),
+                                 Qt::ALT | Qt::Key_1};
+inline constexpr Panel training{// with a page for each bus
+                                "trainingDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Training"),
+                                Qt::ALT | Qt::Key_2};
+inline constexpr Panel parameters{"parametersDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Parameters"),
+                                  Qt::ALT | Qt::Key_3};
+inline constexpr Panel dial{"dialDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Encoder"),
+                            Qt::ALT | Qt::Key_4};
+inline constexpr Panel messages{"messagesDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Messages"),
+                                Qt::ALT | Qt::Key_5};
+inline constexpr Panel trace{"traceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Handshake trace"),
+                             Qt::ALT | Qt::Key_6};
+inline constexpr Panel sequence{"sequenceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Sequence"),
+                                Qt::ALT | Qt::Key_7};
+inline constexpr Panel device{"deviceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Device"),
+                              Qt::ALT | Qt::Key_8};
+
+} // namespace panel
 
 // The panels of the main window, in docks.
 class Panels
@@ -39,25 +59,32 @@ public:
 
     // Each is added once before all else. Gives the action that shows a panel and gives it the keys, also
     // when it is behind another one, and hides it when it is in sight.
-    QAction *add(Panel panel, QWidget *content);
-    QAction *addPaged(Panel panel);
-    void addPage(Panel panel, QWidget *page);
-    void showPage(Panel panel, QWidget *page);
+    QAction *add(const Panel &panel, QWidget *content);
+    QAction *addPaged(const Panel &panel);
+    void addPage(const Panel &panel, QWidget *page);
+    void showPage(const Panel &panel, QWidget *page);
 
-    void show(Panel panel); // in front, with some rows of it in sight
+    void show(const Panel &panel); // in front, with some rows of it in sight
     // Where they are at first in a window of this height.
     void arrange();
     // Brings those to the front that are looked at first.
     void raiseFirst();
 
 private:
-    QDockWidget *dock(Panel panel) const { return m_docks.at(panel); }
-    void splitBelow(Panel above, Panel below);
-    void stack(std::initializer_list<Panel> panels);
+    struct Dock
+    {
+        const Panel *panel;
+        QDockWidget *dock;
+        QStackedWidget *pages; // null: it is one panel for all
+    };
+    const Dock &find(const Panel &panel) const;
+    QDockWidget *dock(const Panel &panel) const { return find(panel).dock; }
+    void splitBelow(const Panel &above, const Panel &below);
+    void stack(const Panel &front, std::initializer_list<const Panel *> panels);
+    void stackBehind(const Panel &front, Panel::Behind which);
 
     QMainWindow &m_window;
-    std::map<Panel, QDockWidget *> m_docks;
-    std::map<Panel, QStackedWidget *> m_pages;
+    std::vector<Dock> m_docks; // in the order in which they were added
 };
 
 } // namespace codewheel

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/plant.h"
 
-#include "app/window/line_at_work.h"
-#include "app/window/ring_at_work.h"
+#include "app/window/window_kinds.h"
 #include "encoder/bus_names.h"
 #include "project/bus_kind.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-// The list of kinds: each bus as the program works with it. Null: the program has no link for it.
-std::unique_ptr<BusAtWork> makeBus(const QString &kind, BusId id, const BusAtWork::Surroundings &surroundings)
-{
-    if (kind == QLatin1String(interbusKind))
-        return std::make_unique<RingAtWork>(id, surroundings);
-    if (kind == QLatin1String(escKind))
-        return std::make_unique<LineAtWork>(id, surroundings);
-    return nullptr;
-}
-
-} // namespace
 
 Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
     : QObject(parent)
@@ -85,10 +69,15 @@ void Plant::start()
             bus->start();
 }
 
+// One that the program has no link for stays planned.
+void Plant::make(const QString &kind, BusId id)
+{
+    if (const WindowKind *its = windowKind(kind))
+        add(its->make(id, m_surroundings));
+}
+
 void Plant::add(std::unique_ptr<BusAtWork> bus)
 {
-    if (!bus)
-        return;
     connect(bus.get(), &BusAtWork::messaged, this, &Plant::messaged);
     BusAtWork *its = bus.get();
     const auto takeSession = [this, its] {
@@ -127,10 +116,10 @@ void Plant::followProject()
     removeUnneeded();
     for (const PlannedBus &planned : m_surroundings.project.project().buses)
         if (find(planned.id) == nullptr)
-            add(makeBus(planned.kind, planned.id, m_surroundings));
+            make(planned.kind, planned.id);
     for (const QString &kind : busKindKeys())
         if (const auto training = busKind(kind)->trainingBus(); training && find(*training) == nullptr)
-            add(makeBus(kind, *training, m_surroundings));
+            make(kind, *training);
     nameBuses();
 }
 

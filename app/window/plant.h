@@ -27,8 +27,6 @@ public:
     Buses &buses() { return m_sessions; }
     const LastPositions &positions() const { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
-    // One of whatever kind: it is here as long as it is open, or the project plans it.
-    void add(std::unique_ptr<BusAtWork> bus);
     template <class Bus>
     Bus *first() const // of this class; null: there is none
     {
@@ -49,6 +47,8 @@ Q_SIGNALS:
     void messaged(const codewheel::Message &message, const QDateTime &at);
 
 private:
+    void make(const QString &kind, BusId id);
+    void add(std::unique_ptr<BusAtWork> bus);
     void followProject();
     void nameBuses();
     bool isNeeded(const BusAtWork &bus) const;

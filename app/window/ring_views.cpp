@@ -65,9 +65,9 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     showState();
 }
 
-std::vector<std::pair<Panel, QWidget *>> RingViews::panels() const
+std::vector<std::pair<const Panel *, QWidget *>> RingViews::pages() const
 {
-    return {{Panel::training, m_training}, {Panel::master, m_master}};
+    return {{&panel::training, m_training}, {&masterPanel, m_master}};
 }
 
 void RingViews::setChosen(std::optional<Place> place)
@@ -92,7 +92,7 @@ std::optional<int> RingViews::chosenSegment() const
 
 void RingViews::open()
 {
-    Q_EMIT panelRequested(Panel::master);
+    Q_EMIT panelRequested(masterPanel);
 }
 
 void RingViews::showPicture()

@@ -16,6 +16,10 @@ class RingPlanFields;
 class TrainingPanel;
 
 // The views of a ring in the window: its master, its training panel, and the comparison with the project.
+inline constexpr Panel masterPanel{"masterDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Master"),
+                                   Qt::ALT | Qt::Key_9, Panel::Behind::state};
+inline constexpr std::array ringPanels{&masterPanel};
+
 class RingViews final : public BusViews
 {
     Q_OBJECT
@@ -23,7 +27,7 @@ class RingViews final : public BusViews
 public:
     RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent);
 
-    std::vector<std::pair<Panel, QWidget *>> panels() const override;
+    std::vector<std::pair<const Panel *, QWidget *>> pages() const override;
     QWidget *comparison() const override;
     bool tellsState() const override { return true; }
     void setChosen(std::optional<Place> place) override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kind of bus that the window does not know, added at run time.
 #include "app/window/plant.h"
+#include "app/window/window_kinds.h"
+#include "project/bus_plans.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plain_bus.h"
 #include "widgets/dial/code_disc.h"
@@ -8,6 +10,9 @@
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QStackedWidget>
 #include <QTreeView>
 
 #include <gmock/gmock.h>
@@ -18,42 +23,79 @@ namespace {
 class PlainBusAtWork final : public BusAtWork
 {
 public:
-    PlainBusAtWork(const Surroundings &its, std::unique_ptr<test::PlainBus> bus)
-        : BusAtWork(test::plainId, its)
-        , m_bus(std::move(bus))
+    PlainBusAtWork(BusId id, const Surroundings &its)
+        : BusAtWork(id, its)
+        , m_bus(its.catalog)
     {
-        tellMessagesOf(*m_bus);
+        tellMessagesOf(m_bus);
     }
 
     QString kind() const override { return QStringLiteral("plain"); }
-    test::PlainBus *bus() const override { return m_bus.get(); }
+    test::PlainBus *bus() const override { return &m_bus; }
 
 private:
-    std::unique_ptr<test::PlainBus> m_bus;
+    mutable test::PlainBus m_bus;
+};
+
+constexpr Panel plainPanel{"plainDock", "Plain panel", Qt::ALT | Qt::SHIFT | Qt::Key_P, Panel::Behind::state};
+constexpr std::array plainPanels{&plainPanel};
+
+class PlainViews final : public BusViews
+{
+public:
+    PlainViews(const WindowParts &parts, QObject *parent)
+        : BusViews(parent)
+        , m_page(own(new QLabel(QStringLiteral("plain page"), &parts.pages)))
+        , m_comparison(own(new QLabel(&parts.pages)))
+    {
+        parts.pages.addWidget(m_comparison);
+    }
+
+    std::vector<std::pair<const Panel *, QWidget *>> pages() const override
+    {
+        return {{&plainPanel, m_page}};
+    }
+    QWidget *comparison() const override { return m_comparison; }
+    void open() override { Q_EMIT panelRequested(plainPanel); }
+
+    QLabel *const m_page;
+
+private:
+    void showCurrent() override {}
+
+    QLabel *const m_comparison;
 };
 
 class PlainBusInWindow : public test::WindowTest
 {
 protected:
-    static void SetUpTestSuite() { addBusKind(std::make_unique<test::PlainKind>()); }
+    static void SetUpTestSuite()
+    {
+        addBusKind(std::make_unique<test::PlainKind>());
+        addWindowKind({QStringLiteral("plain"),
+                       [](BusId id, const BusAtWork::Surroundings &its) -> std::unique_ptr<BusAtWork> {
+                           return std::make_unique<PlainBusAtWork>(id, its);
+                       },
+                       [](BusAtWork &, const WindowParts &parts, QObject *parent) -> BusViews * {
+                           return new PlainViews(parts, parent);
+                       },
+                       plainPanels});
+    }
 
     PlainBusInWindow()
     {
-        auto own = std::make_unique<test::PlainBus>(shown->plant().catalog());
-        plain = own.get();
-        const BusAtWork::Surroundings its{shown->plant().catalog(), shown->project(), folder.path(), false,
-                                          [] { return TrainingWindow::begin(); }};
-        shown->plant().add(std::make_unique<PlainBusAtWork>(its, std::move(own)));
+        Project project = shown->project().project();
+        planBus(project, test::plainId, *busKind(u"plain")).name = QStringLiteral("Yard");
+        shown->project().edit(project, QStringLiteral("Plan it"));
     }
 
+    BusAtWork *plain() { return shown->plant().find(test::plainId); }
     StructureView &tree() { return *window().findChild<StructureView *>(); }
     std::string cell(Place place, StructureModel::Column column)
     {
         const auto &model = static_cast<const StructureModel &>(*tree().findChild<QTreeView *>()->model());
         return model.indexOf(place).siblingAtColumn(column).data().toString().toStdString();
     }
-
-    test::PlainBus *plain = nullptr;
 };
 
 TEST_F(PlainBusInWindow, ItsNodesStandInTheTree)
@@ -75,7 +117,19 @@ TEST_F(PlainBusInWindow, ItsEncoderIsOnTheDial)
     EXPECT_THAT(text(), testing::HasSubstr("1501"));
 }
 
-// Nothing of the other kinds is done to it, and its own kind has no views.
+TEST_F(PlainBusInWindow, ItsKindBringsAPanel)
+{
+    ASSERT_NE(plain(), nullptr);
+    Q_EMIT tree().busOpened(test::plainId);
+    const auto pages = window().findChildren<QLabel *>();
+    const auto page = std::ranges::find(pages, QStringLiteral("plain page"), &QLabel::text);
+    ASSERT_NE(page, pages.end());
+    EXPECT_TRUE((*page)->isVisible());
+    EXPECT_FALSE((*page)->visibleRegion().isEmpty());
+    EXPECT_NE(window().findChild<QDockWidget *>(QStringLiteral("plainDock")), nullptr);
+}
+
+// Nothing of the other kinds is done to it.
 TEST_F(PlainBusInWindow, ChoosingAndOpeningItDoesNoHarm)
 {
     tree().choose(test::plainId);
@@ -93,13 +147,13 @@ TEST_F(PlainBusInWindow, ChoosingAndOpeningItDoesNoHarm)
 TEST_F(PlainBusInWindow, WhatThePlantHasOfItGoesWithIt)
 {
     tree().choose(test::plainHoist);
-    plain->close();
-    shown->project().edit(shown->project().project(), QStringLiteral("anything"));
+    plain()->bus()->close();
     Project other = shown->project().project();
     other.title = QStringLiteral("Other");
-    shown->project().edit(other, QStringLiteral("Title"));
+    std::erase_if(other.buses, [](const PlannedBus &bus) { return bus.id == test::plainId; });
+    shown->project().edit(other, QStringLiteral("Without it"));
     advance(50);
-    EXPECT_EQ(shown->plant().find(test::plainId), nullptr);
+    EXPECT_EQ(plain(), nullptr);
     EXPECT_EQ(cell(test::plainHoist, StructureModel::deviceColumn), "");
 }
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/window_kinds.h"
+
+#include "app/window/line_at_work.h"
+#include "app/window/line_views.h"
+#include "app/window/ring_at_work.h"
+#include "app/window/ring_views.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+template <class AtWork>
+std::unique_ptr<BusAtWork> make(BusId id, const BusAtWork::Surroundings &surroundings)
+{
+    return std::make_unique<AtWork>(id, surroundings);
+}
+
+template <class Views, class AtWork>
+BusViews *makeViews(BusAtWork &bus, const WindowParts &parts, QObject *parent)
+{
+    return new Views(static_cast<AtWork &>(bus), parts, parent);
+}
+
+// The list of kinds.
+std::vector<WindowKind> &kinds()
+{
+    static std::vector<WindowKind> all{
+        {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels},
+        {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels}};
+    return all;
+}
+
+} // namespace
+
+std::vector<const WindowKind *> windowKinds()
+{
+    std::vector<const WindowKind *> all;
+    for (const WindowKind &kind : kinds())
+        all.push_back(&kind);
+    return all;
+}
+
+const WindowKind *windowKind(QStringView bus)
+{
+    const auto found = std::ranges::find(kinds(), bus, &WindowKind::bus);
+    return found == kinds().end() ? nullptr : &*found;
+}
+
+void addWindowKind(WindowKind kind)
+{
+    kinds().push_back(std::move(kind));
+}
+
+} // namespace codewheel

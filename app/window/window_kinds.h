@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/bus_views.h"
+
+#include <span>
+
+namespace codewheel {
+
+// A kind of bus in the window: how its buses work, and what they add to it.
+struct WindowKind
+{
+    QString bus; // key of its BusKind
+    std::unique_ptr<BusAtWork> (*make)(BusId id, const BusAtWork::Surroundings &surroundings);
+    // Null: its buses are looked at, in the bus structure and the panels of a device.
+    BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;
+    std::span<const Panel *const> panels{}; // with a page for each of its buses
+};
+
+// Those of the program, and what was added; in the order of the panels.
+std::vector<const WindowKind *> windowKinds();
+const WindowKind *windowKind(QStringView bus); // null: the program has no link for it
+void addWindowKind(WindowKind kind);           // before the window is made
+
+} // namespace codewheel
