@@ -9291,6 +9291,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The baud rate is a number from %1 to %2.</source>
         <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
     </message>
+    <message>
+        <source>Connecting ...</source>
+        <translation>Verbindet ...</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineStatus</name>

@@ -13,10 +13,12 @@
 #include <QFileInfo>
 
 #include <chrono>
-#include <thread>
+#include <utility>
 
 namespace codewheel {
 namespace {
+
+constexpr std::chrono::milliseconds betweenLooks{5}; // whether the port is open
 
 const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
 
@@ -41,19 +43,6 @@ EscSettings escSettingsOf(const LineSettings &wish)
     return settings;
 }
 
-// A port keeps real time. Opening one of this computer is a matter of milliseconds.
-Result<void> openByThread(LineSession &session, const LineSettings &wish)
-{
-    Result<void> opened;
-    QObject waiting;
-    QObject::connect(&session, &LineSession::openRefused, &waiting,
-                     [&opened](const Refusal &why) { opened = tl::unexpected(why); });
-    (void)session.open(wish.serial, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
-    for (; session.state() == BusState::opening; std::this_thread::yield())
-        session.pump();
-    return opened;
-}
-
 } // namespace
 
 LineAtWork::LineAtWork(BusId id, Surroundings its, QObject *parent)
@@ -61,6 +50,7 @@ LineAtWork::LineAtWork(BusId id, Surroundings its, QObject *parent)
 {
     connect(&project(), &ProjectDocument::changed, this, &LineAtWork::tellByteOrder);
     connect(&project(), &ProjectDocument::replaced, this, &LineAtWork::followProject);
+    connect(&m_openingTurns, &QTimer::timeout, this, &LineAtWork::goOnOpening);
 }
 
 LineAtWork::~LineAtWork()
@@ -131,19 +121,19 @@ void LineAtWork::openTraining()
     replace(std::move(session), std::move(line), nullptr);
 }
 
-Result<void> LineAtWork::openPort(const LinePlan &line)
+void LineAtWork::openPort(const LinePlan &line)
 {
     m_wanted = keptAdapterOf(line);
-    return open(line);
+    open(line);
 }
 
-Result<void> LineAtWork::openOtherAdapter(const LinePlan &line)
+void LineAtWork::openOtherAdapter(const LinePlan &line)
 {
     if (m_wanted)
         m_wanted->takeOther();
     else
         m_wanted = keptAdapterOf(line);
-    return open(line);
+    open(line);
 }
 
 // A port has many paths, and its adapter may be plugged in elsewhere now than when it was opened.
@@ -157,25 +147,63 @@ bool LineAtWork::holds(const QString &path) const
            (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
 }
 
-Result<void> LineAtWork::open(const LinePlan &line)
+// The port is opened by its thread, as slow as its adapter may be.
+void LineAtWork::open(const LinePlan &line)
 {
+    endOpening();
     const auto there = m_wanted->find(m_ports());
-    if (!there)
-        return tl::unexpected(there.error());
-    const LineSettings &wish = line.settings;
+    if (!there) {
+        Q_EMIT openRefused(there.error());
+        return;
+    }
     auto link = std::make_unique<SerialPortLink>(*m_wanted, m_ports);
     const SerialPortLink *port = link.get();
     if (holds(*there))
         close();
-    auto session = makeSession(std::move(link), wish);
-    if (auto opened = openByThread(*session, wish); !opened)
-        return opened;
+    m_opening = {makeSession(std::move(link), line.settings), port, line.settings, std::nullopt};
+    LineSession &session = *m_opening.session;
+    connect(&session, &LineSession::openRefused, this,
+            [this](const Refusal &why) { m_opening.refusal = why; });
+    (void)session.open(line.settings.serial, line.settings.timing, LineSession::Start::watching,
+                       LineSession::Drive::byThread);
+    m_openingTurns.start(betweenLooks);
+    Q_EMIT openingChanged();
+}
+
+void LineAtWork::goOnOpening()
+{
+    m_opening.session->pump();
+    if (m_opening.session->state() == BusState::opening)
+        return;
+    Opening ended = std::exchange(m_opening, {});
+    m_openingTurns.stop();
+    const auto refusal = ended.refusal;
+    if (!refusal)
+        useOpened(std::move(ended));
+    Q_EMIT openingChanged();
+    if (refusal)
+        Q_EMIT openRefused(*refusal);
+    else
+        Q_EMIT portOpened();
+}
+
+void LineAtWork::useOpened(Opening opening)
+{
     for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
-        (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
-    replace(std::move(session), nullptr, port);
-    m_openedWith = wish;
+        (void)opening.session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
+    replace(std::move(opening.session), nullptr, opening.port);
+    m_openedWith = opening.wish;
     tellByteOrder();
-    return {};
+}
+
+// Nothing has been sent yet.
+void LineAtWork::endOpening()
+{
+    if (!isOpening())
+        return;
+    m_openingTurns.stop();
+    m_opening = {};
+    Q_EMIT openingChanged();
 }
 
 // Of the project's encoders, and of what undo made of them; those of the training line are none of these.
@@ -208,6 +236,7 @@ LinePlan LineAtWork::opened() const
 
 void LineAtWork::close()
 {
+    endOpening();
     if (m_session)
         replace(nullptr, nullptr, nullptr);
 }

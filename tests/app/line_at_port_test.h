@@ -89,10 +89,15 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, port);
     }
+    void connectNow()
+    {
+        click(form(), QStringLiteral("Connect"));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
+    }
     void connectPort(const QString &port)
     {
         typePort(port);
-        click(form(), QStringLiteral("Connect"));
+        connectNow();
     }
     // All that stands in the form, but that this computer has no ports.
     QString said()

@@ -9,8 +9,10 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QFile>
+#include <QPushButton>
 #include <QTest>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -53,7 +55,6 @@ protected:
         plan(kept);
     }
     void showForm() { lineActions().settings->trigger(); }
-    void connectNow() { click(form(), QStringLiteral("Connect")); }
     // As the user chooses it in the open list.
     void pickFirst()
     {
@@ -96,6 +97,30 @@ TEST_F(LineAdapterTest, WhatIsPickedInTheListIsMeant)
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
 }
 
+// A port opens as slowly as its adapter: until it has, the line there was goes on, and the user can leave it.
+TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
+{
+    showForm();
+    typePort(first.path());
+    const LineSession *before = shown->line().session();
+    click(form(), QStringLiteral("Connect"));
+    EXPECT_TRUE(shown->line().isOpening());
+    EXPECT_EQ(shown->line().session(), before);
+    const auto buttons = form().findChildren<QPushButton *>();
+    const auto button = std::ranges::find(buttons, QStringLiteral("Connecting ..."), &QPushButton::text);
+    ASSERT_NE(button, buttons.end());
+    EXPECT_FALSE((*button)->isEnabled());
+    lineActions().disconnectLine->trigger();
+    EXPECT_FALSE(shown->line().isOpening());
+    EXPECT_EQ(shown->line().session(), nullptr);
+    QTest::qWait(50);
+    EXPECT_EQ(shown->line().session(), nullptr) << "it comes to nothing any more";
+
+    typePort(first.path());
+    connectNow();
+    EXPECT_EQ(line().linkName(), first.path());
+}
+
 TEST_F(LineAdapterTest, ThePortTypedAnewIsMeant)
 {
     planAt(first);
@@ -114,7 +139,7 @@ TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
     EXPECT_EQ(shown->line().session(), nullptr) << "unasked none is used";
     EXPECT_TRUE(said().contains(QStringLiteral("another adapter"))) << said().toStdString();
     click(form(), QStringLiteral("Use this adapter"));
-    ASSERT_NE(shown->line().session(), nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return shown->line().session() != nullptr; }));
     EXPECT_EQ(line().linkName(), first.path());
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
     EXPECT_EQ(said(), QString());

@@ -75,6 +75,7 @@ protected:
         settings.pollInterval = std::chrono::milliseconds(500);
         form.setSettings(settings);
         QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
         advance(50);
     }
     bool hasRow(const QString &text)
@@ -270,6 +271,7 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
     settings.port = QStringLiteral("/dev/there-is-none");
     form.setSettings(settings);
     QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     bool isTold = false;
     for (const auto *message : form.findChildren<InlineMessage *>())
         isTold = isTold || message->sentence().contains(QStringLiteral("/dev/there-is-none"));

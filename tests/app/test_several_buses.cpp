@@ -267,6 +267,7 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
                     if (button->text().remove(u'&') == QStringLiteral("Connect"))
                         button->click();
             }
+        EXPECT_TRUE(QTest::qWaitFor([&] { return shown->plant().find(line)->isOpen(); }));
         advance(50);
     };
     connectLine(firstLine, one.path());

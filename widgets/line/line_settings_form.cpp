@@ -83,6 +83,12 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     showPorts();
 }
 
+void LineSettingsForm::setConnecting(bool on)
+{
+    m_connect->setEnabled(!on);
+    m_connect->setText(on ? tr("Connecting ...") : tr("&Connect"));
+}
+
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
 {
     auto *box = describe(new QComboBox(m_content), QString(label).remove(u'&'), toolTip);

@@ -36,6 +36,7 @@ public:
     void setSettings(const LineSettings &settings);
     // Where the line is open: it stands there as if it was never picked.
     void setPort(const QString &port);
+    void setConnecting(bool on); // it takes as long as the port takes to open
     // What went wrong when it was opened; empty: nothing.
     void setProblem(const QString &sentence);
     // Another adapter than that of the line is there; ends with otherAdapterWanted() where it is meant.
