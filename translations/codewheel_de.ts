@@ -3522,6 +3522,10 @@
         <source>connecting</source>
         <translation>wird verbunden</translation>
     </message>
+    <message>
+        <source>jobs end</source>
+        <translation>Aufträge enden</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamBoard</name>
@@ -8697,6 +8701,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Position %1</source>
         <translation>Position %1</translation>
     </message>
+    <message>
+        <source>what is on its way ends, and nothing follows</source>
+        <translation>was unterwegs ist, endet, und nichts folgt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LinePanel</name>
@@ -9517,6 +9525,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>All keys, by the part of the window in which they work</source>
         <translation>Alle Tasten, nach dem Teil des Fensters, in dem sie wirken</translation>
+    </message>
+    <message>
+        <source>Bus of the page</source>
+        <translation>Bus der Seite</translation>
+    </message>
+    <message>
+        <source>The bus that this page is of</source>
+        <translation>Der Bus, von dem diese Seite ist</translation>
     </message>
 </context>
 <context>
@@ -12038,6 +12054,10 @@ Zustand: %7</translation>
         <source>link lost</source>
         <translation>Verbindung verloren</translation>
     </message>
+    <message>
+        <source>all OUT words become 0, and jobs end</source>
+        <translation>alle OUT-Wörter werden 0, und Aufträge enden</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingPlanFields</name>
@@ -13006,10 +13026,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Gebers seit dem Programmstart</translation>
     </message>
     <message>
-        <source>State of the master</source>
-        <translation>Zustand des Masters</translation>
-    </message>
-    <message>
         <source>Watch: nothing is sent. Operate: writing is allowed.</source>
         <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
     </message>
@@ -13017,6 +13033,10 @@ Worte: IN %3, OUT %4</translation>
         <source>%1 %2: %3</source>
         <comment>place, make: writes</comment>
         <translation>%1 %2: %3</translation>
+    </message>
+    <message>
+        <source>State of the bus</source>
+        <translation>Zustand des Busses</translation>
     </message>
 </context>
 <context>
@@ -14304,16 +14324,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Starten</translation>
     </message>
     <message>
-        <source>Starts the bus: data cycles run</source>
-        <translation>Startet den Bus: Datenzyklen laufen</translation>
-    </message>
-    <message>
         <source>S&amp;top</source>
         <translation>S&amp;toppen</translation>
-    </message>
-    <message>
-        <source>Stops the bus: no more data cycles</source>
-        <translation>Stoppt den Bus: keine Datenzyklen mehr</translation>
     </message>
     <message>
         <source>&amp;Device</source>
@@ -14596,10 +14608,6 @@ Worte: IN %3, OUT %4</translation>
         </translation>
     </message>
     <message>
-        <source>Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1</source>
-        <translation>Setzt alle OUT-Worte eines Rings auf 0 und beendet, was auf einer Leitung unterwegs ist, sofort: %1</translation>
-    </message>
-    <message>
         <source>&amp;Compare with the bus</source>
         <translation>Mit dem Bus &amp;vergleichen</translation>
     </message>
@@ -14614,6 +14622,22 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>No connected encoder with a handshake trace is chosen.</source>
         <translation>Kein verbundener Geber mit Handshake-Protokoll ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Starts the chosen bus: data is exchanged from then on</source>
+        <translation>Startet den gewählten Bus: Von da an werden Daten ausgetauscht</translation>
+    </message>
+    <message>
+        <source>Stops the chosen bus: no more data is exchanged</source>
+        <translation>Hält den gewählten Bus an: Es werden keine Daten mehr ausgetauscht</translation>
+    </message>
+    <message>
+        <source>No bus is connected.</source>
+        <translation>Kein Bus ist verbunden.</translation>
+    </message>
+    <message>
+        <source>At once: %1</source>
+        <translation>Sofort: %1</translation>
     </message>
 </context>
 <context>

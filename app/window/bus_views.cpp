@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <algorithm>
+
 namespace codewheel {
 
 BusViews::~BusViews()
@@ -11,6 +13,11 @@ BusViews::~BusViews()
         widget->disconnect(this);
         delete widget;
     }
+}
+
+bool BusViews::owns(const QWidget *page) const
+{
+    return std::ranges::find(m_own, page) != m_own.end();
 }
 
 void BusViews::setCurrent(bool isCurrent)

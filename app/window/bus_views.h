@@ -53,6 +53,7 @@ public:
     virtual bool tellsState() const { return false; } // at the head of the status line
     virtual QMenu *menu() const { return nullptr; }   // of its row in the bus structure; null: none
 
+    bool owns(const QWidget *page) const;
     // This bus is meant by actions, docks and status line, or another one is.
     void setCurrent(bool isCurrent);
     // The device that is chosen in the window, if it is one of this bus.

@@ -204,13 +204,14 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::stateChanged, this, &LineViews::showState);
         connect(line, &LineSession::nodesChanged, this, &LineViews::showActions);
         connect(line, &LineSession::nodesChanged, this, &LineViews::explainTerminal);
-        connect(line, &LineSession::messaged, this, &LineViews::tellBaudRate);
+        connect(line, &LineSession::nodesChanged, this, &LineViews::watchBaudRates);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
         connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
         connect(line, &LineSession::explainOptionsChanged, this, &LineViews::explainTerminal);
         connect(line, &LineSession::explainOptionsChanged, this, &LineViews::showChosen);
     }
     explainTerminal();
+    watchBaudRates();
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
@@ -339,14 +340,23 @@ void LineViews::takeFractionBits(const Result<int> &bits)
 }
 
 // The training line is new at each connection, with its encoders as the factory has them.
-void LineViews::tellBaudRate(const Message &message)
+void LineViews::watchBaudRates()
 {
-    if (message.id != MessageId::baudRateChanged || !message.place || m_line.training() != nullptr)
+    if (!m_session || m_line.training() != nullptr)
         return;
-    const auto *rate = std::get_if<std::int64_t>(&message.arguments.at(1));
-    if (rate == nullptr)
-        return;
-    const LineRate told = lineRateAfter(*m_session, *message.place, static_cast<int>(*rate));
+    for (const Place place : m_session->places())
+        if (const EncoderSession *encoder = m_session->encoder(place)) {
+            disconnect(encoder, &EncoderSession::finished, this, nullptr);
+            connect(encoder, &EncoderSession::finished, this, [this, encoder](const Outcome &outcome) {
+                if (const auto rate = valueOf(outcome.written, Parameter::baudRate))
+                    tellBaudRate(encoder->place(), static_cast<int>(*rate));
+            });
+        }
+}
+
+void LineViews::tellBaudRate(Place encoder, int rate)
+{
+    const LineRate told = lineRateAfter(*m_session, encoder, rate);
     m_form->tellBaudRate(told.sentence, told.baudRate);
 }
 

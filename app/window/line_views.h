@@ -74,7 +74,8 @@ private:
     void askForOtherAdapter(const Refusal &which);
     void useOtherAdapter();
     void takeFractionBits(const Result<int> &bits);
-    void tellBaudRate(const Message &message);
+    void watchBaudRates();
+    void tellBaudRate(Place encoder, int rate);
     void explainTerminal();
     void tellActions();
     void showChosen();

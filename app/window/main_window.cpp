@@ -16,6 +16,9 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/input/wheel_rule.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
@@ -31,11 +34,14 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QLabel>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -55,6 +61,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_status(new StatusLine(*statusBar(), this))
     , m_wanted(new WantedValues(project, this))
     , m_notice(new InlineMessage(this))
+    , m_whosePage(describe(new QLabel(this), tr("Bus of the page"), tr("The bus that this page is of")))
     , m_pages(new QStackedWidget(this))
     , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
@@ -63,7 +70,11 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
+    rows->addWidget(m_whosePage);
     rows->addWidget(m_pages, 1);
+    m_whosePage->setFont(textFont(TextSize::large));
+    m_whosePage->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);
+    m_whosePage->hide();
     setCentralWidget(center);
     m_notice->setObjectName(QStringLiteral("notice"));
     setDockNestingEnabled(true);
@@ -80,7 +91,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
 // Their pages and panels go with them, before the docks do.
 MainWindow::~MainWindow()
 {
-    for (const auto &[bus, views] : m_views)
+    for (const auto &[bus, views] : std::exchange(m_views, {}))
         delete views;
 }
 
@@ -102,6 +113,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectBuses();
     openFirstMonitors();
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
+    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::tellWhose);
     showBusState();
     m_structure->setFocus();
 }

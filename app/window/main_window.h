@@ -14,6 +14,7 @@
 #include <set>
 #include <vector>
 
+class QLabel;
 class QStackedWidget;
 
 namespace codewheel {
@@ -110,6 +111,7 @@ private:
     void showWhetherOpen(BusAtWork &bus);
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
+    void tellWhose();
     void chooseBusOf(Place place);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
     void showChosen();
@@ -137,6 +139,7 @@ private:
     StatusLine *m_status;
     WantedValues *m_wanted;
     InlineMessage *m_notice;
+    QLabel *m_whosePage; // the bus that the page is of
     QStackedWidget *m_pages;
     ProjectFiles *m_files;
     ReportExport *m_report = nullptr;

@@ -7,6 +7,7 @@
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/status_line.h"
+#include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "widgets/messages/messages_view.h"
@@ -120,10 +121,14 @@ void MainWindow::showBusState()
     m_status->setMode(isOperating, tellsState ? QString() : m_plant->nameOf(m_chosenBus));
     const auto open = isAttached ? m_buses->open() : std::vector<EncoderBus *>();
     QStringList names;
-    for (const EncoderBus *bus : open)
+    QStringList effects;
+    for (const EncoderBus *bus : open) {
         names << m_plant->nameOf(bus->id());
+        effects << QStringLiteral("%1: %2").arg(names.back(), bus->outline().alarmStop());
+    }
     m_actions.alarmStop->setEnabled(!open.empty());
-    m_actions.showAlarmStop(names);
+    m_actions.showAlarmStop(names, effects);
+    tellWhose();
     showWordActions();
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -160,6 +161,22 @@ void MainWindow::chooseBus(BusId bus)
     }
     setCurrent(*its);
     showBusState();
+}
+
+// Pages and panels of a kind of which there are several buses have the name of theirs.
+void MainWindow::tellWhose()
+{
+    QString ofPage;
+    for (const auto &[bus, views] : m_views) {
+        if (views->owns(m_pages->currentWidget()))
+            ofPage = m_plant->nameAmongOthers(bus);
+        const bool isCurrent = bus == m_currentOf.value(m_plant->find(bus)->kind());
+        for (const auto &[panel, page] : views->pages())
+            if (panel == &panel::training ? bus == m_chosenBus : isCurrent)
+                m_panels.tellWhose(*panel, m_plant->nameAmongOthers(bus));
+    }
+    m_whosePage->setText(ofPage);
+    m_whosePage->setVisible(!ofPage.isEmpty());
 }
 
 void MainWindow::chooseBusOf(Place place)

@@ -78,6 +78,12 @@ void Panels::showPage(const Panel &panel, QWidget *page)
     find(panel).pages->setCurrentWidget(page);
 }
 
+void Panels::tellWhose(const Panel &panel, const QString &name)
+{
+    const QString title = tr(panel.title);
+    dock(panel)->setWindowTitle(name.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, name));
+}
+
 // Whoever has more room for it keeps that.
 void Panels::show(const Panel &panel)
 {

@@ -63,6 +63,7 @@ public:
     QAction *addPaged(const Panel &panel);
     void addPage(const Panel &panel, QWidget *page);
     void showPage(const Panel &panel, QWidget *page);
+    void tellWhose(const Panel &panel, const QString &name); // in its title; empty: there is one bus for it
 
     void show(const Panel &panel); // in front, with some rows of it in sight
     // Where they are at first in a window of this height.

@@ -40,6 +40,12 @@ QString Plant::nameOf(BusId bus) const
     return its != nullptr ? busKind(its->kind())->usualName() : QString();
 }
 
+QString Plant::nameAmongOthers(BusId bus) const
+{
+    const auto found = m_names.first.find(bus);
+    return found == m_names.first.end() ? QString() : found->second;
+}
+
 BusAtWork *Plant::find(BusId bus) const
 {
     const auto found = std::ranges::find(m_buses, bus, [](const auto &its) { return its->id(); });

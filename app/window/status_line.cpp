@@ -50,7 +50,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
                     tr("Writes to the memory of the chosen encoder by this program since it was started")))
     , m_always{m_state, m_mode, m_writes}
 {
-    m_state->setToolTip(tr("State of the master"));
+    m_state->setToolTip(tr("State of the bus"));
     m_mode->setToolTip(tr("Watch: nothing is sent. Operate: writing is allowed."));
     bar.setSizeGripEnabled(false);
     bar.setMinimumWidth(narrowest);

@@ -49,9 +49,17 @@ WindowActions::WindowActions(QMainWindow &window, QUndoStack &undoStack)
     makeToolBar();
 }
 
+// The tips say why something is not to be had.
+QMenu *WindowActions::addMenu(const QString &title)
+{
+    QMenu *menu = m_window.menuBar()->addMenu(title);
+    menu->setToolTipsVisible(true);
+    return menu;
+}
+
 void WindowActions::makeFileMenu()
 {
-    QMenu *menu = m_window.menuBar()->addMenu(tr("&File"));
+    QMenu *menu = addMenu(tr("&File"));
     newProject = described(menu->addAction(tr("&New")), QKeySequence::New, tr("Begins an empty project"));
     openProject = described(menu->addAction(lineIcon(Icon::open), tr("&Open...")), QKeySequence::Open,
                             tr("Opens a project"));
@@ -78,7 +86,7 @@ void WindowActions::makeFileMenu()
 // What the next step would be stands behind the word.
 void WindowActions::makeEditMenu(QUndoStack &undoStack)
 {
-    QMenu *menu = m_window.menuBar()->addMenu(tr("&Edit"));
+    QMenu *menu = addMenu(tr("&Edit"));
     undo = undoStack.createUndoAction(this, tr("&Undo"));
     redo = undoStack.createRedoAction(this, tr("&Redo"));
     menu->addAction(described(undo, QKeySequence::Undo, tr("Takes back the last change of the project")));
@@ -94,7 +102,7 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
 
 void WindowActions::makeBusMenu()
 {
-    QMenu *menu = m_window.menuBar()->addMenu(tr("&Bus"));
+    QMenu *menu = addMenu(tr("&Bus"));
     const auto section = [this, menu](Section which) { m_sections[which] = {menu, menu->addSeparator()}; };
     section(Section::connections);
     auto *mode = new QActionGroup(this);
@@ -106,9 +114,9 @@ void WindowActions::makeBusMenu()
     menu->addActions(mode->actions());
     menu->addSeparator();
     start = described(menu->addAction(lineIcon(Icon::start), tr("&Start")), Qt::Key_F5,
-                      tr("Starts the bus: data cycles run"));
+                      tr("Starts the chosen bus: data is exchanged from then on"));
     stop = described(menu->addAction(lineIcon(Icon::stop), tr("S&top")), Qt::SHIFT | Qt::Key_F5,
-                     tr("Stops the bus: no more data cycles"));
+                     tr("Stops the chosen bus: no more data is exchanged"));
     menu->addSeparator();
     section(Section::services);
     transfer = described(menu->addAction(lineIcon(Icon::parameters), tr("T&ransfer")), Qt::CTRL | Qt::Key_T,
@@ -117,10 +125,10 @@ void WindowActions::makeBusMenu()
     section(Section::kinds);
     alarmStop =
         described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP")), alarmStopKey(), QString());
-    showAlarmStop({});
+    showAlarmStop({}, {});
 }
 
-void WindowActions::showAlarmStop(const QStringList &buses)
+void WindowActions::showAlarmStop(const QStringList &buses, const QStringList &effects)
 {
     const auto count = static_cast<int>(buses.size());
     const QString text = count == 0   ? tr("&ALARM STOP")
@@ -129,14 +137,13 @@ void WindowActions::showAlarmStop(const QStringList &buses)
     if (alarmStop->text() != text)
         alarmStop->setText(text);
     described(alarmStop, alarmStopKey(),
-              tr("Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1")
-                  .arg(buses.join(QStringLiteral(", "))));
+              effects.isEmpty() ? tr("No bus is connected.")
+                                : tr("At once: %1").arg(effects.join(QStringLiteral("; "))));
 }
 
 void WindowActions::makeDeviceMenu()
 {
-    deviceMenu = m_window.menuBar()->addMenu(tr("&Device"));
-    deviceMenu->setToolTipsVisible(true); // they say why something is not to be had
+    deviceMenu = addMenu(tr("&Device"));
     const auto open = [this](const QString &text, const QKeySequence &key, const QString &what) {
         return described(deviceMenu->addAction(lineIcon(Icon::monitor), text), key, what);
     };
@@ -209,7 +216,7 @@ void WindowActions::showTrace(bool isThere)
 
 void WindowActions::makeViewMenu()
 {
-    QMenu *menu = m_window.menuBar()->addMenu(tr("&View"));
+    QMenu *menu = addMenu(tr("&View"));
     monitors = described(menu->addAction(lineIcon(Icon::monitor), tr("&Monitors")), Qt::Key_F7,
                          tr("Shows the monitors"));
     menu->addSeparator();
@@ -240,7 +247,7 @@ void WindowActions::makeViewMenu()
 
 void WindowActions::makeHelpMenu()
 {
-    QMenu *menu = m_window.menuBar()->addMenu(tr("&Help"));
+    QMenu *menu = addMenu(tr("&Help"));
     keys = described(menu->addAction(tr("&Keys")), QKeySequence::HelpContents,
                      tr("Lists the keys of the window"));
     about = described(menu->addAction(lineIcon(Icon::information), tr("&About Codewheel")), {},

@@ -47,8 +47,8 @@ public:
     // Its words can be looked at where its bus is open; null: it has none.
     void showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen);
     void showTrace(bool isThere);
-    // On which buses it acts, by their names.
-    void showAlarmStop(const QStringList &buses);
+    // On which buses it acts, by their names, and what it does there.
+    void showAlarmStop(const QStringList &buses, const QStringList &effects);
 
     // File
     QAction *newProject;
@@ -97,6 +97,7 @@ public:
     QMenu *deviceMenu;
 
 private:
+    QMenu *addMenu(const QString &title);
     void makeFileMenu();
     void makeEditMenu(QUndoStack &undoStack);
     void makeBusMenu();

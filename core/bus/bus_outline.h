@@ -48,6 +48,7 @@ public:
 
     virtual QString title() const = 0;
     virtual QString toolTip() const = 0;
+    virtual QString alarmStop() const { return tr("jobs end"); } // what ALARM STOP does there
     virtual StateWord state() const = 0;
     // In the order of the bus; it stays until nodesChanged() of a connected bus, or until the project is
     // edited.

@@ -76,6 +76,11 @@ QString LineOutline::toolTip() const
                      QLocale().toString(qulonglong{m_line.latest().figures.timeOuts})});
 }
 
+QString LineOutline::alarmStop() const
+{
+    return tr("what is on its way ends, and nothing follows");
+}
+
 StateWord LineOutline::state() const
 {
     if (m_line.state() == BusState::opening)

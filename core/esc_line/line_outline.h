@@ -19,6 +19,7 @@ public:
 
     QString title() const override;
     QString toolTip() const override;
+    QString alarmStop() const override;
     StateWord state() const override;
     std::vector<BusNode> nodes() const override;
     NodeState state(std::size_t node) const override;

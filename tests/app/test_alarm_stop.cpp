@@ -39,7 +39,7 @@ TEST_F(AlarmStopTest, ItsButtonZeroesTheWholeRing)
     auto *button = window().findChild<QToolButton *>(QStringLiteral("alarmStop"));
     ASSERT_NE(button, nullptr);
     EXPECT_EQ(button->accessibleName(), QStringLiteral("ALARM STOP 2 buses"));
-    EXPECT_TRUE(button->toolTip().contains(QStringLiteral("Ring, Line")));
+    EXPECT_TRUE(button->toolTip().contains(QStringLiteral("Ring: all OUT words become 0")));
     QTest::mouseClick(button, Qt::LeftButton);
     expectZero();
 }

@@ -103,12 +103,13 @@ TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
     showForm();
     typePort(first.path());
     const LineSession *before = shown->line().session();
-    click(form(), QStringLiteral("Connect"));
+    const auto buttons = form().findChildren<QPushButton *>();
+    const auto button = std::ranges::find(buttons, QStringLiteral("&Connect"), &QPushButton::text);
+    ASSERT_NE(button, buttons.end());
+    (*button)->click(); // no event is worked off meanwhile
     EXPECT_TRUE(shown->line().isOpening());
     EXPECT_EQ(shown->line().session(), before);
-    const auto buttons = form().findChildren<QPushButton *>();
-    const auto button = std::ranges::find(buttons, QStringLiteral("Connecting ..."), &QPushButton::text);
-    ASSERT_NE(button, buttons.end());
+    EXPECT_EQ((*button)->text(), QStringLiteral("Connecting ..."));
     EXPECT_FALSE((*button)->isEnabled());
     lineActions().disconnectLine->trigger();
     EXPECT_FALSE(shown->line().isOpening());

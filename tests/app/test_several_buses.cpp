@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More than one ring, more than one line: each is connected, driven and stopped by itself, in the window.
 #include "app/window/bus_views.h"
+#include "app/window/line_at_work.h"
 #include "app/window/plant.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
@@ -21,6 +22,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -217,6 +219,38 @@ TEST_F(SeveralBuses, EachMonitorShowsItsOwnBus)
     EXPECT_EQ(out(test::fraba), Word{0}) << "the encoder of the same number in the other ring";
 }
 
+TEST_F(SeveralBuses, PagesAndPanelsTellWhoseTheyAre)
+{
+    const auto labels = window().findChildren<QLabel *>();
+    const auto found = std::ranges::find(labels, QStringLiteral("Bus of the page"), &QWidget::accessibleName);
+    ASSERT_NE(found, labels.end());
+    const QLabel &whose = **found;
+    const auto &master = *window().findChild<QDockWidget *>(QStringLiteral("masterDock"));
+    const auto &terminal = *window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
+    actions().compare->trigger();
+    EXPECT_FALSE(whose.isVisible()) << "there is one ring";
+    EXPECT_EQ(master.windowTitle(), QStringLiteral("Master"));
+
+    openSecondRing();
+    choose(secondRing);
+    EXPECT_EQ(master.windowTitle(), QStringLiteral("Master (Ring 2)"));
+    EXPECT_EQ(terminal.windowTitle(), QStringLiteral("Line terminal")) << "there is one line";
+    EXPECT_TRUE(whose.isVisible());
+    EXPECT_EQ(whose.text(), QStringLiteral("Ring 2"));
+    choose(firstRing);
+    EXPECT_EQ(master.windowTitle(), QStringLiteral("Master (Ring)"));
+    EXPECT_EQ(whose.text(), QStringLiteral("Ring"));
+    actions().monitors->trigger();
+    EXPECT_FALSE(whose.isVisible()) << "they show encoders of all";
+}
+
+TEST_F(SeveralBuses, AlarmStopSaysWhatItDoesOnEach)
+{
+    EXPECT_EQ(actions().alarmStop->toolTip().section(u'(', 0, 0).trimmed(),
+              QStringLiteral("At once: Ring: all OUT words become 0, and jobs end; "
+                             "Line: what is on its way ends, and nothing follows"));
+}
+
 TEST_F(SeveralBuses, AlarmStopMeansAllOfThem)
 {
     openSecondRing();
@@ -267,7 +301,8 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
                     if (button->text().remove(u'&') == QStringLiteral("Connect"))
                         button->click();
             }
-        EXPECT_TRUE(QTest::qWaitFor([&] { return shown->plant().find(line)->isOpen(); }));
+        const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !its->isOpening(); }));
         advance(50);
     };
     connectLine(firstLine, one.path());
