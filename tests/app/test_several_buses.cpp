@@ -311,6 +311,9 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
     ASSERT_TRUE(shown->plant().find(firstLine)->isOpen());
     EXPECT_TRUE(cell(firstLine, StructureModel::deviceColumn).contains(one.path()));
     EXPECT_TRUE(cell(secondLine, StructureModel::deviceColumn).contains(two.path()));
+    for (const BusId line : {firstLine, secondLine})
+        EXPECT_EQ(cell(line, StructureModel::deviceColumn).section(u':', 0, 0),
+                  findBus(shown->project().project(), line)->name);
     choose(firstLine);
     lineActions().disconnectLine->trigger();
     advance(50);

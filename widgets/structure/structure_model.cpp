@@ -132,16 +132,21 @@ void StructureModel::show(std::vector<BusBranch> branches)
     endResetModel();
 }
 
-// Two that look the same are told apart by the names that the project gives them.
+// Several of a kind, and two that look the same, are told apart by the names that the project gives them.
 void StructureModel::giveTitles()
 {
     for (BusBranch &branch : m_branches) {
         const QString title = branch.outline().title();
-        const auto same = std::ranges::count_if(
-            m_branches, [&](const BusBranch &other) { return other.outline().title() == title; });
+        branch.title = title;
         const PlannedBus *planned =
             m_project != nullptr ? findBus(m_project->project(), branch.bus) : nullptr;
-        branch.title = same > 1 && planned != nullptr ? calledText(planned->name, title) : title;
+        if (planned == nullptr)
+            continue;
+        const auto same = std::ranges::count_if(
+            m_branches, [&](const BusBranch &other) { return other.outline().title() == title; });
+        const auto ofKind = std::ranges::count(m_project->project().buses, planned->kind, &PlannedBus::kind);
+        if (same > 1 || ofKind > 1)
+            branch.title = calledText(planned->name, title);
     }
 }
 
