@@ -5420,14 +5420,6 @@ Angaben passen. Braucht keinen Bus.</translation>
         <translation>&quot;%1&quot; ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
     </message>
     <message>
-        <source>The bus differs from the project, so &quot;%1&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
-        <translation>Der Bus weicht vom Projekt ab, also kann &quot;%1&quot; woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
-    </message>
-    <message>
-        <source>The bus differs from the project. See codewheel-cli compare.</source>
-        <translation>Der Bus weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
-    </message>
-    <message>
         <source>where to save the report: a name in .html or .pdf</source>
         <translation>wohin der Bericht gespeichert wird: ein Name auf .html oder .pdf</translation>
     </message>
@@ -5896,10 +5888,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
         <translation>Den Anschluss der seriellen Leitung nennen, wie --link esc:ttyUSB0. %1</translation>
     </message>
     <message>
-        <source>There is no project with the port of a serial line. Name one that has it with --project FILE, or the port, as --link esc:ttyUSB0.</source>
-        <translation>Es gibt kein Projekt mit dem Anschluss einer seriellen Leitung. Eines mit --project DATEI nennen, das ihn hat, oder den Anschluss, wie --link esc:ttyUSB0.</translation>
-    </message>
-    <message>
         <source>The ports there are: %1.</source>
         <translation>Vorhandene Anschlüsse: %1.</translation>
     </message>
@@ -6089,24 +6077,6 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
         <translation>Auf %1 nennt kein Geber zweimal dieselbe Seriennummer: Vielleicht antworten mehrere zugleich. Die Adresse ist für einen Geber, der allein an seiner Leitung ist. codewheel-cli scan findet die Adressen aller.</translation>
     </message>
     <message>
-        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
-(mode, coding, the word the other way) widens it to all meanings the word can have.
-A K1 or K2 is taken for the standard one, unless its --label tells otherwise.
-
-Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
-the answer to it: its digits, or CRLF for a bare line end.
-
-Needs no bus and sends nothing.</source>
-        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
-angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
-die das Wort haben kann. Ein K1 oder K2 gilt als der Standard-Geber, wenn --label nichts anderes sagt.
-
-Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
---other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende.
-
-Braucht keinen Bus und sendet nichts.</translation>
-    </message>
-    <message>
         <source>Nothing was written to an encoder.</source>
         <translation>In keinen Geber wurde etwas geschrieben.</translation>
     </message>
@@ -6251,10 +6221,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Mit protocol= angeben, was an %1 gesprochen wird. Es gibt: %2.</translation>
     </message>
     <message>
-        <source>The link &quot;project&quot; needs a project. Name it with --project FILE.</source>
-        <translation>Die Verbindung &quot;project&quot; braucht ein Projekt. Es mit --project DATEI nennen.</translation>
-    </message>
-    <message>
         <source>Several buses may have %1. Give one of these: %2.</source>
         <translation>Mehrere Busse können %1 haben. Einen davon angeben: %2.</translation>
     </message>
@@ -6309,10 +6275,6 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>The call names two projects: %1 and %2. Leave --project out.</source>
         <translation>Der Aufruf nennt zwei Projekte: %1 und %2. --project weglassen.</translation>
-    </message>
-    <message>
-        <source>The project has no buses.</source>
-        <translation>Das Projekt hat keine Busse.</translation>
     </message>
     <message>
         <source>The project has several devices at the station &quot;%1&quot;. Give one of these: %2.</source>
@@ -6377,6 +6339,51 @@ Sendet nichts an einen Ring.</translation>
     <message>
         <source>Give --place or --bus, not both. A place on another bus is written as 3/1.0.</source>
         <translation>--place oder --bus angeben, nicht beides. Ein Platz an einem anderen Bus wird als 3/1.0 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
+(mode, coding, the word the other way) widens it to all meanings the word can have.
+A K1 or K2 is taken for the standard one, unless its --label tells otherwise.
+
+Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
+the answer to it: its digits, or CRLF for a bare line end. Of several lines of the link it goes by
+the one named before the request (&quot;Gate 2/05P&quot;), else by the only one that has its address.
+
+Needs no bus and sends nothing.</source>
+        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
+die das Wort haben kann. Ein K1 oder K2 gilt als der Standard-Geber, wenn --label nichts anderes sagt.
+
+Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
+--other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende. Von mehreren
+Leitungen der Verbindung gilt die, die vor der Anfrage steht (&quot;Gate 2/05P&quot;), sonst die einzige, die
+ihre Adresse hat.
+
+Braucht keinen Bus und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Name the line before the request, as %1/%2.</source>
+        <translation>Die Leitung vor der Anfrage nennen, wie %1/%2.</translation>
+    </message>
+    <message>
+        <source>%1, those of one kind alone</source>
+        <translation>%1, nur die einer Art</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; needs a project. Name it with --project FILE.</source>
+        <translation>Die Verbindung &quot;%1&quot; braucht ein Projekt. Es mit --project DATEI nennen.</translation>
+    </message>
+    <message>
+        <source>The project has no buses for the link &quot;%1&quot;.</source>
+        <translation>Das Projekt hat keine Busse für die Verbindung &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>The bus &quot;%1&quot; differs from the project, so &quot;%2&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
+        <translation>Der Bus &quot;%1&quot; weicht vom Projekt ab, also kann &quot;%2&quot; woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
+    </message>
+    <message>
+        <source>The bus &quot;%1&quot; differs from the project. See codewheel-cli compare.</source>
+        <translation>Der Bus &quot;%1&quot; weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
     </message>
 </context>
 <context>

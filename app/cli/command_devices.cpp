@@ -10,6 +10,7 @@
 #include "cli/link_kind.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
+#include "cli/places.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
@@ -25,6 +26,7 @@ constexpr Option devicesOptions[] = {
     {"--label", "KEY",
      QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the key on a label says, and whose it is")},
     {"--check", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whether a description file is sound")},
+    busOption,
 };
 
 QString yesNo(bool yes)
@@ -191,7 +193,7 @@ Checked<Answer> runDevices(const Call &call)
 
 const Subcommand devicesCommand{
     .name = "devices",
-    .usage = "[NAME] [--label KEY] [--check FILE]",
+    .usage = "[NAME] [--label KEY] [--check FILE] [--bus BUS]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the encoders this program knows"),
     .details =
         QT_TRANSLATE_NOOP("codewheel::CommandLine",
@@ -205,6 +207,7 @@ const Subcommand devicesCommand{
     .minimumArguments = 0,
     .maximumArguments = 1,
     .needsBus = false,
+    .needsLinks = true,
     .run = runDevices,
 };
 

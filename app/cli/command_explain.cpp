@@ -230,12 +230,14 @@ const Subcommand explainCommand{
         "the word can have.\nA K1 or K2 is taken for the standard one, unless its --label tells "
         "otherwise.\n\nOf an encoder on a serial line it explains a "
         "request (03GP00005200), or, with --other REQUEST,\nthe answer to it: its digits, or "
-        "CRLF for a bare line end.\n\nNeeds no bus and sends nothing."),
+        "CRLF for a bare line end. Of several lines of the link it goes by\nthe one named before the request "
+        "(\"Gate 2/05P\"), else by the only one that has its address.\n\nNeeds no bus and sends nothing."),
     .examples = explainExamples,
     .options = explainOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = false,
+    .needsLinks = true,
     .run = runExplain,
 };
 

@@ -161,19 +161,20 @@ int runOnLinks(const Subcommand &command, const Arguments &arguments, const Proj
     for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
         terminal.complain(
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
-    if (!needsBus(command, arguments))
-        return runCommand(command, arguments, project, catalog, {}, terminal);
-    auto links = makeLinks(make, catalog);
-    if (const auto checked = links ? checkCommand(command, *links) : Checked<void>(); !checked)
+    const bool opens = needsBus(command, arguments);
+    auto links = opens || command.needsLinks ? makeLinks(make, catalog) : Links();
+    if (const auto checked = links && opens ? checkCommand(command, *links) : Checked<void>(); !checked)
         links = tl::unexpected(checked.error());
     if (!links)
         return fail(links.error(), QString::fromLatin1(command.name), arguments.has("--json"), {}, terminal);
     std::vector<BusAccess *> accesses;
     for (const auto &link : *links) {
-        link->keepLedger(arguments.value("--ledger"));
+        if (opens)
+            link->keepLedger(arguments.value("--ledger"));
         accesses.push_back(link.get());
     }
-    complainAboutLedger(*accesses.front()->ledger(), terminal);
+    if (opens)
+        complainAboutLedger(*accesses.front()->ledger(), terminal);
     return runCommand(command, arguments, project, catalog, accesses, terminal);
 }
 

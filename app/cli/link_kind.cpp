@@ -5,6 +5,7 @@
 #include "cli/line/line_link_kind.h"
 #include "cli/ring/ring_link_kind.h"
 #include "cli/texts.h"
+#include "encoder/sentence.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 
@@ -34,18 +35,19 @@ std::vector<std::unique_ptr<const LinkKind>> &kinds()
 
 QString linksThereAre()
 {
+    QStringList ofOneKind;
     QStringList texts{CommandLine::tr("training, the simulated buses"),
                       CommandLine::tr("project, all buses of the project")};
-    for (const LinkKind *kind : linkKinds())
+    for (const LinkKind *kind : linkKinds()) {
+        for (const QString &scheme : kind->schemes())
+            ofOneKind << LinkText{scheme, projectLink, {}}.link();
         if (const QString help = kind->help(); !help.isEmpty())
             texts << help;
+    }
+    ofOneKind.removeDuplicates();
+    texts.insert(
+        2, sentence(CommandLine::tr("%1, those of one kind alone"), {ofOneKind.join(QStringLiteral(", "))}));
     return texts.join(QStringLiteral("; "));
-}
-
-tl::unexpected<Complaint> unknownLink(const QString &typed)
-{
-    return badInput(QStringLiteral("unknownLink"),
-                    CommandLine::tr("There is no link \"%1\". The links are: %2."), {typed, linksThereAre()});
 }
 
 Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
@@ -62,7 +64,7 @@ Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
     const auto found = std::ranges::find(those, protocol.value_or(QString()), &LinkKind::bus);
     if (found != those.end())
         return *found;
-    const QString where = text.scheme + u':' + text.where;
+    const QString where = text.link();
     if (!protocol)
         return badInput(QStringLiteral("protocolMissing"),
                         CommandLine::tr("Say with protocol= what is spoken at %1. There is: %2."),
@@ -95,19 +97,27 @@ std::vector<MakeLink> trainingLinks(const Project *project)
     return links;
 }
 
-Checked<std::vector<MakeLink>> linksOf(const Project *project)
+// Of these kinds. `link`: as it is typed.
+Checked<std::vector<MakeLink>> plannedLinks(const std::vector<const LinkKind *> &those, const QString &link,
+                                            const QStringList &settings, const Project *project)
 {
     if (project == nullptr)
-        return badInput(
-            QStringLiteral("noProject"),
-            CommandLine::tr("The link \"project\" needs a project. Name it with --project FILE."));
-    if (project->buses.empty())
-        return badInput(QStringLiteral("noBuses"), CommandLine::tr("The project has no buses."));
+        return badInput(QStringLiteral("noProject"),
+                        CommandLine::tr("The link \"%1\" needs a project. Name it with --project FILE."),
+                        {link});
     std::vector<MakeLink> links;
-    for (const PlannedBus &bus : project->buses)
-        for (const LinkKind *kind : linkKinds())
-            if (kind->bus() == bus.kind)
-                links.push_back(kind->planned(*project, bus.id));
+    for (const PlannedBus &bus : project->buses) {
+        const auto kind = std::ranges::find(those, bus.kind, &LinkKind::bus);
+        if (kind == those.end())
+            continue;
+        auto planned = (*kind)->planned(*project, bus.id, settings);
+        if (!planned)
+            return tl::unexpected(planned.error());
+        links.push_back(*std::move(planned));
+    }
+    if (links.empty())
+        return badInput(QStringLiteral("noBuses"),
+                        CommandLine::tr("The project has no buses for the link \"%1\"."), {link});
     return links;
 }
 
@@ -176,13 +186,22 @@ Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *p
     if (typed == trainingLink)
         return trainingLinks(project);
     if (typed == projectLink)
-        return linksOf(project);
+        return plannedLinks(linkKinds(), typed, {}, project);
     auto text = LinkText::parse(typed);
     if (!text)
         return unknownLink(typed);
     return checkEachOnce(text->settings)
         .and_then([&] { return kindMeant(*text, typed); })
-        .and_then([&](const LinkKind *kind) { return kind->links(*text, project); });
+        .and_then([&](const LinkKind *kind) {
+            return text->where == projectLink ? plannedLinks({kind}, text->link(), text->settings, project)
+                                              : kind->links(*text, project);
+        });
+}
+
+tl::unexpected<Complaint> unknownLink(const QString &typed)
+{
+    return badInput(QStringLiteral("unknownLink"),
+                    CommandLine::tr("There is no link \"%1\". The links are: %2."), {typed, linksThereAre()});
 }
 
 } // namespace codewheel

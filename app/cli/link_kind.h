@@ -17,6 +17,7 @@ struct LinkText
     QStringList settings; // "baud=9600"
 
     static std::optional<LinkText> parse(const QString &typed); // nothing: it has no scheme
+    QString link() const { return scheme + u':' + where; }
     // Takes it out of the settings.
     std::optional<QString> take(const QString &setting);
 };
@@ -34,9 +35,11 @@ public:
     virtual QStringList schemes() const = 0; // "esc"
     virtual QString help() const = 0;        // "esc:PORT, a serial line": of the links that there are
     virtual bool isPlace(const QString &typed) const = 0; // by its form
+    // SCHEME:WHERE, unless it is SCHEME:project.
     virtual Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const = 0;
-    // Of a bus of this kind that the project plans.
-    virtual MakeLink planned(const Project &project, BusId bus) const = 0;
+    // Of a bus of this kind that the project plans; these settings go before those of the project.
+    virtual Checked<MakeLink> planned(const Project &project, BusId bus,
+                                      const QStringList &settings) const = 0;
     // The simulated bus, which stands for the one of the project, null where there is none; none: it has
     // none.
     virtual MakeLink training(const Project *project) const = 0;
@@ -61,8 +64,11 @@ std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind
 BusId numberOf(const LinkKind &kind, const Project *project, std::optional<BusId> meant = {});
 
 // What --link names: "training", the simulated bus of each kind; "project", all that the project plans;
-// SCHEME:WHERE of the kind that has this scheme, or, where several have it, of the one that protocol= names.
-// Refused where there is no such link, and where it means something with a project only and there is none.
+// SCHEME:WHERE of the kind that has this scheme, or, where several have it, of the one that protocol= names;
+// SCHEME:project, all of that kind that the project plans. Refused where there is no such link, and where it
+// means something with a project only and there is none.
 Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *project);
+// And which links there are.
+tl::unexpected<Complaint> unknownLink(const QString &typed);
 
 } // namespace codewheel

@@ -265,11 +265,17 @@ Checked<void> nameDevice(const Call &call, Place place)
     return {};
 }
 
-Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
+std::vector<BusAccess *> busesOf(const Call &call, const QString &kind)
 {
     std::vector<BusAccess *> buses;
     std::ranges::copy_if(call.links, std::back_inserter(buses),
                          [&](const BusAccess *bus) { return bus->kind() == kind; });
+    return buses;
+}
+
+Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
+{
+    const std::vector<BusAccess *> buses = busesOf(call, kind);
     if (buses.empty())
         return badInput(QStringLiteral("noSuchBus"),
                         CommandLine::tr("The link leads to no bus of this kind: %1."),

@@ -61,6 +61,7 @@ Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &t
 // The device at the place is the one that --device names, if it is given.
 Checked<void> nameDevice(const Call &call, Place place);
 
+std::vector<BusAccess *> busesOf(const Call &call, const QString &kind); // of this kind
 // The bus of this kind that --bus names; without it the only one of the link. Refused where it leads to none,
 // or to several.
 Checked<BusAccess *> busMeant(const Call &call, const QString &kind);

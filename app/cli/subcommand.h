@@ -48,6 +48,7 @@ struct Subcommand
     int minimumArguments;
     int maximumArguments;
     bool needsBus;
+    bool needsLinks = false;         // for what is known of its buses before they are opened
     const char *busOption = nullptr; // needs it with this option only
     bool namesProject = false;       // its first argument is a project
     bool answersInLines = false;     // with --json: a line for each object, the last one as of every command

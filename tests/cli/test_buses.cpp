@@ -391,6 +391,97 @@ TEST_F(CliBuses, ALinkHasTheNumberOfTheBusThatIsMeant)
     EXPECT_EQ(numberAt("training"), 2) << "the only ring";
 }
 
+class CliProjectLinks : public CliBuses
+{
+protected:
+    CliProjectLinks()
+    {
+        for (const auto &[line, bits] : {std::pair(firstLine, 28), std::pair(secondLine, 30)}) {
+            LinePlan plan;
+            plan.settings.port = QStringLiteral("/dev/none");
+            plan.settings.fractionBits = bits;
+            setLinePlan(project, line, plan);
+        }
+    }
+    CliRun call(QStringList words)
+    {
+        EXPECT_TRUE(saveProject(project, file));
+        words << QStringLiteral("--project") << file << QStringLiteral("--json");
+        return runWith({}, [&](const Terminal &terminal) { return runCommandLine(words, terminal); });
+    }
+    CliRun explain(const char *request, const char *link = "esc:project")
+    {
+        return call({QStringLiteral("explain"), QStringLiteral("40000000"), QStringLiteral("--other"),
+                     QString::fromLatin1(request), QStringLiteral("--device"),
+                     QStringLiteral("kuebler-esc-rs485"), QStringLiteral("--link"),
+                     QString::fromLatin1(link)});
+    }
+};
+
+// A scaling factor of 1 with 30 fraction bits, of 4 with 28.
+TEST_F(CliProjectLinks, ARequestIsExplainedByTheLineThatHasItsAddress)
+{
+    for (const char *link : {"esc:project", "project"}) {
+        const QJsonObject top = explain("12F", link).json();
+        EXPECT_EQ(top[u"busName"], QStringLiteral("Gate 2")) << link;
+        EXPECT_EQ(top[u"outOfRange"], false);
+        EXPECT_EQ(explain("Gate 1/12F", link).json()[u"outOfRange"], true);
+        EXPECT_EQ(explain("4/05F", link).json()[u"outOfRange"], false);
+    }
+    const CliRun several = explain("05F");
+    EXPECT_EQ(errorKey(several), "placeNotUnique");
+    EXPECT_THAT(several.err, HasSubstr("Gate 1/esc:05, Gate 2/esc:05. Name the line before the request, as "
+                                       "Gate 1/05F."));
+    EXPECT_EQ(errorKey(explain("Gate 3/05F")), "unknownBus");
+    EXPECT_EQ(errorKey(explain("Crane 1/05F", "project")), "unknownDevice");
+    EXPECT_EQ(explain("Crane 1/05F", "project").err.find("differs"), std::string::npos)
+        << "nothing is asked of the ring";
+}
+
+TEST_F(CliProjectLinks, TheLimitsOfADeviceAreThoseOfTheLineThatIsNamed)
+{
+    const auto most = [&](const CliRun &run) {
+        for (const QJsonValue parameter : run.json()[u"parameters"].toArray())
+            if (parameter[u"parameter"] == QStringLiteral("scaling-factor"))
+                return parameter[u"maximum"].toInteger();
+        return qint64{};
+    };
+    const QStringList words{QStringLiteral("devices"), QStringLiteral("kuebler-esc-rs485"),
+                            QStringLiteral("--link"), QStringLiteral("project")};
+    EXPECT_EQ(errorKey(call(words)), "busNotUnique");
+    EXPECT_EQ(most(call(words + QStringList{QStringLiteral("--bus"), QStringLiteral("Gate 1")})), 1 << 28);
+    EXPECT_EQ(most(call(words + QStringList{QStringLiteral("--bus"), QStringLiteral("4")})), 1 << 30);
+    QStringList ofTheRing = words;
+    ofTheRing[1] = QStringLiteral("fraba-ocd-ib");
+    EXPECT_EQ(call(ofTheRing).exit, 0) << "it is on no line";
+}
+
+TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
+{
+    const auto names = [&](const char *link) {
+        const CliRun scan =
+            call({QStringLiteral("scan"), QStringLiteral("--link"), QString::fromLatin1(link)});
+        QStringList all;
+        for (const QJsonValue bus : scan.json()[u"buses"].toArray())
+            all << bus[u"busName"].toString();
+        return all.join(u'|');
+    };
+    EXPECT_EQ(names("interbus:project"), QStringLiteral("Crane 1|Crane 2"));
+    EXPECT_EQ(names("esc:project"), QStringLiteral("Gate 1|Gate 2"));
+    const auto refused = [&](const char *link) {
+        return linksMeant(QString::fromLatin1(link), &project).error();
+    };
+    EXPECT_EQ(refused("interbus:project,foo=1").key, QStringLiteral("linkWithoutSettings"));
+    EXPECT_EQ(refused("esc:project,foo=1").key, QStringLiteral("unknownLineSetting"));
+    EXPECT_THAT(refused("interbus:com1").text.toStdString(),
+                HasSubstr("interbus:project, esc:project, those of one kind alone"));
+    project.buses = {planned(firstRing, "interbus", "Crane")};
+    EXPECT_EQ(refused("esc:project").text,
+              QStringLiteral("The project has no buses for the link \"esc:project\"."));
+    EXPECT_EQ(linksMeant(QStringLiteral("interbus:project"), nullptr).error().key,
+              QStringLiteral("noProject"));
+}
+
 // A kind of bus that is reached by a scheme of another one too.
 class OtherKind final : public LinkKind
 {
@@ -403,7 +494,7 @@ public:
     {
         return badInput(QStringLiteral("reached"), text.where + text.settings.join(u','));
     }
-    MakeLink planned(const Project &, BusId) const override { return {}; }
+    Checked<MakeLink> planned(const Project &, BusId, const QStringList &) const override { return {}; }
     MakeLink training(const Project *) const override { return {}; }
 };
 

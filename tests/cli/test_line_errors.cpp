@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLineCall{"transfer " CODEWHEEL_ROOT "/docs/examples/training.codewheel --link esc:training",
                     "projectEmpty", 2},
         BadLineCall{"transfer " CODEWHEEL_ROOT "/docs/examples/training.codewheel --link esc:project",
-                    "noLineInProject", 2},
+                    "noBuses", 2},
         BadLineCall{"replace 1.0 --project " CODEWHEEL_ROOT
                     "/docs/examples/training.codewheel --link esc:training",
                     "placeOnBus", 2},

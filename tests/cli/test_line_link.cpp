@@ -75,7 +75,7 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     for (const LineAddress address : {LineAddress{3}, LineAddress{5}})
         project.devices.emplace_back().standAt(placeOnLine(address));
     project.devices[1].swapsWarningBytes = true;
-    const auto link = lineOnLink(QStringLiteral("esc:project,fraction-bits=30"), &project);
+    const auto link = lineOf(project, firstLine, {QStringLiteral("fraction-bits=30")});
     ASSERT_TRUE(link);
     EXPECT_EQ(link->settings.port, QStringLiteral("/dev/ttyUSB3"));
     EXPECT_EQ(link->settings.serial.baudRate, 4'800);
@@ -85,13 +85,12 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     EXPECT_TRUE(link->explainOptions().swaps({5}));
     EXPECT_TRUE(lineOnLink(QStringLiteral("esc:ttyUSB1"), &project)->explainOptions().swaps({5}))
         << "whatever the port";
-    const auto none = lineOnLink(QStringLiteral("esc:project,swap-warnings=0"), &project);
+    const auto none = lineOf(project, firstLine, {QStringLiteral("swap-warnings=0")});
     EXPECT_FALSE(none->explainOptions().swaps({5}));
 
     const Project without;
-    EXPECT_EQ(lineOnLink(QStringLiteral("esc:project"), &without).error().key,
-              QStringLiteral("noLineInProject"));
-    EXPECT_EQ(refusal("esc:project"), "noLineInProject");
+    EXPECT_EQ(linksMeant(QStringLiteral("esc:project"), &without).error().key, QStringLiteral("noBuses"));
+    EXPECT_EQ(refusal("esc:project"), "noProject");
 }
 
 TEST(CliLineLink, WhatIsWrongIsNamed)

@@ -146,7 +146,8 @@ TEST(CliProgram, MakesAPdfWithoutAScreen)
         start(QStringLiteral("report %1/docs/examples/two-encoders.codewheel --read --json -o %2")
                   .arg(QStringLiteral(CODEWHEEL_ROOT), path));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_EQ(run.err, "codewheel-cli: The bus differs from the project. See codewheel-cli compare.\n");
+    EXPECT_EQ(run.err,
+              "codewheel-cli: The bus \"Ring\" differs from the project. See codewheel-cli compare.\n");
     EXPECT_THAT(run.out, HasSubstr("\"pages\": "));
     QFile pdf(path);
     ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));

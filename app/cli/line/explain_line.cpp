@@ -2,8 +2,9 @@
 #include "cli/line/explain_line.h"
 
 #include "catalog/device_description.h"
-#include "cli/line/line_link.h"
+#include "cli/line/line_access.h"
 #include "cli/line/line_trace.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "esc/esc_frame.h"
@@ -53,42 +54,36 @@ Answer explained(const QString &line, const QString &meaning, const DeviceDescri
     return {QStringLiteral("%1, %2\n  %3\n").arg(line, device.fullName(), meaning), json};
 }
 
-Checked<Answer> explainRequest(const QString &typed, const DeviceDescription &device,
-                               const esc::ExplainOptions &options)
+Answer explainRequest(const esc::Request &request, const DeviceDescription &device,
+                      const esc::ExplainOptions &options)
 {
-    const auto request = requestFrom(typed);
-    if (!request)
-        return tl::unexpected(request.error());
-    QJsonObject json = requestJson(*request);
+    QJsonObject json = requestJson(request);
     json.insert(QStringLiteral("direction"), out);
-    json.insert(QStringLiteral("bytes"), byteText(request->bytes()));
-    if (esc::shapeOf(request->command).writes)
-        json.insert(outOfRangeKey, isOutOfRange(*request, request->data, options));
-    return explained(QString::fromLatin1(request->text()) +
-                         QStringLiteral(" (%1)").arg(byteText(request->bytes())),
-                     esc::requestText(*request, options), device, json);
+    json.insert(QStringLiteral("bytes"), byteText(request.bytes()));
+    if (esc::shapeOf(request.command).writes)
+        json.insert(outOfRangeKey, isOutOfRange(request, request.data, options));
+    return explained(QString::fromLatin1(request.text()) +
+                         QStringLiteral(" (%1)").arg(byteText(request.bytes())),
+                     esc::requestText(request, options), device, json);
 }
 
-Checked<Answer> explainAnswer(const QString &typed, const QString &asked, const DeviceDescription &device,
-                              const esc::ExplainOptions &options)
+Checked<Answer> explainAnswer(const QString &typed, const esc::Request &request,
+                              const DeviceDescription &device, const esc::ExplainOptions &options)
 {
-    const auto request = requestFrom(asked);
-    if (!request)
-        return tl::unexpected(request.error());
-    const auto answer = answerIn(answerBytes(typed, *request), request->command);
+    const auto answer = answerIn(answerBytes(typed, request), request.command);
     if (!answer)
         return badInput(
             QStringLiteral("notAnAnswer"),
             CommandLine::tr("\"%1\" is no answer to %2. A read is answered with its digits, a write "
                             "with a bare line end (type CRLF), either with 03 or 05 where it is "
                             "refused."),
-            {typed, QString::fromLatin1(request->text())});
-    QJsonObject json = answerJson(*request, *answer, options);
+            {typed, QString::fromLatin1(request.text())});
+    QJsonObject json = answerJson(request, *answer, options);
     json.insert(QStringLiteral("direction"), in);
     if (answer->kind == esc::Answer::Kind::value)
-        json.insert(outOfRangeKey, isOutOfRange(*request, answer->value, options));
-    json.insert(QStringLiteral("request"), requestJson(*request));
-    return explained(typed, esc::exchangeText(*request, *answer, options), device, json);
+        json.insert(outOfRangeKey, isOutOfRange(request, answer->value, options));
+    json.insert(QStringLiteral("request"), requestJson(request));
+    return explained(typed, esc::exchangeText(request, *answer, options), device, json);
 }
 
 // Words have a mode and a coding, and what a label tells is about them.
@@ -124,22 +119,61 @@ Checked<bool> isAnswer(const Arguments &arguments)
     return direction == in;
 }
 
+// A request, and the line it is for where that is typed before it: "Gate 2/05P".
+struct TypedRequest
+{
+    QString bus; // with its slash: "Gate 2/"
+    esc::Request request;
+};
+
+Checked<TypedRequest> typedRequestIn(const QString &typed)
+{
+    const qsizetype begin = typed.indexOf(u'/') + 1;
+    return requestFrom(typed.sliced(begin)).map([&](const esc::Request &request) {
+        return TypedRequest{typed.first(begin), request};
+    });
+}
+
+// The one that has the place the request is for; null: the link leads to no line.
+Checked<const LineAccess *> lineFor(const Call &call, const TypedRequest &typed)
+{
+    const std::vector<BusAccess *> lines = busesOf(call, QString::fromLatin1(escKind));
+    if (lines.empty() && typed.bus.isEmpty())
+        return nullptr;
+    const auto place = lines.size() == 1 && typed.bus.isEmpty()
+                           ? lines.front()->bus().placeOf(typed.request.to.node())
+                           : placeMeant(call, nullptr, typed.bus + typed.request.to.node().toString());
+    if (place)
+        return static_cast<const LineAccess *>(call.findBus(place->bus)); // of its kind
+    Complaint complaint = place.error();
+    if (complaint.key == QStringLiteral("placeNotUnique"))
+        complaint.text += u' ' + sentence(CommandLine::tr("Name the line before the request, as %1/%2."),
+                                          {lines.front()->name(), QString::fromLatin1(typed.request.text())});
+    return tl::unexpected(complaint);
+}
+
 } // namespace
 
 Checked<Answer> explainLine(const Call &call, const DeviceDescription &device)
 {
     if (const auto checked = checkOptions(call.arguments); !checked)
         return tl::unexpected(checked.error());
-    const auto answer = isAnswer(call.arguments);
-    if (!answer)
-        return tl::unexpected(answer.error());
-    const auto line = lineOfCall(call);
+    const auto isOfAnswer = isAnswer(call.arguments);
+    if (!isOfAnswer)
+        return tl::unexpected(isOfAnswer.error());
+    const QString &typed = call.arguments.rest.front();
+    const auto asked = typedRequestIn(*isOfAnswer ? *call.arguments.value("--other") : typed);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    const auto line = lineFor(call, *asked);
     if (!line)
         return tl::unexpected(line.error());
-    const esc::ExplainOptions options = line->explainOptions();
-    const QString &typed = call.arguments.rest.front();
-    return *answer ? explainAnswer(typed, *call.arguments.value("--other"), device, options)
-                   : explainRequest(typed, device, options);
+    const esc::ExplainOptions options = (*line != nullptr ? (*line)->link() : LineLink()).explainOptions();
+    auto answer = *isOfAnswer ? explainAnswer(typed, asked->request, device, options)
+                              : explainRequest(asked->request, device, options);
+    if (answer && *line != nullptr)
+        addBus(answer->json, **line);
+    return answer;
 }
 
 } // namespace codewheel

@@ -16,7 +16,6 @@ namespace codewheel {
 namespace {
 
 const QString trainingLink = QStringLiteral("training");
-const QString projectPort = QStringLiteral("project");
 
 using std::chrono::milliseconds;
 
@@ -117,6 +116,24 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
     return {};
 }
 
+Checked<LineLink> withSettings(LineLink link, const QStringList &settings)
+{
+    for (const QString &setting : settings)
+        if (const auto taken = takeSetting(link, setting); !taken)
+            return tl::unexpected(taken.error());
+    return link;
+}
+
+Complaint noPort(const QString &bus)
+{
+    return {ExitCode::refused,
+            QStringLiteral("noPortInProject"),
+            sentence(CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
+                                     "name it, as --link esc:ttyUSB0."),
+                     {bus}),
+            {bus}};
+}
+
 // What a project says of an encoder holds at whatever port.
 std::set<LineAddress> swappingOf(const Project *project, BusId line)
 {
@@ -137,8 +154,6 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
     LineLink link;
     if (port == trainingLink)
         return link;
-    if (port == projectPort)
-        return lineOf(project, line);
     link.swapping = swappingOf(project, line);
     link.settings.port = port;
     return link;
@@ -159,43 +174,23 @@ esc::ExplainOptions LineLink::explainOptions() const
         .swapWarningBytes = swapWarningBytes, .fractionBits = settings.fractionBits, .swapping = swapping};
 }
 
-Checked<LineLink> lineOf(const Project *project, BusId line)
+Checked<LineLink> lineOf(const Project &project, BusId line, const QStringList &settings)
 {
-    const LinePlan *planned = project != nullptr ? linePlan(*project, line) : nullptr;
-    if (planned == nullptr)
-        return badInput(
-            QStringLiteral("noLineInProject"),
-            CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
-                            "with --project FILE, or the port, as --link esc:ttyUSB0."));
-    if (planned->settings.port.isEmpty())
-        return tl::unexpected(Complaint{
-            ExitCode::refused,
-            QStringLiteral("noPortInProject"),
-            sentence(CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
-                                     "name it, as --link esc:ttyUSB0."),
-                     {findBus(*project, line)->name}),
-            {findBus(*project, line)->name}});
-    LineLink link;
-    link.settings = planned->settings;
-    link.adapter = planned->adapter;
-    link.swapping = swappingOf(project, line);
-    return link;
+    const LinePlan &planned = *linePlan(project, line);
+    const LineLink link{.settings = planned.settings,
+                        .swapping = swappingOf(&project, line),
+                        .adapter = planned.adapter,
+                        .whyNot = planned.settings.port.isEmpty()
+                                      ? std::optional(noPort(findBus(project, line)->name))
+                                      : std::nullopt};
+    return withSettings(link, settings);
 }
 
 Checked<LineLink> lineMeant(const LinkText &text, const Project *project, BusId line)
 {
-    auto link = lineAt(text.where, project, line);
-    if (link)
-        for (const QString &setting : text.settings)
-            if (const auto taken = takeSetting(*link, setting); !taken)
-                return tl::unexpected(taken.error());
-    return link;
-}
-
-Checked<LineLink> lineOfCall(const Call &call)
-{
-    const auto text = LinkText::parse(call.arguments.value("--link").value_or(QString()));
-    return text && text->scheme == QLatin1String(escKind) ? lineMeant(*text, call.project) : LineLink();
+    return lineAt(text.where, project, line).and_then([&](const LineLink &link) {
+        return withSettings(link, text.settings);
+    });
 }
 
 QString presentPortsText()

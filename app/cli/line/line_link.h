@@ -25,13 +25,12 @@ struct LineLink
     esc::ExplainOptions explainOptions() const;
 };
 
-// "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; "esc:project" is this line of the project, null
-// where there is none.
+// "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; of encoders that this line of the project has,
+// null where there is none, is known what it says of them.
 Checked<LineLink> lineMeant(const LinkText &text, const Project *project = nullptr, BusId line = firstLine);
-// Of the project. Refused where it has no port.
-Checked<LineLink> lineOf(const Project *project, BusId line);
-// Of a call that opens nothing: with the settings of its --link.
-Checked<LineLink> lineOfCall(const Call &call);
+// A line of the project; these settings ("baud=9600") go before its own. Where it has no port, the link says
+// so when it is opened, and the other buses can be used.
+Checked<LineLink> lineOf(const Project &project, BusId line, const QStringList &settings = {});
 
 // The serial ports of this computer in a sentence, or that it has none.
 QString presentPortsText();

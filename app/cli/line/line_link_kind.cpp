@@ -6,6 +6,7 @@
 #include "cli/line/explain_line.h"
 #include "cli/line/line_access.h"
 #include "cli/line/scan_line.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "links/port_access.h"
 #include "project/bus_kind.h"
@@ -59,10 +60,9 @@ public:
     }
     bool isPlace(const QString &typed) const override { return addressTyped(typed).has_value(); }
     Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
-    MakeLink planned(const Project &project, BusId bus) const override
+    Checked<MakeLink> planned(const Project &project, BusId bus, const QStringList &settings) const override
     {
-        const auto link = lineOf(&project, bus);
-        return lineTo(link ? *link : LineLink{.whyNot = link.error()}, bus); // the other buses can be used
+        return lineOf(project, bus, settings).map([bus](const LineLink &link) { return lineTo(link, bus); });
     }
     MakeLink training(const Project *project) const override { return lineTo({}, numberOf(*this, project)); }
     std::span<const Subcommand *const> commands() const override { return lineCommands; }
@@ -76,29 +76,23 @@ public:
 
 Checked<std::vector<MakeLink>> LineLinkKind::links(const LinkText &text, const Project *project) const
 {
-    std::vector<BusId> lines;
-    if (text.where == QStringLiteral("project") && project != nullptr)
-        lines = linesOf(*project);
-    if (lines.empty())
-        lines.push_back(numberOf(*this, project, lineAtPort(project, text.where)));
-    std::vector<MakeLink> links;
-    for (const BusId id : lines) {
-        const auto link = lineMeant(text, project, id);
-        if (!link)
-            return tl::unexpected(link.error());
-        links.push_back(lineTo(*link, id));
-    }
-    return links;
+    const BusId id = numberOf(*this, project, lineAtPort(project, text.where));
+    return lineMeant(text, project, id).map([id](const LineLink &link) {
+        return std::vector{lineTo(link, id)};
+    });
 }
 
 // With the limits of a scaling factor in the format of the line.
 Checked<DeviceDescription> LineLinkKind::asOnLink(const Call &call, DeviceDescription device) const
 {
-    const auto line = lineOfCall(call);
+    if (device.profile != Profile::esc || busesOf(call, bus()).empty())
+        return device;
+    const auto line = busMeant(call, bus());
     if (!line)
         return tl::unexpected(line.error());
+    const int bits = static_cast<const LineAccess &>(**line).link().settings.fractionBits; // of its kind
     for (ParameterDescription &parameter : device.parameters)
-        parameter = withOptions(parameter, ValueOptions{.fractionBits = line->settings.fractionBits});
+        parameter = withOptions(parameter, ValueOptions{.fractionBits = bits});
     return device;
 }
 

@@ -118,13 +118,14 @@ Checked<void> RingAccess::checkStation(const Project &project, const QString &st
 {
     if (areSame(compareRings(structureOf(project, m_ring.id()), m_ring.structure())))
         return {};
-    return tl::unexpected(Complaint{
-        ExitCode::refused,
-        QStringLiteral("busDiffers"),
-        sentence(CommandLine::tr("The bus differs from the project, so \"%1\" may stand elsewhere. See "
-                                 "codewheel-cli compare, or give the device number."),
-                 {station}),
-        {station}});
+    return tl::unexpected(
+        Complaint{ExitCode::refused,
+                  QStringLiteral("busDiffers"),
+                  sentence(CommandLine::tr(
+                               "The bus \"%1\" differs from the project, so \"%2\" may stand elsewhere. See "
+                               "codewheel-cli compare, or give the device number."),
+                           {name(), station}),
+                  {station}});
 }
 
 Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, bool namesIt)
@@ -142,6 +143,8 @@ Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, boo
 
 void RingAccess::useProject(const Call &call, const Project &project)
 {
+    if (call.command.needsLinks) // and asks nothing of the ring
+        return;
     const RingStructure connected = m_ring.structure();
     const ProjectPlaces places(project, call.buses);
     for (const ProjectDevice &planned : devicesOn(project, m_ring.id())) {
@@ -151,7 +154,8 @@ void RingAccess::useProject(const Call &call, const Project &project)
     }
     if (!areSame(compareRings(structureOf(project, m_ring.id()), connected)))
         call.terminal.complain(
-            CommandLine::tr("The bus differs from the project. See codewheel-cli compare."));
+            sentence(CommandLine::tr("The bus \"%1\" differs from the project. See codewheel-cli compare."),
+                     {name()}));
 }
 
 Instant RingAccess::lookInterval() const

@@ -13,6 +13,15 @@ namespace {
 
 constexpr std::array ringCommands{&masterCommand};
 
+Checked<void> checkHasNoSettings(const QString &link, const QStringList &settings)
+{
+    if (settings.isEmpty())
+        return {};
+    return badInput(QStringLiteral("linkWithoutSettings"),
+                    CommandLine::tr("The link %1 has no settings. Leave \"%2\" out."),
+                    {link, settings.join(u',')});
+}
+
 MakeLink trainingRing(BusId id)
 {
     return [id](const Catalog &catalog) -> Checked<std::unique_ptr<BusAccess>> {
@@ -20,7 +29,7 @@ MakeLink trainingRing(BusId id)
     };
 }
 
-// INTERBUS at the command line: the training ring.
+// INTERBUS at the command line: the training ring, and the rings of the project.
 class RingLinkKind final : public LinkKind
 {
 public:
@@ -29,7 +38,7 @@ public:
     QString help() const override { return CommandLine::tr("interbus:training, the simulated ring alone"); }
     bool isPlace(const QString &typed) const override { return DeviceNumber::parse(typed).has_value(); }
     Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
-    MakeLink planned(const Project &project, BusId bus) const override;
+    Checked<MakeLink> planned(const Project &project, BusId bus, const QStringList &settings) const override;
     MakeLink training(const Project *project) const override
     {
         return trainingRing(numberOf(*this, project));
@@ -39,20 +48,16 @@ public:
 
 Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *project) const
 {
-    const QString link = text.scheme + u':' + text.where;
     if (text.where != QStringLiteral("training"))
-        return badInput(QStringLiteral("unknownLink"),
-                        CommandLine::tr("There is no link \"%1\". The links are: %2."), {link, help()});
-    if (!text.settings.isEmpty())
-        return badInput(QStringLiteral("linkWithoutSettings"),
-                        CommandLine::tr("The link %1 has no settings. Leave \"%2\" out."),
-                        {link, text.settings.join(u',')});
-    return std::vector{training(project)};
+        return unknownLink(text.link());
+    return checkHasNoSettings(text.link(), text.settings).map([&] { return std::vector{training(project)}; });
 }
 
-MakeLink RingLinkKind::planned(const Project &project, BusId bus) const
+Checked<MakeLink> RingLinkKind::planned(const Project &project, BusId bus, const QStringList &settings) const
 {
     const ProjectLink &link = ringPlan(project, bus).link;
+    if (const auto checked = checkHasNoSettings(QStringLiteral("interbus:project"), settings); !checked)
+        return tl::unexpected(checked.error());
     if (link.kind == ProjectLink().kind)
         return trainingRing(bus);
     return [name = findBus(project, bus)->name, link](const Catalog &) {
