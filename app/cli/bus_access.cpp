@@ -78,7 +78,7 @@ Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool
 {
     const Place place = m_bus.placeOf(node);
     if (!mayHave(node))
-        return tl::unexpected(notAPlace(place.toString()));
+        return tl::unexpected(notAPlace(place.shown()));
     if (namesIt)
         if (const auto named = nameDevice(call, place); !named)
             return tl::unexpected(named.error());
@@ -87,7 +87,7 @@ Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool
         return badInput(QStringLiteral("noEncoder"),
                         CommandLine::tr("The device at %1 is no encoder this program can drive. See "
                                         "codewheel-cli scan."),
-                        {place.toString()});
+                        {place.shown()});
     if (encoder->latest().state == EncoderState::notSeen)
         advance(lookInterval());
     return encoder;

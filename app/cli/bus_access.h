@@ -59,6 +59,7 @@ public:
 
     // The place that is typed so, whether a device stands there or not; nothing: no place is written so.
     virtual std::optional<NodeId> placeTyped(const QString &text) const;
+    virtual bool knowsItsPlaces() const { return true; }          // else others may be asked
     virtual bool mayHave(NodeId node) const; // a device; as far as it is known without asking the bus
     virtual bool isMeant(const QString &) const { return false; } // by its form, though it is no place
     virtual Complaint notAPlace(const QString &typed) const;

@@ -61,6 +61,15 @@ QString list(const Call &call, const std::vector<Place> &places)
     return listed(places, [&](Place place) { return named(call, place); });
 }
 
+// Of a place that several buses do not have.
+Complaint onNone(const Call &call, const std::vector<Place> &places, const QString &typed)
+{
+    std::vector<Place> there;
+    for (const Place place : places)
+        std::ranges::copy(call.busOf(place).bus().places(), std::back_inserter(there));
+    return complaintAbout({RefusalKind::badInput, RefusalId::unknownDevice, {typed, list(call, there)}});
+}
+
 Checked<Place> onlyOne(const Call &call, const std::vector<Place> &places, const QString &typed)
 {
     std::vector<Place> likely;
@@ -70,6 +79,10 @@ Checked<Place> onlyOne(const Call &call, const std::vector<Place> &places, const
         return likely.front();
     if (places.size() == 1)
         return places.front();
+    const bool isKnown =
+        std::ranges::all_of(places, [&](Place place) { return call.busOf(place).knowsItsPlaces(); });
+    if (likely.empty() && isKnown)
+        return tl::unexpected(onNone(call, places, typed));
     return badInput(QStringLiteral("placeNotUnique"),
                     CommandLine::tr("Several buses may have %1. Give one of these: %2."),
                     {typed, list(call, likely.empty() ? places : likely)});

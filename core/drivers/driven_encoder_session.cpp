@@ -46,7 +46,7 @@ void DrivenEncoderSession::postAllKnown()
 Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
 {
     if (m_runningJob)
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_place.toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_place.shown()});
     if (const auto allowed = mayStart(job); !allowed)
         return tl::unexpected(allowed.error());
     const JobId id = ++m_lastJob;

@@ -33,7 +33,7 @@ Result<void> LineEncoderSession::mayStart(const Job &job) const
 {
     if (!m_line.isOpen())
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    return codewheel::mayStart(m_line.latest(), job, LineAddress::of(place().node), m_line.linkName());
+    return codewheel::mayStart(m_line.latest(), job, place().shown(), m_line.linkName());
 }
 
 void LineEncoderSession::post(JobCommand command)

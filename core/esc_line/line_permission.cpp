@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "esc_line/line_permission.h"
 
-#include "encoder/place.h"
-
 namespace codewheel {
 namespace {
 
-tl::unexpected<Refusal> notNow(RefusalId why, LineAddress place)
+tl::unexpected<Refusal> notNow(RefusalId why, const QString &place)
 {
-    return refuse(RefusalKind::busy, why, {placeOnLine(place).toString()});
+    return refuse(RefusalKind::busy, why, {place});
 }
 
 tl::unexpected<Refusal> portLost(const QString &link)
@@ -18,7 +16,7 @@ tl::unexpected<Refusal> portLost(const QString &link)
 
 } // namespace
 
-Result<void> mayStart(const LineState &line, const Job &job, LineAddress place, const QString &link)
+Result<void> mayStart(const LineState &line, const Job &job, const QString &place, const QString &link)
 {
     if (!line.connected)
         return portLost(link);
@@ -34,7 +32,7 @@ Result<void> maySend(const LineState &line, const esc::Request &request, const Q
     if (!line.connected)
         return portLost(link);
     if (!line.operate && esc::shapeOf(request.command).writes)
-        return notNow(RefusalId::watchOnly, request.to);
+        return notNow(RefusalId::watchOnly, request.to.node().toString());
     return {};
 }
 

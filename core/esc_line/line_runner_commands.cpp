@@ -19,11 +19,11 @@ void LineRunner::Private::carryOutCommands()
 
 Result<void> LineRunner::Private::mayStart(std::size_t device, const Job &job) const
 {
-    const LineAddress place = driver(device)->address();
+    const QString place = driver(device)->address().node().toString();
     if (auto allowed = codewheel::mayStart(state, job, place, link.name()); !allowed)
         return allowed;
     if (driver(device)->busy())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {placeOnLine(place).toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
     return {};
 }
 

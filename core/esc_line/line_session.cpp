@@ -223,9 +223,8 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
                       {address.shown(), there->description->fullName()});
     if (const auto others = places();
         !others.empty() && (address.isMaster() || LineAddress::of(others.front().node).isMaster()))
-        return refuse(
-            RefusalKind::badInput, RefusalId::lineAddressNotAlone,
-            {LineAddress::master().shown(), (address.isMaster() ? others.front() : place).toString()});
+        return refuse(RefusalKind::badInput, RefusalId::lineAddressNotAlone,
+                      {LineAddress::master().shown(), (address.isMaster() ? others.front() : place).shown()});
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!described || described->profile != Profile::esc)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});
@@ -250,7 +249,7 @@ Result<void> LineSession::remove(Place place)
 {
     Private::Encoder *encoder = d->find(place.node);
     if (!encoder)
-        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.shown(), QString()});
     if (encoder->session->runningJob())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
     const auto ended = leave(d->indexOf(*encoder)); // who is told finds it no more
@@ -281,7 +280,7 @@ Result<void> LineSession::name(Place place, const QString &deviceKey, int turns,
     Private::Encoder *before = d->find(place.node);
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!before || !described)
-        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.shown(), QString()});
     if (auto may = mayName(place, described); !may)
         return may;
     const auto ended = leave(d->indexOf(*before));
@@ -324,13 +323,13 @@ std::optional<Refusal> LineSession::isOther(Place place, const QString &deviceKe
     if (planned != nullptr && planned->key != there->device().key)
         return Refusal{RefusalKind::link,
                        RefusalId::deviceDiffers,
-                       {place.toString(), planned->fullName(), there->device().fullName()}};
+                       {place.shown(), planned->fullName(), there->device().fullName()}};
     const auto told = there->known(Parameter::serialNumber);
     if (!told || told->evidence != Evidence::read || mayBeSerialNumber(serialNumber, told->value))
         return std::nullopt;
     return Refusal{RefusalKind::link,
                    RefusalId::serialDiffers,
-                   {place.toString(), serialNumber, hexWord(static_cast<Word>(told->value))}};
+                   {place.shown(), serialNumber, hexWord(static_cast<Word>(told->value))}};
 }
 
 std::vector<Place> LineSession::places() const
@@ -413,7 +412,7 @@ Result<void> LineSession::determineFractionBits(Place place)
 {
     Private::Encoder *encoder = d->find(place.node);
     if (!encoder)
-        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.shown(), QString()});
     const auto job = encoder->session->start(fractionBitsJob(), Pace::byItself);
     if (!job)
         return tl::unexpected(job.error());

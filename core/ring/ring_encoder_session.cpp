@@ -44,8 +44,8 @@ bool RingEncoderSession::isOfThisRing() const
 Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
     if (!isOfThisRing())
-        return refuse(RefusalKind::link, RefusalId::notInRing, {place().toString()});
-    if (auto allowed = maySend(m_bus.latest(), index(), place().node, RefusalId::jobRunning); !allowed)
+        return refuse(RefusalKind::link, RefusalId::notInRing, {place().shown()});
+    if (auto allowed = maySend(m_bus.latest(), index(), place().shown(), RefusalId::jobRunning); !allowed)
         return allowed;
     return checkLink(job);
 }

@@ -32,7 +32,8 @@ bool RingRunner::Private::carryOutNext()
 
 void RingRunner::Private::carryOut(const command::SetOut &c)
 {
-    const auto allowed = maySend(ring, c.device, structure[c.device].number, RefusalId::wordHeldByJob);
+    const auto allowed =
+        maySend(ring, c.device, structure[c.device].number.toString(), RefusalId::wordHeldByJob);
     if (!allowed) {
         refuseWord(c.device, allowed.error());
         return;
@@ -58,7 +59,7 @@ void RingRunner::Private::carryOut(const command::StartJob &c)
 {
     Snapshot::Device &device = ring.devices[c.device];
     CyclicDriver &driver = *drivers[c.device];
-    auto taken = maySend(ring, c.device, structure[c.device].number, RefusalId::jobRunning);
+    auto taken = maySend(ring, c.device, structure[c.device].number.toString(), RefusalId::jobRunning);
     if (taken)
         taken = driver.begin(c.id, c.job, c.pace, device.in, image[c.device], ring.at);
     device.heldByJob = driver.busy();

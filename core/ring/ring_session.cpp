@@ -236,16 +236,16 @@ Result<void> RingSession::write(const WordChannel &channel, Word word)
 {
     const std::size_t device = d->indexOf(channel.place().node);
     if (device >= d->channels.size() || d->channels[device].get() != &channel)
-        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.place().toString()});
+        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.place().shown()});
     const Participant &participant = d->structure[device];
     if (participant.outWords == 0)
-        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
-                      {participant.number.toString()});
+        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported, {channel.place().shown()});
     const auto &session = d->sessions[device];
-    if (auto allowed = maySend(d->latest(), device, participant.number, RefusalId::wordHeldByJob); !allowed)
+    if (auto allowed = maySend(d->latest(), device, channel.place().shown(), RefusalId::wordHeldByJob);
+        !allowed)
         return allowed;
     if (session && session->runningJob()) // started, and not shown by a snapshot yet
-        return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
+        return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {channel.place().shown()});
     if (session)
         Q_EMIT session->wordAboutToBeSent(word);
     post(command::SetOut{device, word});
@@ -268,7 +268,7 @@ Result<void> RingSession::name(Place place, const QString &deviceKey, int turns,
 {
     const std::size_t i = d->indexOf(place.node);
     if (!isOpen() || i >= d->structure.size())
-        return refuse(RefusalKind::busy, RefusalId::notRunning, {place.toString()});
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {place.shown()});
     Participant &participant = d->structure[i];
     const DeviceDescription *wanted = d->catalog.find(deviceKey);
     if (auto may = mayName(place, wanted); !may)
@@ -339,7 +339,7 @@ std::optional<Participant> RingSession::found(Place place) const
 
 Refusal RingSession::whyNotThere(Place place) const
 {
-    return {RefusalKind::link, RefusalId::notInRing, {place.toString()}};
+    return {RefusalKind::link, RefusalId::notInRing, {place.shown()}};
 }
 
 std::map<NodeId, Refusal> RingSession::strangers(const std::vector<Participant> &planned) const

@@ -3,15 +3,15 @@
 
 namespace codewheel {
 
-Result<void> maySend(const Snapshot &ring, std::size_t device, NodeId node, RefusalId whenHeld)
+Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalId whenHeld)
 {
-    const auto notNow = [node](RefusalId why) { return refuse(RefusalKind::busy, why, {node.toString()}); };
+    const auto notNow = [&place](RefusalId why) { return refuse(RefusalKind::busy, why, {place}); };
     if (ring.state != MasterState::run)
         return notNow(RefusalId::notRunning);
     if (!ring.operate)
         return notNow(RefusalId::watchOnly);
     if (!ring.devices[device].inRing)
-        return refuse(RefusalKind::link, RefusalId::notInRing, {node.toString()});
+        return refuse(RefusalKind::link, RefusalId::notInRing, {place});
     if (ring.devices[device].heldByJob)
         return notNow(whenHeld);
     return {};

@@ -137,7 +137,10 @@ TEST_F(CliBuses, TheNameOfTheBusTellsWhichOne)
 TEST_F(CliBuses, WhatIsNoBusOrNotOnItIsRefused)
 {
     EXPECT_EQ(told("monitor", "Crane 3/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
-    EXPECT_EQ(told("monitor", "Crane 2/9.0")[u"error"][u"key"], QStringLiteral("unknownDevice"));
+    EXPECT_THAT(run({QStringLiteral("monitor"), QStringLiteral("Crane 2/9.0")}).err,
+                HasSubstr("There is no device at Crane 2/9.0. There are devices at: 1.0, 2.0,"));
+    EXPECT_THAT(run("monitor 9.0").err,
+                HasSubstr("There is no device at 9.0. There are devices at: Crane 1/1.0, Crane 1/2.0,"));
     EXPECT_EQ(told("monitor", "Gate 1/Right")[u"error"][u"key"], QStringLiteral("unknownStation"));
     EXPECT_EQ(told("monitor", "Crane 2/05")[u"error"][u"key"], QStringLiteral("unknownDevice"));
     EXPECT_EQ(told("monitor", "/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
@@ -190,6 +193,19 @@ TEST_F(CliBuses, PlacesAreToldWithTheirBus)
     EXPECT_EQ(asked.exit, 2);
     EXPECT_THAT(asked.out, HasSubstr("To be written to Crane 2/1.0, FRABA OCD-IB K3:"));
     EXPECT_EQ(Place({firstRing, NodeId("1.0")}).shown(), QStringLiteral("1.0")) << "when the call is over";
+}
+
+TEST_F(CliBuses, WhatIsRefusedIsToldWithItsBus)
+{
+    rings[1].bus->setRunning(false);
+    const CliRun stopped = run({QStringLiteral("write"), QStringLiteral("Crane 2/1.0"),
+                                QStringLiteral("steps=255"), QStringLiteral("--yes")});
+    EXPECT_EQ(stopped.exit, 1);
+    EXPECT_THAT(stopped.err, HasSubstr("Nothing was sent to Crane 2/1.0: the bus is stopped."));
+    EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Crane 2/6.0")}).err,
+                HasSubstr("The device at Crane 2/6.0 is no encoder"));
+    findDevice(project, {secondLine, LineAddress{5}.node()})->label.serialNumber = QStringLiteral("DEADBEEF");
+    EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Right")}).err, HasSubstr("Gate 2/esc:05"));
 }
 
 TEST_F(CliBuses, WritingGoesToTheBusThatIsNamed)

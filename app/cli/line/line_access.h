@@ -34,6 +34,7 @@ public:
     std::optional<NodeId> placeTyped(const QString &text) const override;
     // The project's encoders and those that were asked for; without a project, whichever.
     bool mayHave(NodeId node) const override;
+    bool knowsItsPlaces() const override { return false; }
     bool isMeant(const QString &typed) const override;
     Complaint notAPlace(const QString &typed) const override;
     QString somePlaces() const override;
