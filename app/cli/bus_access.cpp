@@ -24,12 +24,7 @@ namespace codewheel {
 BusAccess::BusAccess(EncoderBus &bus, QString kind)
     : m_bus(bus)
     , m_kind(std::move(kind))
-{
-    QObject::connect(&bus, &EncoderBus::messaged, &m_scope, [this](const Message &message) {
-        if (message.refusal && message.refusal->kind == RefusalKind::link)
-            m_lost = *message.refusal;
-    });
-}
+{}
 
 BusAccess::~BusAccess() = default;
 
@@ -106,7 +101,7 @@ bool BusAccess::isConnected() const
 
 Complaint BusAccess::linkLost() const
 {
-    return complaintAbout(m_lost.value_or(whatIsLost()));
+    return complaintAbout(whatIsLost());
 }
 
 Refusal BusAccess::whatIsLost() const

@@ -9,7 +9,6 @@
 #include "encoder/parameter.h"
 
 #include <QJsonObject>
-#include <QObject>
 #include <QString>
 
 #include <memory>
@@ -59,8 +58,8 @@ public:
 
     // The place that is typed so, whether a device stands there or not; nothing: no place is written so.
     virtual std::optional<NodeId> placeTyped(const QString &text) const;
-    virtual bool knowsItsPlaces() const { return true; }          // else others may be asked
     virtual bool mayHave(NodeId node) const; // a device; as far as it is known without asking the bus
+    virtual bool knowsItsPlaces() const { return true; }          // else others may be asked
     virtual bool isMeant(const QString &) const { return false; } // by its form, though it is no place
     virtual Complaint notAPlace(const QString &typed) const;
     virtual QString somePlaces() const; // that there are, or how they are written
@@ -111,12 +110,11 @@ public:
     // Puts what was found into the plan, which has this bus already.
     virtual void keepFound(const Call &call, Project &project) const;
 
-private:
-    virtual Refusal whatIsLost() const; // where the link did not say it
+protected:
+    virtual Refusal whatIsLost() const; // as its link said it, where it did
 
+private:
     EncoderBus &m_bus;
-    QObject m_scope;
-    std::optional<Refusal> m_lost; // what the link said
     QString m_kind;
     QString m_name;
     std::unique_ptr<LedgerKeeper> m_ledger;

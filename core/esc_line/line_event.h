@@ -23,18 +23,25 @@ struct ScanEnded
     int requests = 0;
     bool cancelled = false;
 };
-// How a request that was typed ended. Sent no times: it was refused or dropped.
+// How a request that was typed ended. Sent no times: it was refused, or dropped.
 struct TypedAnswered
 {
     esc::Request request;
     esc::ExchangeResult result;
+    std::optional<Refusal> refused{};
+};
+// In the place of the adapter that is gone there is one that is not known to be it.
+struct OtherAdapter
+{
+    Refusal which; // portOfOther
 };
 
 // What the line thread tells the window.
 struct LineEvent
 {
     std::size_t device = 0; // of an Event; meaningless for the rest
-    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, Slept, LinkOpened>
+    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, OtherAdapter, Slept,
+                 LinkOpened>
         what;
     Instant at{};
 

@@ -118,7 +118,7 @@ void LineRunner::Private::carryOut(line_command::Send &c)
         typed.push_back(c.request);
     } else {
         tell({.severity = Severity::attention, .refusal = allowed.error()});
-        tellEvent(TypedAnswered{c.request, {}});
+        tellEvent(TypedAnswered{c.request, {}, allowed.error()});
     }
 }
 

@@ -14,6 +14,7 @@ constexpr std::chrono::seconds betweenTries{1}; // of opening a port that is gon
 void LineRunner::Private::portIsGone(const Refusal &why)
 {
     state.connected = false;
+    state.whyLost = why;
     reopenAt = link.now() + betweenTries;
     notBack.reset();
     if (why.id == RefusalId::portLost)
@@ -68,6 +69,7 @@ void LineRunner::Private::tryToReopen()
     }
     baudRate = settings.baudRate;
     state.connected = true;
+    state.whyLost.reset();
     state.otherAdapter = false;
     state.operate = false;
     tell({.id = MessageId::portBack, .arguments = {link.name()}});
@@ -83,6 +85,8 @@ void LineRunner::Private::portIsNotBack(const Refusal &why)
     notBack = why;
     if (isNew && why.id != RefusalId::portNotFound)
         tell({.severity = Severity::attention, .refusal = why});
+    if (isNew && isOther)
+        tellEvent(OtherAdapter{why});
     if (std::exchange(state.otherAdapter, isOther) != isOther)
         publish();
 }

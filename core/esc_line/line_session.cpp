@@ -189,7 +189,9 @@ void LineSession::dispatch(const LineEvent &event)
         if (auto &session = d->encoders[event.device].session)
             session->take(*ofDriver, event.at);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
-        dispatch(*message);
+        tell(*message);
+    } else if (const auto *other = std::get_if<OtherAdapter>(&event.what)) {
+        Q_EMIT otherAdapterFound(other->which);
     } else if (const auto *slept = std::get_if<Slept>(&event.what)) {
         takeSleep(*slept, event.at);
     } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
@@ -202,13 +204,6 @@ void LineSession::dispatch(const LineEvent &event)
     } else if (const auto *answered = std::get_if<TypedAnswered>(&event.what)) {
         tellEnd(*answered);
     }
-}
-
-void LineSession::dispatch(const Message &message)
-{
-    tell(message);
-    if (message.refusal && message.refusal->id == RefusalId::portOfOther)
-        Q_EMIT otherAdapterFound(*message.refusal);
 }
 
 Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
@@ -517,7 +512,8 @@ std::vector<TypedWrite> LineSession::writesOf(const esc::Request &request) const
 void LineSession::tellEnd(const TypedAnswered &answered)
 {
     Q_EMIT typedAnswered(answered);
-    const auto &[request, result] = answered;
+    const esc::Request &request = answered.request;
+    const esc::ExchangeResult &result = answered.result;
     if (!esc::shapeOf(request.command).writes)
         return;
     const bool wasRefused = result.answer && result.answer->kind != esc::Answer::Kind::accepted;

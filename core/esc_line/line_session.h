@@ -95,8 +95,7 @@ public:
     void alarmStop() override;
     void scan(const ScanWish &wish);
     void cancelScan();
-    // Sends what was typed, once, in its turn; ends with typedAnswered, and where it is refused in a message
-    // too.
+    // Sends what was typed, once, in its turn; ends with typedAnswered, which says where it was refused.
     void send(const esc::Request &request);
 
 Q_SIGNALS:
@@ -122,7 +121,6 @@ private:
     void tellEnd(const TypedAnswered &answered);
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
-    void dispatch(const Message &message);
     void linkOpened();
     void showLatest();
 

@@ -3,9 +3,11 @@
 
 #include "encoder/line_address.h"
 #include "encoder/reading.h"
+#include "encoder/refusal.h"
 #include "esc_line/byte_link.h"
 #include "esc_line/line_figures.h"
 
+#include <optional>
 #include <vector>
 
 namespace codewheel {
@@ -13,8 +15,9 @@ namespace codewheel {
 // What decides whether anything may be sent.
 struct LineState
 {
-    bool connected = false;    // false: the port is gone
-    bool otherAdapter = false; // there is one, and it is not known to be that of this line
+    bool connected = false;           // false: the port is gone
+    std::optional<Refusal> whyLost{}; // while it is gone
+    bool otherAdapter = false;        // there is one, and it is not known to be that of this line
     LowLatency lowLatency = LowLatency::notApplicable;
     bool polling = false;
     bool operate = false; // writing is allowed

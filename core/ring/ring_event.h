@@ -37,6 +37,11 @@ struct KeptConfigurationTold
 {
     std::optional<KeptConfiguration> configuration;
 };
+// What was asked of the ring was refused, or its link is lost.
+struct RingRefused
+{
+    Refusal why;
+};
 // The word of a SetOut stands on the bus.
 struct WordWritten
 {
@@ -51,8 +56,8 @@ using MasterEvent = std::variant<ReadInProgress, ReadInEnded, KeptConfigurationT
 struct RingEvent
 {
     std::size_t device = 0; // meaningless for what has no place
-    std::variant<Event, Exchange, Message, MasterEvent, RingFound, WordWritten, DriverTaken, Slept,
-                 LinkOpened>
+    std::variant<Event, Exchange, Message, MasterEvent, RingFound, RingRefused, WordWritten, DriverTaken,
+                 Slept, LinkOpened>
         what;
     Instant at{};
     unsigned generation = 0;

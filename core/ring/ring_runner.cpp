@@ -121,9 +121,7 @@ void RingRunner::Private::carryOut(command::SetOperate c)
     const auto held = std::ranges::find(ring.devices, true, &Snapshot::Device::heldByJob);
     if (held != ring.devices.end()) {
         const auto place = structure[static_cast<std::size_t>(held - ring.devices.begin())].number;
-        Message message{.severity = Severity::attention};
-        message.refusal = Refusal{RefusalKind::busy, RefusalId::jobRunning, {place.toString()}};
-        tellOfRing(std::move(message));
+        refuseOfRing({RefusalKind::busy, RefusalId::jobRunning, {place.toString()}});
         return;
     }
     if (!c.on)
@@ -323,6 +321,7 @@ void RingRunner::Private::refuseOfRing(const Refusal &why)
     Message message{.severity = isFault ? Severity::fault : Severity::attention};
     message.refusal = why;
     tellOfRing(std::move(message));
+    tell(0, RingRefused{why});
 }
 
 void RingRunner::Private::tellOfDevice(std::size_t device, Message message)

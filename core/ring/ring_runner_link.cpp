@@ -37,7 +37,8 @@ void RingRunner::Private::loseLink(const Refusal &why)
     leaveRun(MasterState::busFail);
     runsAgain = true;
     ring.operate = false;
-    refuseOfRing({RefusalKind::link, why.id, why.arguments});
+    ring.whyLost = Refusal{RefusalKind::link, why.id, why.arguments};
+    refuseOfRing(*ring.whyLost);
     link.close();
     reopenAt = ring.at + betweenTries;
 }
@@ -57,6 +58,7 @@ void RingRunner::Private::tryToReopen()
     if (!there)
         return;
     ring.connected = true;
+    ring.whyLost.reset();
     ring.operate = false;
     ring.state = MasterState::active;
     runsAgain = runsAgain && (!master || master->status().state == MasterState::run);

@@ -213,6 +213,8 @@ void RingSession::dispatch(const RingEvent &event)
             useOtherRing(*found);
         else if (d->engine.state() == BusState::open)
             useFirstRing(*found);
+    } else if (const auto *refusal = std::get_if<RingRefused>(&event.what)) {
+        Q_EMIT refused(refusal->why);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
         dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);
     }

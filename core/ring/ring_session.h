@@ -96,8 +96,9 @@ public:
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
 
 Q_SIGNALS:
-    void readInProgressed(int devices); // found so far
-    void readInEnded();                 // structure() is what was found
+    void refused(const codewheel::Refusal &why); // what was asked of the ring as a whole, or its link is lost
+    void readInProgressed(int devices);          // found so far
+    void readInEnded();                          // structure() is what was found
     void readInFailed(const codewheel::Refusal &why);
     void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "encoder/reading.h"
+#include "encoder/refusal.h"
 #include "ring/master_status.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace codewheel {
@@ -14,6 +16,7 @@ struct RingState
 {
     unsigned generation = 0; // which of the rings that were used since the link was opened; 0: none yet
     bool connected = false;  // false: the link is lost
+    std::optional<Refusal> whyLost{}; // while it is
     std::uint64_t cycle = 0;
     Instant at{};
     MasterState state = MasterState::ready;

@@ -108,6 +108,19 @@ TEST(CliTerminal, AnAnswerThatRefusesIsAnAnswer)
     EXPECT_THAT(run.out, HasSubstr("answer"));
 }
 
+// By its serial number the encoder is known before the write, which is never sent.
+TEST(CliTerminal, AWriteThatThePortWasGoneForWasNotSent)
+{
+    SharedLine line;
+    line.unplugAfter("03N");
+    const CliRun run = line.runLine(QStringLiteral("terminal 03GP5200 --yes --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(CliRun{run.exit, run.out.substr(run.out.rfind('\n', run.out.size() - 2) + 1), {}}),
+              "portLost");
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("03GP")));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("carried out")));
+}
+
 TEST(CliTerminal, SaysWhenTheAdapterIsUnplugged)
 {
     SharedLine line;

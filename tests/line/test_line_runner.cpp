@@ -268,12 +268,14 @@ TEST_F(LineRunnerTest, AnotherAdapterIsNotUsedUnasked)
     auto latest = runner.takeLatest();
     EXPECT_TRUE(latest->otherAdapter);
     EXPECT_FALSE(latest->connected);
+    EXPECT_EQ(latest->whyLost->id, RefusalId::portLost);
     EXPECT_EQ(link.opened, 1);
 
     runner.post(line_command::TakeOtherAdapter{});
     run(100ms);
     latest = runner.takeLatest();
     EXPECT_TRUE(latest->connected);
+    EXPECT_FALSE(latest->whyLost);
     EXPECT_FALSE(latest->otherAdapter);
     EXPECT_EQ(messages().front().id, MessageId::portBack);
 }
@@ -313,6 +315,9 @@ TEST_F(LineRunnerTest, EveryTypedRequestHasAnEnd)
     ASSERT_EQ(ended.size(), 2U);
     for (const TypedAnswered &one : ended)
         EXPECT_EQ(one.result.sent, 0);
+    ASSERT_TRUE(ended[0].refused);
+    EXPECT_EQ(ended[0].refused->id, RefusalId::watchOnly);
+    EXPECT_FALSE(ended[1].refused) << "it was dropped";
 }
 
 TEST_F(LineRunnerTest, ATypedWriteCutOffByUnpluggingWasSent)

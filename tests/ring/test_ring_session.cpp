@@ -273,8 +273,13 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     m_bus->advance(1);
     EncoderSession *before = encoder();
     before->tell(Parameter::steps, 255);
+    std::vector<Refusal> refused;
+    QObject::connect(m_bus.get(), &RingSession::refused, m_bus.get(),
+                     [&](const Refusal &why) { refused.push_back(why); });
     m_link->lose();
     m_bus->advance(3'500);
+    ASSERT_EQ(refused.size(), 1U);
+    EXPECT_EQ(m_bus->latest().whyLost, refused.front());
     EXPECT_EQ(m_link->tries(), 4);
     EXPECT_EQ(m_bus->state(), BusState::lost);
     m_link->comeBack();
@@ -282,6 +287,7 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     m_messages.clear();
     m_bus->advance(1'000);
     EXPECT_THAT(messages(), ElementsAre(MessageId::linkBack, MessageId::busStarted));
+    EXPECT_FALSE(m_bus->latest().whyLost);
     EXPECT_TRUE(m_bus->isRunning());
     EXPECT_FALSE(m_bus->isOperating());
     EXPECT_EQ(m_bus->channel(secondPlace)->out(), wordB);

@@ -76,6 +76,7 @@ private:
     void show(const esc::LineRow &row);
     Checked<AllowedRequest> allowed(const esc::Request &request);
     Checked<void> askToWrite(const esc::Request &request);
+    bool wasSent() const { return m_answered && m_answered->result.sent > 0; }
     QString whatWasDone() const;
     bool goesOn() const { return m_call.terminal.canPrint(); } // else nobody sees what comes
     EncoderSession *identified(LineAddress address);
@@ -90,7 +91,6 @@ private:
     std::optional<esc::Request> m_lastRequest;
     std::vector<Written> m_written;
     std::optional<TypedAnswered> m_answered;
-    std::optional<Refusal> m_refusal;
     std::optional<Complaint> m_complaint; // the first
     bool m_isPolling = false;             // to know an encoder
 };
@@ -105,10 +105,6 @@ TypedCall::TypedCall(const Call &call, LineAccess &access)
     QObject::connect(&m_line, &LineSession::passed, &m_scope, [this](const esc::LineRow &row) { show(row); });
     QObject::connect(&m_line, &LineSession::typedAnswered, &m_scope,
                      [this](const TypedAnswered &answer) { m_answered = answer; });
-    QObject::connect(&m_line, &LineSession::messaged, &m_scope, [this](const Message &message) {
-        if (message.refusal)
-            m_refusal = message.refusal;
-    });
 }
 
 void TypedCall::show(const esc::LineRow &row)
@@ -149,8 +145,9 @@ bool TypedCall::take(const QString &typed)
     send(*sendable);
     if (m_answered && m_answered->result.answer)
         return goesOn();
-    if (!m_answered)
-        return fail(m_access.isConnected() && m_refusal ? complaintAbout(*m_refusal) : m_access.linkLost());
+    if (!wasSent())
+        return fail(m_answered && m_answered->refused ? complaintAbout(*m_answered->refused)
+                                                      : m_access.linkLost());
     Complaint complaint = m_access.complaint({RefusalKind::device,
                                               RefusalId::escNoAnswer,
                                               {QString::fromLatin1(request->text()), std::int64_t{1}}});
@@ -206,20 +203,19 @@ EncoderSession *TypedCall::identified(LineAddress address)
 void TypedCall::send(const AllowedRequest &request)
 {
     m_answered.reset();
-    m_refusal.reset();
     const bool writes = esc::shapeOf(request.request().command).writes;
     if (writes)
         m_line.setOperate(true);
     m_line.send(request.request());
     bool isConnected = true;
-    while (!m_answered && !m_refusal && isConnected)
+    while (!m_answered && isConnected)
         isConnected = m_access.advance(m_access.lookInterval());
     if (!writes)
         return;
     m_line.setOperate(false);
-    if (m_answered || !m_access.isConnected()) // else it was refused before
-        m_written.push_back({QString::fromLatin1(request.request().text()),
-                             m_answered.has_value() && m_answered->result.answer.has_value()});
+    if (wasSent())
+        m_written.push_back(
+            {QString::fromLatin1(request.request().text()), m_answered->result.answer.has_value()});
 }
 
 QString TypedCall::whatWasDone() const

@@ -298,7 +298,8 @@ QString LineAccess::strayBytesText() const
 
 Refusal LineAccess::whatIsLost() const
 {
-    return {RefusalKind::link, RefusalId::portLost, {m_session->linkName()}};
+    return m_session->latest().whyLost.value_or(
+        Refusal{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}});
 }
 
 Complaint LineAccess::complaint(const Refusal &why) const

@@ -170,15 +170,13 @@ Checked<Told> carryOutAction(const Call &call, RingSession &bus, int after, cons
     bus.advance(std::max(after, 1));
     if (const auto may = agreed(call, bus, action); !may)
         return tl::unexpected(may.error());
-    const std::size_t before = told.messages.size();
+    QObject::connect(&bus, &RingSession::refused, &scope,
+                     [&](const Refusal &why) { told.refusal = told.refusal.value_or(why); });
     action.carryOut(bus);
     do
         bus.advance(afterwards);
     while (bus.isReadingIn());
     bus.advance(afterwards); // of the ring that was read in
-    for (std::size_t i = before; i < told.messages.size() && !told.refusal; ++i)
-        if (told.messages[i].id == MessageId::refused)
-            told.refusal = told.messages[i].refusal;
     return told;
 }
 

@@ -158,6 +158,11 @@ void RingAccess::useProject(const Call &call, const Project &project)
                      {name()}));
 }
 
+Refusal RingAccess::whatIsLost() const
+{
+    return m_ring.latest().whyLost.value_or(BusAccess::whatIsLost());
+}
+
 Instant RingAccess::lookInterval() const
 {
     return 1ms;

@@ -32,6 +32,8 @@ public:
     void keepFound(const Call &call, Project &project) const override;
 
 private:
+    Refusal whatIsLost() const override;
+
     TrainingSession m_training; // none: of another owner
     RingSession &m_ring;
 };
