@@ -4033,10 +4033,6 @@
         <translation>Der Geber hat bekanntermaßen alles davon. Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
-        <source>The encoder is read first; what it already has is not written again.</source>
-        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
-    </message>
-    <message>
         <source>Sends these words in this order, and reads before and after</source>
         <translation>Sendet diese Worte in dieser Reihenfolge, und liest davor und danach</translation>
     </message>
@@ -4836,14 +4832,6 @@
     <message>
         <source>The encoder has all of it: there is nothing to write.</source>
         <translation>Der Geber hat schon alles: Es gibt nichts zu schreiben.</translation>
-    </message>
-    <message>
-        <source>The encoder is read first, and what it already has is left out.</source>
-        <translation>Der Geber wird erst ausgelesen, und was er schon hat, entfällt.</translation>
-    </message>
-    <message>
-        <source>If it turns out to count steps minus 1, the word of steps carries one less.</source>
-        <translation>Zählt der Geber Schritte minus 1, steht im Wort der Schritte eins weniger.</translation>
     </message>
     <message>
         <source>send the FRABA preset, which works as often as wanted</source>
@@ -14124,14 +14112,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>The encoder is read first; what it already has is not written again.</source>
-        <translation>Der Geber wird zuerst gelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
-    </message>
-    <message>
-        <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
-        <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
-    </message>
-    <message>
         <source>Cam programs are read, written where they differ, and stored when they are left.</source>
         <translation>Nockenprogramme werden gelesen, geschrieben, wo sie anders sind, und beim Verlassen gespeichert.</translation>
     </message>
@@ -14829,14 +14809,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Entfallen, weil schon da: %1.</translation>
     </message>
     <message>
-        <source>The encoder is read first; what it already has is not written again.</source>
-        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
-    </message>
-    <message>
-        <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
-        <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
-    </message>
-    <message>
         <source>The preset acts once it is initialised (40000000).</source>
         <translation>Der Preset wirkt erst, wenn er initialisiert wird (40000000).</translation>
     </message>
@@ -14879,6 +14851,17 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Word</source>
         <translation>Wort</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WriteWords</name>
+    <message>
+        <source>The encoder is read first; what it already has is not written again.</source>
+        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
+        <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
     </message>
 </context>
 </TS>

@@ -148,7 +148,7 @@ Checked<Answer> runWrite(const Call &call, EncoderSession &encoder)
     Answer answer;
     answer.json = {{QStringLiteral("plan"), writePlanJson(encoder, plan)},
                    {QStringLiteral("notes"), valueNotesJson(plan.notes)}};
-    if (call.arguments.has("--dry-run") || plan.rows.empty())
+    if (call.arguments.has("--dry-run") || plan.jobs.empty())
         return answer;
     const auto allowed = eepromConsent(call, encoder, plan.job, AsksAnyway::yes);
     if (!allowed) {

@@ -68,7 +68,7 @@ QString tableOf(const Call &call, const EncoderPlan &plan)
 {
     const DeviceDescription *device = deviceAt(call.buses, plan.place);
     TextTable table;
-    for (const TransferRow &row : plan.rows)
+    for (const WriteRow &row : plan.write.rows)
         table.add({parameterKey(row.wanted.parameter), known(device, row.wanted.parameter, row.known),
                    typedValue(device, row.wanted),
                    row.isThere ? CommandLine::tr("left out: already there")
@@ -138,7 +138,7 @@ QJsonArray planJson(const Call &call, const TransferPlan &plan)
     for (const EncoderPlan &encoder : plan) {
         const DeviceDescription *device = deviceAt(call.buses, encoder.place);
         QJsonArray rows;
-        for (const TransferRow &row : encoder.rows) {
+        for (const WriteRow &row : encoder.write.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);
             addKnown(json, row.known);
             addSent(json, row.step);

@@ -16,12 +16,10 @@ namespace {
 
 QString notesText(const EncoderSession &encoder, const WritePlan &plan)
 {
-    QStringList lines;
-    if (plan.rows.empty())
+    if (plan.jobs.empty())
         return CommandLine::tr("The encoder has all of it: there is nothing to write.") + u'\n';
-    if (plan.job.onlyWhatDiffers)
-        lines << CommandLine::tr("The encoder is read first, and what it already has is left out.");
-    if (std::ranges::any_of(plan.rows, &WritePlan::Row::goesAlong))
+    QStringList lines = howItIsWritten(plan);
+    if (std::ranges::any_of(plan.rows, &WriteRow::goesAlong))
         lines << CommandLine::tr("The scaling factor is computed from them: they act once it is sent.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
@@ -30,9 +28,6 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
     if (encoder.device().profile == Profile::la66)
         lines << CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, "
                                  "0; what was written is read back.");
-    if (plan.stepsMayBeLess)
-        lines << CommandLine::tr("If it turns out to count steps minus 1, the word of steps carries one "
-                                 "less.");
     return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
 }
 
@@ -45,19 +40,15 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
     TextTable table;
     table.add({CommandLine::tr("parameter"), CommandLine::tr("known"), CommandLine::tr("wanted"),
                hasWords ? QStringLiteral("OUT") : CommandLine::tr("command")});
-    const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
-                         const QString &sent) {
-        const ParameterDescription &parameter = *device.find(value.parameter);
-        table.add({parameterKey(value.parameter),
-                   known ? typedValue(parameter, known->value) : CommandLine::tr("unknown"),
-                   typedValue(parameter, value.value), sent});
-    };
-    for (const WritePlan::Row &row : plan.rows)
-        add(row.value, row.known, sentText(row.step));
-    for (const ParameterValue &value : plan.leftOut)
-        add(value, encoder.known(value.parameter), CommandLine::tr("left out: already there"));
+    for (const WriteRow &row : plan.rows) {
+        const ParameterDescription &parameter = *device.find(row.wanted.parameter);
+        table.add({parameterKey(row.wanted.parameter),
+                   row.known ? typedValue(parameter, row.known->value) : CommandLine::tr("unknown"),
+                   typedValue(parameter, row.wanted.value),
+                   row.step ? sentText(*row.step) : CommandLine::tr("left out: already there")});
+    }
     const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need none
-    if (!plan.rows.empty() && endsWithRun)
+    if (!plan.jobs.empty() && endsWithRun)
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
                     {encoder.place().shown(), device.fullName()}) +
@@ -69,18 +60,13 @@ QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
     const QString carrier =
         encoder.device().outWords > 0 ? QStringLiteral("word") : QStringLiteral("command");
     QJsonArray json;
-    const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
-                         const QJsonValue &sent) {
-        QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        addKnown(object, known);
-        object.insert(carrier, sent);
-        object.insert(QStringLiteral("leftOut"), sent.isNull());
+    for (const WriteRow &row : plan.rows) {
+        QJsonObject object = valueJson(*encoder.device().find(row.wanted.parameter), row.wanted.value);
+        addKnown(object, row.known);
+        object.insert(carrier, row.step ? QJsonValue(sentText(*row.step)) : QJsonValue());
+        object.insert(QStringLiteral("leftOut"), !row.step);
         json.append(object);
-    };
-    for (const WritePlan::Row &row : plan.rows)
-        add(row.value, row.known, sentText(row.step));
-    for (const ParameterValue &value : plan.leftOut)
-        add(value, encoder.known(value.parameter), {});
+    }
     return json;
 }
 

@@ -19,18 +19,14 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
-// Of what the encoder has.
-ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
+// What can be brought back: known, and writable.
+ParameterValues valuesBefore(const EncoderSession &encoder)
 {
     ParameterValues values;
-    if (wish.inOrderGiven)
-        std::ranges::copy_if(wish.wanted, std::back_inserter(values), [&](const ParameterValue &wanted) {
-            return device.find(wanted.parameter) != nullptr;
-        });
-    else
-        for (const ParameterDescription &description : device.parameters)
-            if (const auto value = valueOf(wish.wanted, description.parameter))
-                values.push_back({description.parameter, *value});
+    for (const Known &known : allKnown(encoder))
+        if (const ParameterDescription *description = encoder.device().find(known.parameter);
+            description != nullptr && description->canBeWritten())
+            values.push_back({known.parameter, known.value});
     return values;
 }
 
@@ -65,6 +61,17 @@ std::vector<KnownCams> allKnownCams(const EncoderSession &encoder)
 
 } // namespace
 
+ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
+{
+    ParameterValues values = wish.wanted;
+    if (!wish.inOrderGiven)
+        std::ranges::stable_sort(values, {}, [&](const ParameterValue &value) {
+            return std::ranges::find(device.parameters, value.parameter, &ParameterDescription::parameter) -
+                   device.parameters.begin();
+        });
+    return values;
+}
+
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
 {
     const auto known = encoder.known(value.parameter);
@@ -74,15 +81,21 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
 
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
-    WriteParameters job{.values = {}, .previous = {}, .initialisePreset = wish.initialisePreset};
+    WriteParameters job{
+        .values = {}, .previous = valuesBefore(encoder), .initialisePreset = wish.initialisePreset};
     for (const ParameterValue &wanted : inTurn(encoder.device(), wish)) {
+        const ParameterDescription *description = encoder.device().find(wanted.parameter);
+        if (description == nullptr)
+            continue;
+        if (wish.setPositionTo && wanted.parameter == Parameter::preset)
+            continue; // setting the position takes it for itself
         const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
         if (!wish.writeAll && !rearms && isThereAlready(encoder, wanted))
             continue;
         job.values.push_back(wanted);
         const bool readFirst =
             !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
-        const bool canBeRead = encoder.device().find(wanted.parameter)->canBeRead();
+        const bool canBeRead = description->canBeRead();
         if (!wish.writeAll && encoder.can().reads && canBeRead && readFirst)
             job.onlyWhatDiffers = true;
     }
@@ -106,6 +119,10 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
         jobs.emplace_back(SetPreset{});
     if (wish.setPositionTo)
         jobs.emplace_back(SetPreset{.value = wish.setPositionTo});
+    const auto preset = wish.setPositionTo ? valueOf(wish.wanted, Parameter::preset) : std::nullopt;
+    if (preset && preset != wish.setPositionTo)
+        jobs.emplace_back(WriteParameters{
+            .values = {{Parameter::preset, *preset}}, .onlyWhatDiffers = true, .previous = {}});
     return jobs;
 }
 

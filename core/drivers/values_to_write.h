@@ -15,6 +15,9 @@ struct WriteWish
     bool inOrderGiven = false; // else in that of the description
 };
 
+// What is wanted, in the order in which it is written; last, what the device does not have.
+ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish);
+
 // Whether the encoder is known to have the value, so that it need not be written. What is only told counts
 // where the encoder cannot be read.
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
@@ -25,7 +28,8 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
 
 // All of it, one job after the other: writing the values, then setting the position to a value, or to a
-// preset that is not given and may be used up (FRABA): the encoder's own is programmed again.
+// preset that is not given and may be used up (FRABA): the encoder's own is programmed again. A preset that
+// is wanted beside another position is written last, since setting the position takes the preset for itself.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
 // Their steps, as far as they can be told beforehand: from the mode the encoder is in now, with what is known
 // of its values and cams. `out` is what stands in OUT. Whoever does not know that asks

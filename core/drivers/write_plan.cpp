@@ -2,38 +2,56 @@
 #include "drivers/write_plan.h"
 
 #include "catalog/device_description.h"
+#include "drivers/job_check.h"
 #include "encoder/hex.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
 
-bool canBeWritten(const DeviceDescription &device, Parameter parameter)
+// The context of these texts.
+struct WriteWords
 {
-    const ParameterDescription *description = device.find(parameter);
-    return description != nullptr && description->canBeWritten();
+    Q_DECLARE_TR_FUNCTIONS(codewheel::WriteWords)
+};
+
+std::vector<WriteRow>::iterator rowOf(std::vector<WriteRow> &rows, Parameter parameter)
+{
+    return std::ranges::find(rows, parameter, [](const WriteRow &row) { return row.wanted.parameter; });
 }
 
-ParameterValues writable(const DeviceDescription &device, const std::vector<Known> &known)
-{
-    ParameterValues values;
-    for (const Known &one : known)
-        if (canBeWritten(device, one.parameter))
-            values.push_back({one.parameter, one.value});
-    return values;
-}
-
-// What goes along is not asked for: its value stands in the request alone.
-WritePlan::Row rowFor(const Step &step, const WritePlan &plan, const EncoderSession &encoder)
+// What is not wanted was computed: its value stands in the request alone.
+void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted)
 {
     const Parameter parameter = *step.parameter;
-    WritePlan::Row row{.value = {parameter, 0}, .known = encoder.known(parameter), .step = step};
-    if (const auto wanted = valueOf(plan.job.values, parameter)) {
-        row.value.value = *wanted;
-    } else {
-        row.value.value = step.data.value_or(0);
-        row.goesAlong = true;
+    const auto wanted = valueOf(allWanted, parameter);
+    if (const auto row = rowOf(rows, parameter); row != rows.end())
+        row->step = step;
+    else if (wanted || step.data)
+        rows.push_back(
+            {.wanted = {parameter, wanted ? *wanted : *step.data}, .step = step, .goesAlong = !wanted});
+}
+
+std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &plan,
+                             const ParameterValues &allWanted)
+{
+    std::vector<WriteRow> rows;
+    for (const Step &step : plan.steps)
+        if (writesValue(step))
+            addSent(rows, step, allWanted);
+    for (const ParameterValue &wanted : allWanted)
+        if (rowOf(rows, wanted.parameter) == rows.end())
+            rows.push_back({.wanted = wanted});
+    for (WriteRow &row : rows) {
+        row.known = encoder.known(row.wanted.parameter);
+        if (const auto checked = checkValue(encoder.device(), row.wanted, encoder.valueOptions()); !checked)
+            row.hindrance = checked.error();
+        row.isThere = !row.step && !row.hindrance && !valueOf(plan.job.values, row.wanted.parameter);
     }
-    return row;
+    return rows;
 }
 
 } // namespace
@@ -43,26 +61,36 @@ QString sentText(const Step &step)
     return step.kind == StepKind::request ? QString::fromLatin1(step.line) : hexWord(step.out);
 }
 
+QString readsFirstText()
+{
+    return WriteWords::tr("The encoder is read first; what it already has is not written again.");
+}
+
+QStringList howItIsWritten(const WritePlan &plan)
+{
+    QStringList notes;
+    if (plan.job.onlyWhatDiffers)
+        notes << readsFirstText();
+    if (plan.stepsMayBeLess)
+        notes << WriteWords::tr("If the encoder counts steps minus 1, the word for the steps is one less.");
+    return notes;
+}
+
 WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
 {
     const DeviceDescription &device = encoder.device();
-    const std::vector<Known> known = allKnown(encoder);
-    WritePlan plan{.job = jobForWish(encoder, wish)};
-    plan.job.previous = writable(device, known);
+    WritePlan plan{.job = jobForWish(encoder, wish), .jobs = jobsForWish(encoder, wish)};
     plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
                           !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
                           valueOf(plan.job.values, Parameter::steps);
-    const auto steps = encoder.planned({plan.job});
-    if (!steps && steps.error().id != RefusalId::nothingToDo)
+    if (auto steps = encoder.planned(plan.jobs); steps)
+        plan.steps = std::move(*steps);
+    else if (plan.jobs.clear(); steps.error().id != RefusalId::nothingToDo)
         plan.refusal = steps.error();
-    for (const Step &step : steps.value_or(std::vector<Step>()))
-        if (writesValue(step))
-            plan.rows.push_back(rowFor(step, plan, encoder));
-    for (const ParameterValue &wanted : wish.wanted)
-        if (!valueOf(plan.job.values, wanted.parameter))
-            plan.leftOut.push_back(wanted);
-    plan.notes = valueNotes(device, plan.job.values, valuesOf(known),
-                            plan.job.initialisePreset ? PositionIsSet::yes : PositionIsSet::no);
+    plan.rows = rowsOf(encoder, plan, inTurn(device, wish));
+    const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
+    plan.notes = valueNotes(device, plan.job.values, valuesOf(allKnown(encoder)),
+                            setsPosition ? PositionIsSet::yes : PositionIsSet::no);
     return plan;
 }
 

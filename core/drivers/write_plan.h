@@ -8,21 +8,26 @@
 
 namespace codewheel {
 
-// What writing the wanted values means, to be looked at before anything is sent.
+// One value beside what is known of it, and what carries it.
+struct WriteRow
+{
+    ParameterValue wanted;
+    std::optional<Known> known{}; // of the encoder now
+    std::optional<Step> step{};   // which carries it: its word, or its request; nothing: it is not sent
+    bool isThere = false;         // known to be there: left out
+    bool goesAlong = false;       // not wanted: computed from the others, as the factor of a serial encoder
+    std::optional<Refusal> hindrance{}; // why the encoder does not take it
+};
+
+// What writing the wanted values means, to be looked at before anything is sent: in the parameter panel, the
+// wizard, transfers and on the command line.
 struct WritePlan
 {
-    struct Row
-    {
-        ParameterValue value;
-        std::optional<Known> known;
-        Step step;              // which carries it: its word, or its request
-        bool goesAlong = false; // computed from the others: the factor of a serial encoder
-    };
-
-    WriteParameters job{};
-    std::vector<Row> rows{};          // what is sent, in its order
-    ParameterValues leftOut{};        // wanted, and known to be there already
-    std::optional<Refusal> refusal{}; // why the job cannot be planned; there are no rows then
+    WriteParameters job{};            // for the values
+    std::vector<Job> jobs{};          // all of it, one after the other; none: there is nothing to do
+    std::vector<Step> steps{};        // of the jobs
+    std::vector<WriteRow> rows{};     // what is sent, in its order, then what is not
+    std::optional<Refusal> refusal{}; // why the jobs cannot be planned; there are no steps then
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;
@@ -31,6 +36,10 @@ struct WritePlan
 
 // What goes out with a step: its word, "020000FF", or its request, "03GP00005200".
 QString sentText(const Step &step);
+
+// How the values are written, a sentence each: what is read before, what the words may turn out to be.
+QString readsFirstText();
+QStringList howItIsWritten(const WritePlan &plan);
 
 // Leaves out what the encoder is known to have, unless all is to be written. What is told and could be read
 // is read by the job first.

@@ -10,7 +10,7 @@ namespace codewheel {
 namespace {
 
 // The jobs of one encoder, the later ones having the last word.
-Became becameOf(const TransferRow &row, const std::vector<Outcome> &outcomes)
+Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
 {
     Became became = row.isThere ? Became::alreadyThere : Became::notDone;
     for (const Outcome &outcome : outcomes) {
@@ -83,7 +83,7 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
     if (result)
         addResult(account, *result);
     const std::vector<Outcome> outcomes = result ? result->outcomes : std::vector<Outcome>();
-    for (const TransferRow &row : plan.rows)
+    for (const WriteRow &row : plan.write.rows)
         if (!row.goesAlong)
             account.rows.push_back({.wanted = row.wanted,
                                     .before = row.known,

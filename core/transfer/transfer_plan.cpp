@@ -5,8 +5,6 @@
 #include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "drivers/job_check.h"
-#include "drivers/values_to_write.h"
 #include "journal/eeprom_cost.h"
 
 #include <algorithm>
@@ -64,16 +62,6 @@ std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSess
     return std::nullopt;
 }
 
-bool isFor(const Step &step, const TransferRow &row)
-{
-    return step.parameter == row.wanted.parameter;
-}
-
-std::optional<Refusal> errorOf(const Result<void> &checked)
-{
-    return checked ? std::nullopt : std::optional(checked.error());
-}
-
 // The difference between a wish and an encoder, and the jobs that make an end of it.
 class EncoderComparison
 {
@@ -89,17 +77,11 @@ public:
     void plan();
 
 private:
-    void compareValue(const ParameterValue &value);
-    void compareCams(const CamProgram &program);
     void addPositionMode();
-    void addValues(ParameterValues values);
     void addCams();
-    void addPosition();
-    void takeSteps(const Job &job);
-    void takeStep(const Step &step);
-    Word wordFor(const ParameterValue &value) const;
+    void add(const Job &job);
+    Word firstWord() const;
     void setHindrance(const std::optional<Refusal> &hindrance);
-    ParameterValues valuesBefore() const;
     SwitchMode modeAfterwards() const;
 
     const EncoderSession &m_encoder;
@@ -116,53 +98,29 @@ void EncoderComparison::setHindrance(const std::optional<Refusal> &hindrance)
 
 void EncoderComparison::compare()
 {
-    for (const ParameterDescription &parameter : m_device.parameters) // in the order they are written
-        if (const auto value = valueOf(m_wish.values, parameter.parameter))
-            compareValue({parameter.parameter, *value});
-    for (const ParameterValue &value : m_wish.values)
-        if (m_device.find(value.parameter) == nullptr)
-            compareValue(value);
+    m_plan.write = planWrite(m_encoder, {.wanted = m_wish.values, .setPositionTo = m_wish.position});
+    for (const WriteRow &row : m_plan.write.rows)
+        setHindrance(row.hindrance);
     if (!m_wish.cams.empty() && !m_encoder.can().cams)
         setHindrance(Refusal{RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()}});
-    for (const CamProgram &program : m_wish.cams)
-        compareCams(program);
-    if (m_wish.position && !m_encoder.can().presets)
-        setHindrance(
-            Refusal{RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()}});
+    for (const CamProgram &program : m_wish.cams) {
+        const auto known = m_encoder.cams(program.number);
+        m_plan.cams.push_back({program, known, known && known->program == program});
+    }
 }
 
-void EncoderComparison::compareValue(const ParameterValue &value)
-{
-    TransferRow row{.wanted = value, .known = m_encoder.known(value.parameter)};
-    row.hindrance = errorOf(checkValue(m_device, value));
-    row.isThere = !row.hindrance && isThereAlready(m_encoder, value);
-    setHindrance(row.hindrance);
-    m_plan.rows.push_back(std::move(row));
-}
-
-void EncoderComparison::compareCams(const CamProgram &program)
-{
-    const auto known = m_encoder.cams(program.number);
-    m_plan.cams.push_back({program, known, known && known->program == program});
-}
-
+// The cams go before the position.
 void EncoderComparison::plan()
 {
     addPositionMode();
-    ParameterValues values;
-    std::optional<ParameterValue> presetAtTheEnd;
-    for (const TransferRow &row : m_plan.rows) {
-        const bool isPreset = row.wanted.parameter == Parameter::preset;
-        if (m_wish.position && isPreset && row.wanted.value != *m_wish.position)
-            presetAtTheEnd = row.wanted; // setting the position takes the preset for itself
-        else if (!m_wish.position || !isPreset)
-            values.push_back(row.wanted);
-    }
-    addValues(values);
+    setHindrance(m_plan.write.refusal);
+    const std::vector<Job> &jobs = m_plan.write.jobs;
+    const auto setsPosition =
+        std::ranges::find_if(jobs, [](const Job &job) { return std::holds_alternative<SetPreset>(job); });
+    m_plan.jobs.insert(m_plan.jobs.end(), jobs.begin(), setsPosition);
     addCams();
-    addPosition();
-    if (presetAtTheEnd)
-        takeSteps(WriteParameters{.values = {*presetAtTheEnd}, .onlyWhatDiffers = true, .previous = {}});
+    m_plan.jobs.insert(m_plan.jobs.end(), setsPosition, jobs.end());
+    m_plan.eepromWrites += eepromWritesOf(m_plan.write.steps, m_device);
     m_plan.presetIsRearmed = m_wish.position && m_device.quirks.presetNeedsRearming;
 }
 
@@ -170,33 +128,19 @@ void EncoderComparison::addPositionMode()
 {
     const bool isElsewhere = m_device.quirks.hasModes && m_encoder.latest().mode != Mode::position;
     if (m_wish.toPositionMode && isElsewhere) {
-        takeSteps(SwitchMode{});
+        add(SwitchMode{});
         m_plan.eepromWrites += mostEepromWrites(m_encoder, SwitchMode{}); // leaves a cam program, perhaps
-    } else if (m_encoder.latest().mode == Mode::cam && !m_plan.rows.empty())
-        setHindrance(
-            Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {wordFor(m_plan.rows.front().wanted)}});
+    } else if (m_encoder.latest().mode == Mode::cam && !m_wish.values.empty())
+        setHindrance(Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {firstWord()}});
     else if (m_wish.position && isElsewhere)
         setHindrance(Refusal{RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset}});
 }
 
-Word EncoderComparison::wordFor(const ParameterValue &value) const
+Word EncoderComparison::firstWord() const
 {
+    const ParameterValue &value = m_plan.write.rows.front().wanted;
     const ParameterDescription *parameter = m_device.find(value.parameter);
     return k3::parameterWord(parameter ? parameter->number.value_or(0) : 0, static_cast<Word>(value.value));
-}
-
-void EncoderComparison::addValues(ParameterValues values)
-{
-    WriteParameters job = jobForWish(m_encoder, {.wanted = std::move(values)});
-    if (job.values.empty())
-        return;
-    job.previous = valuesBefore();
-    for (TransferRow &row : m_plan.rows) // some are sent with the others though they are there
-        row.isThere = row.isThere && !valueOf(job.values, row.wanted.parameter);
-    m_plan.readsFirst = job.onlyWhatDiffers;
-    m_plan.stepsMayBeLess = m_device.quirks.mayCountStepsMinusOne && valueOf(job.values, Parameter::steps) &&
-                            !m_encoder.known(Parameter::multiTurnAndStepsMinusOne);
-    takeSteps(job);
 }
 
 // A program that is changed is stored when it is left (FRABA manual 5.4.4).
@@ -208,55 +152,15 @@ void EncoderComparison::addCams()
             job.programs.push_back(row.wanted);
     if (job.programs.empty())
         return;
-    const int programs = static_cast<int>(job.programs.size());
-    takeSteps(job);
-    m_plan.eepromWrites += programs;
+    add(job);
+    m_plan.eepromWrites += static_cast<int>(job.programs.size());
 }
 
-void EncoderComparison::addPosition()
+void EncoderComparison::add(const Job &job)
 {
-    if (m_wish.position)
-        takeSteps(SetPreset{.value = *m_wish.position});
-}
-
-// What is sent is shown beside its value, and each value costs a write.
-void EncoderComparison::takeSteps(const Job &job)
-{
-    if (m_plan.hindrance)
-        return;
-    const auto steps = m_encoder.planned({job});
-    if (!steps) {
+    if (const auto steps = m_encoder.planned({job}); !steps)
         setHindrance(steps.error());
-        return;
-    }
-    for (const Step &step : *steps)
-        if (writesValue(step))
-            takeStep(step);
-    m_plan.eepromWrites += eepromWritesOf(*steps, m_device);
     m_plan.jobs.push_back(job);
-}
-
-void EncoderComparison::takeStep(const Step &step)
-{
-    const auto row =
-        std::ranges::find_if(m_plan.rows, [&](const TransferRow &one) { return isFor(step, one); });
-    if (row != m_plan.rows.end())
-        row->step = row->isThere ? std::nullopt : std::optional(step);
-    else if (step.data) // computed on the way
-        m_plan.rows.push_back({.wanted = {*step.parameter, *step.data},
-                               .known = m_encoder.known(*step.parameter),
-                               .step = step,
-                               .goesAlong = true});
-}
-
-ParameterValues EncoderComparison::valuesBefore() const
-{
-    ParameterValues values;
-    for (const Known &known : allKnown(m_encoder))
-        if (const ParameterDescription *parameter = m_device.find(known.parameter);
-            parameter != nullptr && parameter->canBeWritten())
-            values.push_back({known.parameter, known.value});
-    return values;
 }
 
 // Back to where it was; position mode where nobody knows.
@@ -277,14 +181,18 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
         plan.device = encoder->device().fullName();
     if (encoder == nullptr || wish.hindrance) { // what stands there now says nothing
         for (const ParameterValue &value : wish.values)
-            plan.rows.push_back({.wanted = value});
+            plan.write.rows.push_back({.wanted = value});
         return plan;
     }
     EncoderComparison comparison(*encoder, wish, plan);
     comparison.compare();
     if (!plan.hindrance)
         comparison.plan();
-    if (!plan.hindrance)
+    if (plan.hindrance) {
+        std::erase_if(plan.write.rows, &WriteRow::goesAlong);
+        for (WriteRow &row : plan.write.rows)
+            row.step.reset();
+    } else
         plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *encoder);
     if (plan.hindrance) {
         plan.jobs.clear();

@@ -102,14 +102,9 @@ QString leftIn(EncoderState state)
 
 QStringList notes(const EncoderPlan &plan)
 {
-    QStringList notes;
     if (!plan.isWritten())
-        return notes;
-    if (plan.readsFirst)
-        notes << TransferWords::tr("The encoder is read first; what it already has is not written again.");
-    if (plan.stepsMayBeLess)
-        notes << TransferWords::tr(
-            "If the encoder counts steps minus 1, the word for the steps is one less.");
+        return {};
+    QStringList notes = howItIsWritten(plan.write);
     if (std::ranges::any_of(plan.cams, [](const TransferCamRow &row) { return !row.isThere; }))
         notes << TransferWords::tr("Cam programs are read, written where they differ, and stored when they "
                                    "are left.");
@@ -125,11 +120,11 @@ QString summary(const EncoderPlan &plan)
 {
     if (plan.hindrance)
         return refusalText(*plan.hindrance);
-    if (plan.rows.empty() && plan.cams.empty() && !plan.position)
+    if (plan.write.rows.empty() && plan.cams.empty() && !plan.position)
         return TransferWords::tr("Nothing is wanted of it.");
     if (!plan.isWritten())
         return TransferWords::tr("All of it is there: nothing is sent.");
-    const auto values = std::ranges::count(plan.rows, false, &TransferRow::isThere);
+    const auto values = std::ranges::count(plan.write.rows, false, &WriteRow::isThere);
     const auto cams = std::ranges::count(plan.cams, false, &TransferCamRow::isThere);
     return sentence(TransferWords::tr("Values and cam programs to write: %1. EEPROM writes: at most %2."),
                     {numberText(values + cams), numberText(plan.eepromWrites)});

@@ -285,8 +285,8 @@ TEST_F(LineInWindow, AGivenFactorIsInTheReview)
     const WritePlan plan = planWrite(
         encoder(standing), {.wanted = {{Parameter::steps, 1000}, {Parameter::scalingFactor, known->value}}});
     ASSERT_EQ(plan.rows.size(), 2u);
-    EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::scalingFactor, known->value}));
-    EXPECT_EQ(plan.rows[1].step.line, "05GF20000000");
+    EXPECT_EQ(plan.rows[1].wanted, (ParameterValue{Parameter::scalingFactor, known->value}));
+    EXPECT_EQ(plan.rows[1].step->line, "05GF20000000");
 }
 
 // Manual, GR: "Number of revolutions is 4096". Those that are wanted are written again with the steps.
@@ -300,7 +300,7 @@ TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
     const WritePlan plan = planWrite(
         encoder(standing), {.wanted = {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}});
     ASSERT_EQ(plan.rows.size(), 3u);
-    EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::revolutions, known->value}));
+    EXPECT_EQ(plan.rows[1].wanted, (ParameterValue{Parameter::revolutions, known->value}));
     EXPECT_TRUE(plan.notes.empty());
 }
 

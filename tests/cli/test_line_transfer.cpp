@@ -100,8 +100,8 @@ TEST_F(CliLineTransfer, ThePlanShowsTheCommandsThatAreSent)
     EXPECT_EQ(dry.exit, 0) << dry.err;
     EXPECT_EQ(dry.out, "esc:05  Kübler 5882 / 5862 / 9081 RS-485\n"
                        "  steps           8192 (read)    864        05GR00000360\n"
-                       "  direction       cw (0) (read)  cw (0)     left out: already there\n"
                        "  scaling-factor  unknown        03600000h  05GF03600000\n"
+                       "  direction       cw (0) (read)  cw (0)     left out: already there\n"
                        "  Values and cam programs to write: 2. EEPROM writes: at most 2.\n");
     EXPECT_EQ(line.registers(0x05).stepsPerTurn, 8'192U);
     const QJsonObject plan = run("transfer @ 05 --dry-run --json").json();

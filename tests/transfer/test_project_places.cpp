@@ -95,7 +95,7 @@ TEST_F(PlacesOfAProject, NothingGoesFromAProjectToAnotherEncoderNorBack)
         const TransferPlan plan = planTransfer(buses, {wish});
         ASSERT_TRUE(plan[0].hindrance);
         EXPECT_EQ(plan[0].hindrance->id, RefusalId::ringDiffers);
-        EXPECT_FALSE(plan[0].rows[0].known);
+        EXPECT_FALSE(plan[0].write.rows[0].known);
         EXPECT_TRUE(jobsOf(plan).empty());
     }
     EXPECT_TRUE(connectedEncoders(project, buses).empty());

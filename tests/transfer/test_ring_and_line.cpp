@@ -90,9 +90,9 @@ TEST_F(RingAndLine, OneRoundWritesToEncodersOfBoth)
     const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
                                                    {.place = standing, .values = {{Parameter::steps, 864}}}});
     ASSERT_TRUE(plan[1].isWritten());
-    ASSERT_EQ(plan[1].rows.size(), 2u);
-    EXPECT_EQ(sentText(plan[1].rows[0].step.value()), QStringLiteral("05GR00000360"));
-    EXPECT_TRUE(plan[1].rows[1].goesAlong);
+    ASSERT_EQ(plan[1].write.rows.size(), 2u);
+    EXPECT_EQ(sentText(plan[1].write.rows[0].step.value()), QStringLiteral("05GR00000360"));
+    EXPECT_TRUE(plan[1].write.rows[1].goesAlong);
     EXPECT_EQ(plan[1].eepromWrites, 2);
     const TransferAccount account = carryOutAll(plan);
     EXPECT_TRUE(account.isDone());
@@ -211,7 +211,7 @@ TEST_F(RingAndLine, AReplacedOneGetsThePositionAndWhatItCanBeTold)
     const TransferPlan plan =
         planTransfer(buses, {wishToReplace(device, now, 2000, ProjectPlaces(project, buses))});
     ASSERT_FALSE(plan[0].hindrance);
-    EXPECT_EQ(plan[0].rows.size(), 1u);
+    EXPECT_EQ(plan[0].write.rows.size(), 1u);
     EXPECT_TRUE(carryOutAll(plan).isDone());
     EXPECT_EQ(registers(standing).preset, 2000u);
     EXPECT_EQ(replaced(device, now, 2000).wanted,

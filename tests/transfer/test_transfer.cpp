@@ -64,8 +64,8 @@ TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
     encoder(rod).tell(Parameter::measuringLength, 50'000); // as it is
     const TransferPlan plan = planTransfer(
         buses, {{.place = rod, .values = {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}}});
-    EXPECT_TRUE(plan[0].readsFirst);
-    EXPECT_FALSE(plan[0].rows[0].isThere);
+    EXPECT_TRUE(plan[0].write.job.onlyWhatDiffers);
+    EXPECT_FALSE(plan[0].write.rows[0].isThere);
     const TransferAccount account = carryOut(plan);
     EXPECT_EQ(account.count(Became::alreadyThere), 1);
     EXPECT_EQ(account.count(Became::written), 1);

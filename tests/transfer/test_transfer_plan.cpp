@@ -31,14 +31,14 @@ TEST_F(TransferPlanning, ShowsEachValueWithItsWordInTheOrderOfTheDevice)
     encoder(baumer).tell(Parameter::coding, 6);
     const TransferPlan plan = planTransfer(
         buses, {{.place = baumer, .values = {{Parameter::coding, 6}, {Parameter::steps, 4096}}}});
-    ASSERT_EQ(plan[0].rows.size(), 2u);
+    ASSERT_EQ(plan[0].write.rows.size(), 2u);
     EXPECT_EQ(plan[0].device, QStringLiteral("Baumer GXP6W K3"));
-    EXPECT_EQ(plan[0].rows[0].wanted.parameter, Parameter::steps);
-    EXPECT_EQ(sentText(plan[0].rows[0].step.value()), QStringLiteral("02001000"));
-    EXPECT_FALSE(plan[0].rows[0].known);
-    EXPECT_TRUE(plan[0].rows[1].isThere); // nobody can ask it: what is told counts
+    EXPECT_EQ(plan[0].write.rows[0].wanted.parameter, Parameter::steps);
+    EXPECT_EQ(sentText(plan[0].write.rows[0].step.value()), QStringLiteral("02001000"));
+    EXPECT_FALSE(plan[0].write.rows[0].known);
+    EXPECT_TRUE(plan[0].write.rows[1].isThere); // nobody can ask it: what is told counts
     EXPECT_EQ(plan[0].eepromWrites, 1);
-    EXPECT_FALSE(plan[0].readsFirst);
+    EXPECT_FALSE(plan[0].write.job.onlyWhatDiffers);
 }
 
 TEST_F(TransferPlanning, TellsWhyAnEncoderCannotBeWritten)

@@ -2,7 +2,7 @@
 #include "widgets/cams/cam_review.h"
 
 #include "cams/cam_fields.h"
-#include "drivers/values_to_write.h"
+#include "drivers/write_plan.h"
 #include "encoder/hex.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/job/step_text.h"
@@ -156,7 +156,7 @@ JobReview::Contents CamReview::contents(const EncoderSession &encoder, bool writ
     if (count == 0)
         contents.notes << tr("The encoder is known to have all of it. There is nothing to write.");
     if (count > 0 && !writesAll)
-        contents.notes << tr("The encoder is read first; what it already has is not written again.");
+        contents.notes << readsFirstText();
     if (count > 0)
         contents.notes << tr("Not listed are the words that read: 2020.... and the 00000000 behind each.");
     if (!writesAll && !words.thereAlready.isEmpty())

@@ -9,6 +9,8 @@
 #include <QHeaderView>
 #include <QTableView>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -23,33 +25,31 @@ QString howItIsSent(const DeviceDescription &device)
                : WriteReview::tr("Sends these words, each with its handshake on the service bit");
 }
 
-ReviewRow rowOf(const EncoderSession &encoder, const WritePlan::Row &row)
+ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
 {
-    const ParameterDescription &parameter = *encoder.device().find(row.value.parameter);
+    const ParameterDescription &parameter = *encoder.device().find(row.wanted.parameter);
     const auto text = [&](std::int64_t value) { return valueText(parameter, value, encoder.valueOptions()); };
-    return {.cells = {parameterName(row.value.parameter),
-                      row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.value.value),
-                      sentText(row.step)},
+    return {.cells = {parameterName(row.wanted.parameter),
+                      row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.wanted.value),
+                      sentText(*row.step)},
             .tips = {{},
                      parameter_words::howKnown(row.known,
                                                row.known ? encoder.dateTime(row.known->at) : QDateTime()),
                      {},
-                     row.step.line.isEmpty() ? WriteReview::tr("The word that will stand in OUT")
-                                             : WriteReview::tr("What will be sent, between ESC and CR LF")}};
+                     row.step->line.isEmpty() ? WriteReview::tr("The word that will stand in OUT")
+                                              : WriteReview::tr("What will be sent, between ESC and CR LF")}};
 }
 
 QStringList notesOf(const WritePlan &plan)
 {
     QStringList lines;
-    if (plan.rows.empty())
+    const auto there = std::ranges::count(plan.rows, true, &WriteRow::isThere);
+    if (plan.jobs.empty())
         lines << WriteReview::tr(
             "The encoder is known to have all wanted values. There is nothing to write.");
-    else if (!plan.leftOut.empty())
-        lines << WriteReview::tr("Left out because they are there already: %1.").arg(plan.leftOut.size());
-    if (plan.job.onlyWhatDiffers)
-        lines << WriteReview::tr("The encoder is read first; what it already has is not written again.");
-    if (plan.stepsMayBeLess)
-        lines << WriteReview::tr("If the encoder counts steps minus 1, the word for the steps is one less.");
+    else if (there > 0)
+        lines << WriteReview::tr("Left out because they are there already: %1.").arg(there);
+    lines << howItIsWritten(plan);
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
     if (valueOf(plan.job.values, Parameter::preset))
@@ -83,10 +83,11 @@ JobReview::Contents WriteReview::contents(const EncoderSession &encoder, bool wr
 {
     const WritePlan plan = planWrite(encoder, {.wanted = m_wanted, .writeAll = writesAll});
     Contents contents{.job = plan.job, .problem = plan.refusal, .notes = notesOf(plan)};
-    for (const WritePlan::Row &row : plan.rows)
-        contents.rows.push_back(rowOf(encoder, row));
-    contents.write =
-        plan.rows.size() == 1 ? tr("&Write this value") : tr("&Write these %1 values").arg(plan.rows.size());
+    for (const WriteRow &row : plan.rows)
+        if (row.step)
+            contents.rows.push_back(rowOf(encoder, row));
+    const auto sent = contents.rows.size();
+    contents.write = sent == 1 ? tr("&Write this value") : tr("&Write these %1 values").arg(sent);
     return contents;
 }
 

@@ -51,7 +51,7 @@ ReviewRow headOf(const EncoderPlan &plan)
             .isHindered = plan.hindrance.has_value()};
 }
 
-ReviewRow lineOf(const DeviceDescription *device, Place place, const TransferRow &row)
+ReviewRow lineOf(const DeviceDescription *device, Place place, const WriteRow &row)
 {
     const QString thereAlready = TransferLines::tr("already there");
     return {.cells = {{},
@@ -176,7 +176,7 @@ std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan)
     for (const EncoderPlan &encoder : plan) {
         lines.push_back(headOf(encoder));
         const DeviceDescription *device = deviceAt(buses, encoder.place);
-        for (const TransferRow &row : encoder.rows)
+        for (const WriteRow &row : encoder.write.rows)
             lines.push_back(lineOf(device, encoder.place, row));
         for (const TransferCamRow &row : encoder.cams)
             lines.push_back(lineOf(encoder.place, row));

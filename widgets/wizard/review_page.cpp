@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "widgets/eeprom/eeprom_gate.h"
@@ -110,17 +111,15 @@ void ReviewPage::enter()
 void ReviewPage::plan()
 {
     const EncoderSession &encoder = *m_setup.encoder;
-    const WriteParameters job = jobForWish(encoder, m_setup.wish);
+    const WritePlan plan = planWrite(encoder, m_setup.wish);
     std::vector<ReviewRow> rows;
-    for (const ParameterValue &value : m_setup.wish.wanted) {
-        const bool isSent = valueOf(job.values, value.parameter).has_value();
-        rows.push_back(
-            {{parameterName(value.parameter), knownText(encoder.device(), encoder.known(value.parameter)),
-              valueWithUnit(encoder.device(), value),
-              !isSent               ? tr("there already, not written")
-              : job.onlyWhatDiffers ? tr("read, written if it differs")
-                                    : tr("written")}});
-    }
+    for (const WriteRow &row : plan.rows)
+        if (!row.goesAlong)
+            rows.push_back({{parameterName(row.wanted.parameter), knownText(encoder.device(), row.known),
+                             valueWithUnit(encoder.device(), row.wanted),
+                             row.isThere                ? tr("there already, not written")
+                             : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
+                                                        : tr("written")}});
     if (const auto position = m_setup.wish.setPositionTo) {
         const auto now = encoder.latest().position;
         rows.push_back({{parameterName(Parameter::preset), now ? numberText(*now) : QString(),
@@ -128,23 +127,20 @@ void ReviewPage::plan()
     }
     m_changes.show(std::move(rows));
 
-    const auto steps = encoder.planned(jobsForWish(encoder, m_setup.wish));
-    m_mayGoOn = steps.has_value();
-    if (steps) {
-        m_steps.showSteps(encoder.device(), *steps);
-        const int writes = eepromWritesOf(*steps, encoder.device());
-        m_writes->setText(eepromCostText(encoder, writes));
+    m_mayGoOn = !plan.jobs.empty();
+    const int writes = eepromWritesOf(plan.steps, encoder.device());
+    m_writes->setText(eepromCostText(encoder, writes));
+    if (m_mayGoOn) {
+        m_steps.showSteps(encoder.device(), plan.steps);
         m_gate->setWrites(*m_setup.encoder, writes);
         m_problem->withdraw();
     } else {
         m_steps.begin();
-        m_writes->setText(eepromCostText(encoder, 0));
-        const bool nothingDiffers = steps.error().id == RefusalId::nothingToDo;
         m_problem->showMessage(
             Role::attention,
-            nothingDiffers ? tr("The encoder has all of these values already: there is nothing to write. "
-                                "Go back and change a value, or write all.")
-                           : refusalText(steps.error()));
+            plan.refusal ? refusalText(*plan.refusal)
+                         : tr("The encoder has all of these values already: there is nothing to write. "
+                              "Go back and change a value, or write all."));
     }
     const bool setsPosition = m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
     if (m_mayGoOn && setsPosition && encoder.latest().state == EncoderState::error)

@@ -2,7 +2,7 @@
 #include "widgets/wizard/shaft_consequences.h"
 
 #include "catalog/device_description.h"
-#include "drivers/value_notes.h"
+#include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "widgets/look/grid.h"
@@ -82,11 +82,7 @@ QStringList ShaftConsequences::warnings(const std::optional<PositionScale> &scal
 
 std::vector<ValueNote> ShaftConsequences::notes() const
 {
-    const EncoderSession &encoder = *m_setup.encoder;
-    const WriteWish &wish = m_setup.wish;
-    const bool isSet = wish.initialisePreset || wish.setPositionTo;
-    return valueNotes(encoder.device(), jobForWish(encoder, wish).values, valuesOf(allKnown(encoder)),
-                      isSet ? PositionIsSet::yes : PositionIsSet::no);
+    return planWrite(*m_setup.encoder, m_setup.wish).notes;
 }
 
 QString ShaftConsequences::warningFor(const PositionScale &scale) const
