@@ -2410,14 +2410,6 @@
         <translation>%1 braucht die Position, auf die gesetzt werden soll. Einen Wert angeben.</translation>
     </message>
     <message>
-        <source>There is no cam program %1. Choose a program from 1 to 8.</source>
-        <translation>Es gibt kein Nockenprogramm %1. Ein Programm von 1 bis 8 wählen.</translation>
-    </message>
-    <message>
-        <source>There is no cam %1. Choose a cam from 0 to 7.</source>
-        <translation>Es gibt keinen Nocken %1. Einen Nocken von 0 bis 7 wählen.</translation>
-    </message>
-    <message>
         <source>Cam %1 cannot start or stop at %2. Give a position from 0 to %3.</source>
         <translation>Nocken %1 kann nicht bei %2 anfangen oder enden. Eine Position von 0 bis %3 angeben.</translation>
     </message>
@@ -2744,6 +2736,14 @@
     <message>
         <source>Cam %1 has a hysteresis or a polarity that this encoder does not know. Set them to 0 and off.</source>
         <translation>Nocken %1 hat eine Hysterese oder eine Polarität, die dieser Geber nicht kennt. Setzen Sie sie auf 0 und aus.</translation>
+    </message>
+    <message>
+        <source>There is no cam program %1. Choose a program from 1 to %2.</source>
+        <translation>Es gibt kein Nockenprogramm %1. Ein Programm von 1 bis %2 wählen.</translation>
+    </message>
+    <message>
+        <source>There is no cam %1. Choose a cam from 0 to %2.</source>
+        <translation>Es gibt keinen Nocken %1. Einen Nocken von 0 bis %2 wählen.</translation>
     </message>
 </context>
 <context>
@@ -6741,6 +6741,26 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>&quot;%1&quot; is no command that reads a value.</source>
         <translation>&quot;%1&quot; ist kein Befehl, der einen Wert liest.</translation>
+    </message>
+    <message>
+        <source>A K3 has words for %1 cams in each program. Write %1.</source>
+        <translation>Ein K3 hat Worte für %1 Nocken in jedem Programm. %1 schreiben.</translation>
+    </message>
+    <message>
+        <source>A K3 shows its cams in a mode of their own. Write true.</source>
+        <translation>Ein K3 zeigt seine Nocken in einer eigenen Betriebsart. true schreiben.</translation>
+    </message>
+    <message>
+        <source>A K3 shows its cams beside a part of the position. Write true.</source>
+        <translation>Ein K3 zeigt seine Nocken neben einem Teil der Position. true schreiben.</translation>
+    </message>
+    <message>
+        <source>A K3 has no word for the hysteresis of a cam. Write false.</source>
+        <translation>Ein K3 hat kein Wort für die Hysterese eines Nockens. false schreiben.</translation>
+    </message>
+    <message>
+        <source>A K3 has no word for the polarity of a cam. Write false.</source>
+        <translation>Ein K3 hat kein Wort für die Polarität eines Nockens. false schreiben.</translation>
     </message>
 </context>
 <context>
@@ -11670,6 +11690,22 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <source>%1; not compared: %2</source>
         <comment>result, names of buses</comment>
         <translation>%1; nicht verglichen: %2</translation>
+    </message>
+    <message>
+        <source>hysteresis %1</source>
+        <translation>Hysterese %1</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>invertiert</translation>
+    </message>
+    <message>
+        <source>Cam program %1: hysteresis of cam %2</source>
+        <translation>Nockenprogramm %1: Hysterese von Nocken %2</translation>
+    </message>
+    <message>
+        <source>Cam program %1: inverted cams 7 to 0</source>
+        <translation>Nockenprogramm %1: invertierte Nocken 7 bis 0</translation>
     </message>
 </context>
 <context>

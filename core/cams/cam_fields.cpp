@@ -16,6 +16,10 @@ std::size_t indexOf(CamField field)
         break;
     case CamValue::shift:
         return camFieldCount - 1;
+    case CamValue::hysteresis:
+        return camFieldCount + field.cam;
+    case CamValue::invertedCams:
+        return allCamFieldCount - 1;
     }
     return camFieldCount - 2;
 }
@@ -28,10 +32,10 @@ Word settingWord(CamField field, std::int64_t data)
         return k3::setCamStart(field.cam, bits);
     case CamValue::stop:
         return k3::setCamStop(field.cam, bits);
-    case CamValue::activeCams:
-        break;
     case CamValue::shift:
         return k3::setCamShift(bits);
+    default:
+        break;
     }
     return k3::setActiveCams(bits);
 }
@@ -43,10 +47,10 @@ Word readOutWord(CamField field)
         return k3::readOutCams(k3::camStartCode + field.cam);
     case CamValue::stop:
         return k3::readOutCams(k3::camStopCode + field.cam);
-    case CamValue::activeCams:
-        break;
     case CamValue::shift:
         return k3::readOutCams(k3::camShiftCode);
+    default:
+        break;
     }
     return k3::readOutCams(k3::camConfigurationCode);
 }
@@ -93,6 +97,10 @@ std::int64_t valueOf(const CamProgram &program, CamField field)
         break;
     case CamValue::shift:
         return program.shift;
+    case CamValue::hysteresis:
+        return program.cam[field.cam].hysteresis;
+    case CamValue::invertedCams:
+        return invertedCams(program);
     }
     return activeCams(program);
 }
@@ -112,6 +120,13 @@ void setValue(CamProgram &program, CamField field, std::int64_t data)
         return;
     case CamValue::shift:
         program.shift = static_cast<unsigned>(data);
+        return;
+    case CamValue::hysteresis:
+        program.cam[field.cam].hysteresis = data;
+        return;
+    case CamValue::invertedCams:
+        for (std::size_t n = 0; n < CamProgram::cams; ++n)
+            program.cam[n].isInverted = (data >> n & 1) != 0;
         return;
     }
 }

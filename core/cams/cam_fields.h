@@ -7,33 +7,39 @@
 #include <bitset>
 #include <optional>
 
-// A cam program value by value, as the encoder takes and tells it: one word each (FRABA manual 10.5).
+// A cam program value by value, as a K3 takes and tells it: one word each (FRABA manual 10.5); and what cams
+// of other kinds have besides.
 namespace codewheel {
 
-enum class CamValue : std::uint8_t { start, stop, activeCams, shift };
+enum class CamValue : std::uint8_t { start, stop, activeCams, shift, hysteresis, invertedCams };
 
 struct CamField
 {
     CamValue value = CamValue::start;
-    unsigned cam = 0; // of start and stop: 0..7
+    unsigned cam = 0; // of start, stop and hysteresis: 0..7
 
     friend constexpr bool operator==(const CamField &, const CamField &) = default;
 };
 
-// All of a program, in the order in which they are written: start and stop cam by cam, the active cams,
-// shift.
+// All that a K3 has of a program, in the order in which they are written: start and stop cam by cam, the
+// active cams, shift; then what has no word: the hysteresis cam by cam, the inverted cams.
 inline constexpr std::size_t camFieldCount = 2 * CamProgram::cams + 2;
+inline constexpr std::size_t allCamFieldCount = camFieldCount + CamProgram::cams + 1;
 using CamFieldSet = std::bitset<camFieldCount>;
 constexpr CamField camField(std::size_t index)
 {
     const auto cam = static_cast<unsigned>(index / 2);
     if (cam < CamProgram::cams)
         return {index % 2 == 0 ? CamValue::start : CamValue::stop, cam};
-    return {index == camFieldCount - 1 ? CamValue::shift : CamValue::activeCams, 0};
+    if (index < camFieldCount)
+        return {index == camFieldCount - 1 ? CamValue::shift : CamValue::activeCams, 0};
+    if (index < allCamFieldCount - 1)
+        return {CamValue::hysteresis, static_cast<unsigned>(index - camFieldCount)};
+    return {CamValue::invertedCams, 0};
 }
 std::size_t indexOf(CamField field);
 
-// The word that sets the field, and the one that reads it out.
+// The word that sets the field, and the one that reads it out; of what a K3 has.
 Word settingWord(CamField field, std::int64_t data);
 Word readOutWord(CamField field);
 // The field that OUT sets in cam mode, or reads out. Nothing: none, or of a cam there is not.
@@ -42,10 +48,11 @@ std::optional<CamField> fieldReadBy(Word out);
 // The data of a word that sets a field.
 std::int64_t dataOf(CamField field, Word out);
 
-// Active cams as bits; those of 16 bits that belong to no cam are dropped.
+// Active and inverted cams as bits; those of 16 bits that belong to no cam are dropped.
 std::int64_t valueOf(const CamProgram &program, CamField field);
 void setValue(CamProgram &program, CamField field, std::int64_t data);
 
+// Of what a K3 has.
 CamFieldSet differences(const CamProgram &a, const CamProgram &b);
 
 } // namespace codewheel

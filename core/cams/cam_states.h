@@ -64,6 +64,15 @@ constexpr std::uint8_t activeCams(const CamProgram &program) noexcept
     return static_cast<std::uint8_t>(active);
 }
 
+// Bit n: cam n is inverted.
+constexpr std::uint8_t invertedCams(const CamProgram &program) noexcept
+{
+    unsigned inverted = 0;
+    for (std::size_t n = 0; n < CamProgram::cams; ++n)
+        inverted |= (program.cam[n].isInverted ? 1U : 0U) << n;
+    return static_cast<std::uint8_t>(inverted);
+}
+
 // What IN will hold: the cams in D7..D0, (position >> shift) & 1FFFFh in D24..D8.
 constexpr Word camWord(const CamProgram &program, std::int64_t position) noexcept
 {

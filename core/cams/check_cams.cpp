@@ -6,7 +6,8 @@ namespace codewheel {
 Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities)
 {
     if (number < 1 || number > abilities.programs)
-        return refuse(RefusalKind::badInput, RefusalId::camProgramOutOfRange, {number});
+        return refuse(RefusalKind::badInput, RefusalId::camProgramOutOfRange,
+                      {number, std::int64_t{abilities.programs}});
     return {};
 }
 
@@ -15,7 +16,8 @@ Result<void> check(const Cam &cam, std::size_t number, const CamAbilities &abili
 {
     const auto which = static_cast<std::int64_t>(number);
     if (number >= abilities.cams && cam != Cam())
-        return refuse(RefusalKind::badInput, RefusalId::camOutOfRange, {which});
+        return refuse(RefusalKind::badInput, RefusalId::camOutOfRange,
+                      {which, static_cast<std::int64_t>(abilities.cams) - 1});
     for (const std::int64_t position : {cam.start, cam.stop, cam.hysteresis})
         if (position < 0 || position > largestPosition)
             return refuse(RefusalKind::badInput, RefusalId::camPositionTooLarge,

@@ -55,6 +55,7 @@ public:
     static void readTables(const JsonObject &json, const Catalog &catalog, DeviceDescription &device);
     static void readParameters(const JsonObject &json, DeviceDescription &device);
     static void readErrors(const JsonObject &json, DeviceDescription &device);
+    static CamAbilities readCams(const JsonObject &json);
     static Capabilities readCapabilities(const JsonObject &json);
     static Quirks readQuirks(const JsonObject &json);
 
@@ -273,11 +274,30 @@ std::optional<int> readWrites(const JsonObject &json, const char *key)
     return writes ? std::optional(static_cast<int>(*writes)) : std::nullopt;
 }
 
+// What is not told is as the cams of a K3 have it.
+CamAbilities DescriptionReader::readCams(const JsonObject &json)
+{
+    CamAbilities cams;
+    cams.programs = static_cast<unsigned>(json.numberOr("programs", static_cast<int>(cams.programs), 1,
+                                                        static_cast<int>(CamProgram::programs)));
+    cams.cams = static_cast<std::size_t>(
+        json.numberOr("cams", static_cast<int>(cams.cams), 1, static_cast<int>(CamProgram::cams)));
+    cams.isCyclic = json.flagOr("cyclic", cams.isCyclic);
+    cams.hasMode = json.flagOr("mode", cams.hasMode);
+    cams.hasShift = json.flagOr("shift", cams.hasShift);
+    cams.hasHysteresis = json.flagOr("hysteresis", cams.hasHysteresis);
+    cams.hasPolarity = json.flagOr("polarity", cams.hasPolarity);
+    return cams;
+}
+
 Capabilities DescriptionReader::readCapabilities(const JsonObject &json)
 {
     Capabilities can;
     can.presets = json.flag("presets");
-    if (json.flag("cams"))
+    if (json.hasObject("cams"))
+        can.cams = readCams(
+            json.object("cams", {"programs", "cams", "cyclic", "mode", "shift", "hysteresis", "polarity"}));
+    else if (json.flag("cams"))
         can.cams.emplace();
     can.readingHidesPosition = json.flag("readingHidesPosition");
     can.presetIsStored = json.flag("presetIsStored");

@@ -3,6 +3,7 @@
 
 #include "catalog/hex_code.h"
 #include "catalog/protocol_rules.h"
+#include "words/k3_cam_word.h"
 
 #include <algorithm>
 
@@ -80,6 +81,27 @@ public:
             json.report(key, tr("Only with the dialect fraba are the words for it known. Write false."));
     }
 
+    // What the words of a K3, which alone has cams as yet, say of them (FRABA manual 5.4.4).
+    static void checkCams(const JsonObject &json, const DeviceDescription &device)
+    {
+        const auto &cams = device.capabilities.cams;
+        refuseBesideFraba(json, "cams", cams.has_value(), device);
+        if (!json.hasObject("cams"))
+            return;
+        const JsonObject told = json.objectOfAny("cams");
+        if (cams->cams != k3::camCount)
+            told.report("cams",
+                        tr("A K3 has words for %1 cams in each program. Write %1.").arg(k3::camCount));
+        if (!cams->hasMode)
+            told.report("mode", tr("A K3 shows its cams in a mode of their own. Write true."));
+        if (!cams->hasShift)
+            told.report("shift", tr("A K3 shows its cams beside a part of the position. Write true."));
+        if (cams->hasHysteresis)
+            told.report("hysteresis", tr("A K3 has no word for the hysteresis of a cam. Write false."));
+        if (cams->hasPolarity)
+            told.report("polarity", tr("A K3 has no word for the polarity of a cam. Write false."));
+    }
+
     // Where the position that is set comes from: at a K3 the parameter, else the command itself.
     static void checkPresets(const JsonObject &json, const DeviceDescription &device)
     {
@@ -148,7 +170,7 @@ void checkCapabilities(const JsonObject &json, const DeviceDescription &device)
     const Capabilities &can = device.capabilities;
     Rules::checkPresets(json, device);
     Rules::refuse(json, "resets", can.resets && device.profile != Profile::k3, device.profile);
-    Rules::refuseBesideFraba(json, "cams", can.cams.has_value(), device);
+    Rules::checkCams(json, device);
     Rules::refuseBesideFraba(json, "velocity", can.velocity, device);
     Rules::refuseBesideFraba(json, "manufacturerPreset", can.manufacturerPreset, device);
 }

@@ -78,6 +78,11 @@ bool JsonObject::has(const char *key) const
     return m_value->isObject() && m_value->isMember(key);
 }
 
+bool JsonObject::hasObject(const char *key) const
+{
+    return has(key) && (*m_value)[key].isObject();
+}
+
 const Json::Value &JsonObject::member(const char *key) const
 {
     if (!has(key)) {
@@ -149,7 +154,7 @@ LocalText JsonObject::localText(const char *key) const
     const Json::Value &value = member(key);
     if (value.isString())
         return {{{QString(), text(key)}}};
-    if (!value.isObject()) {
+    if (!hasObject(key)) {
         report(key,
                tr("A text in quotation marks or an object {\"en\": \"...\", \"de\": \"...\"} is expected "
                   "here."));
@@ -231,7 +236,14 @@ unsigned JsonObject::hexNumber(const char *key) const
 
 JsonObject JsonObject::object(const char *key, std::initializer_list<const char *> allowed) const
 {
-    return JsonObject(member(key), pathOf(QString::fromLatin1(key)), allowed, *m_faults);
+    JsonObject object = objectOfAny(key);
+    object.allowOnly(allowed);
+    return object;
+}
+
+JsonObject JsonObject::objectOfAny(const char *key) const
+{
+    return JsonObject(member(key), pathOf(QString::fromLatin1(key)), *m_faults);
 }
 
 bool JsonObject::isListOfAtMost(const char *key, std::size_t most) const

@@ -54,7 +54,8 @@ public:
     void allowOnly(std::initializer_list<const char *> allowed) const;
 
     bool has(const char *key) const;
-    QString text(const char *key) const; // not empty
+    bool hasObject(const char *key) const; // where other values are taken, too
+    QString text(const char *key) const;   // not empty
     QString textOr(const char *key, const QString &otherwise) const;
     QString freeText(const char *key) const;  // any text; empty where the key is not there
     QStringList texts(const char *key) const; // a list of texts
@@ -95,6 +96,7 @@ public:
     }
 
     JsonObject object(const char *key, std::initializer_list<const char *> allowed) const;
+    JsonObject objectOfAny(const char *key) const;
     std::vector<JsonObject> array(const char *key, std::initializer_list<const char *> allowed,
                                   std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 

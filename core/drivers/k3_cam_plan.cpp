@@ -118,7 +118,7 @@ Result<void> K3CamPlan::checkPrograms(const std::vector<unsigned> &programs,
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     std::set<unsigned> seen;
     for (const unsigned program : programs) {
-        if (auto checked = checkCamProgramNumber(program); !checked)
+        if (auto checked = checkCamProgramNumber(program, *m_device.capabilities.cams); !checked)
             return checked;
         if (!seen.insert(program).second)
             return refuse(RefusalKind::badInput, RefusalId::camProgramGivenTwice, {std::int64_t{program}});
@@ -146,7 +146,8 @@ Result<void> K3CamPlan::check(const SwitchMode &job) const
 {
     if (auto checked = checkJob(m_device, job); !checked)
         return checked;
-    return job.mode == Mode::cam ? checkCamProgramNumber(job.camProgram) : Result<void>();
+    return job.mode == Mode::cam ? checkCamProgramNumber(job.camProgram, *m_device.capabilities.cams)
+                                 : Result<void>();
 }
 
 // Above it the encoder answers 98000004h itself.

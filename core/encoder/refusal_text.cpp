@@ -55,9 +55,9 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::presetNeedsValue, "presetNeedsValue",
                QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
     RefusalRow{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to 8.")},
+               QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to %2.")},
     RefusalRow{RefusalId::camOutOfRange, "camOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to 7.")},
+               QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to %2.")},
     RefusalRow{
         RefusalId::camPositionTooLarge, "camPositionTooLarge",
         QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},

@@ -15,13 +15,18 @@ std::vector<CamBar> camBars(const CamPicture &picture)
         const Cam &cam = picture.program.cam[number];
         if (cam == Cam{})
             continue;
-        const double begin = part(cam.start);
+        const bool throughZero = cam.start > cam.stop;
+        const double start = part(cam.start);
         const double end = part(cam.stop + 1); // the last position belongs to it
-        if (cam.start <= cam.stop) {
-            bars.push_back({number, begin, end, cam.active});
+        const auto add = [&](double from, double to) {
+            if (from < to || !cam.isInverted)
+                bars.push_back({number, from, to, cam.active});
+        };
+        if (throughZero == cam.isInverted) {
+            add(std::min(start, end), std::max(start, end));
         } else {
-            bars.push_back({number, 0, end, cam.active});
-            bars.push_back({number, begin, 1, cam.active});
+            add(0, std::min(start, end));
+            add(std::max(start, end), 1);
         }
     }
     return bars;

@@ -16,7 +16,8 @@ struct CamBar
     friend bool operator==(const CamBar &, const CamBar &) = default;
 };
 
-// The bars of a picture, by cam. A cam through zero has two; one that was never set (inactive, 0 to 0) none.
+// The bars of a picture, by cam. A cam through zero has two, as an inverted one may have; one that was never
+// set (inactive, 0 to 0) none.
 std::vector<CamBar> camBars(const CamPicture &picture);
 
 } // namespace codewheel

@@ -33,8 +33,13 @@ QString camText(const Cam &cam)
     if (cam == Cam{})
         return ReportTexts::tr("not set");
     const QStringList range{numberText(cam.start), numberText(cam.stop)};
-    return cam.active ? sentence(ReportTexts::tr("%1 to %2, active"), range)
-                      : sentence(ReportTexts::tr("%1 to %2, inactive"), range);
+    QStringList parts{cam.active ? sentence(ReportTexts::tr("%1 to %2, active"), range)
+                                 : sentence(ReportTexts::tr("%1 to %2, inactive"), range)};
+    if (cam.hysteresis != 0)
+        parts << sentence(ReportTexts::tr("hysteresis %1"), {numberText(cam.hysteresis)});
+    if (cam.isInverted)
+        parts << ReportTexts::tr("inverted");
+    return parts.join(QStringLiteral(", "));
 }
 
 QString remark(bool isCompared, bool isEqual)
@@ -44,7 +49,7 @@ QString remark(bool isCompared, bool isEqual)
     return isEqual ? ReportTexts::tr("as wanted") : ReportTexts::tr("differs");
 }
 
-ReportTable camTable(const BothPrograms &both)
+ReportTable camTable(const BothPrograms &both, const CamAbilities &has)
 {
     ReportTable table{{ReportTexts::tr("Cam"), ReportTexts::tr("Wanted"), ReportTexts::tr("Known"),
                        ReportTexts::tr("Remark")},
@@ -57,16 +62,24 @@ ReportTable camTable(const BothPrograms &both)
         const bool isEqual = wanted == known;
         table.rows.push_back({{name, wanted, known, remark(isCompared, isEqual)}, isCompared && !isEqual});
     };
-    for (std::size_t cam = 0; cam < CamProgram::cams; ++cam)
+    for (std::size_t cam = 0; cam < has.cams; ++cam)
         add(QString::number(cam), [cam](const CamProgram &program) { return camText(program.cam[cam]); });
-    add(ReportTexts::tr("Shift"), [](const CamProgram &program) { return QString::number(program.shift); });
+    if (has.hasShift)
+        add(ReportTexts::tr("Shift"),
+            [](const CamProgram &program) { return QString::number(program.shift); });
     return table;
+}
+
+CamAbilities camsOf(const ReportedDevice &device)
+{
+    return device.description ? device.description->capabilities.cams.value_or(CamAbilities{})
+                              : CamAbilities{};
 }
 
 // The positions of the encoder, as far as they are known; else those that the cams show.
 CamPicture pictureOf(const ReportedDevice &device, const CamProgram &program, const QString &title)
 {
-    CamPicture picture{title, program, 1, numberText(0), {}};
+    CamPicture picture{title, program, 1, numberText(0), {}, camsOf(device).cams};
     ParameterValues values = device.knownValues();
     for (const ParameterValue &wanted : device.planned->wanted)
         replaceValue(values, wanted);
@@ -105,7 +118,7 @@ void addProgram(std::vector<ReportBlock> &blocks, const ReportedDevice &device, 
     if (both.known)
         blocks.emplace_back(
             pictureOf(device, both.known->program, knownTitle(*both.known, both.isAsWanted(), now)));
-    blocks.emplace_back(camTable(both));
+    blocks.emplace_back(camTable(both, camsOf(device)));
 }
 
 } // namespace

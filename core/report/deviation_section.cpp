@@ -24,6 +24,10 @@ QString camFieldName(unsigned program, CamField field)
         return sentence(ReportTexts::tr("Cam program %1: stop of cam %2"), numbers);
     case CamValue::activeCams:
         return sentence(ReportTexts::tr("Cam program %1: active cams 7 to 0"), numbers);
+    case CamValue::hysteresis:
+        return sentence(ReportTexts::tr("Cam program %1: hysteresis of cam %2"), numbers);
+    case CamValue::invertedCams:
+        return sentence(ReportTexts::tr("Cam program %1: inverted cams 7 to 0"), numbers);
     case CamValue::shift:
         break;
     }
@@ -32,7 +36,7 @@ QString camFieldName(unsigned program, CamField field)
 
 QString camValue(CamField field, std::int64_t value)
 {
-    if (field.value == CamValue::activeCams)
+    if (field.value == CamValue::activeCams || field.value == CamValue::invertedCams)
         return QString::number(value, 2).rightJustified(CamProgram::cams, u'0');
     return numberText(value);
 }

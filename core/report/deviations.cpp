@@ -10,9 +10,8 @@ namespace {
 
 void addDifferences(Deviations &found, const CamProgram &wanted, const StoredCams &known)
 {
-    const CamFieldSet differ = differences(wanted, known.program);
-    for (std::size_t i = 0; i < camFieldCount; ++i)
-        if (differ[i])
+    for (std::size_t i = 0; i < allCamFieldCount; ++i)
+        if (valueOf(wanted, camField(i)) != valueOf(known.program, camField(i)))
             found.cams.push_back({wanted.number, camField(i), valueOf(wanted, camField(i)),
                                   valueOf(known.program, camField(i)), known.evidence});
 }

@@ -13,8 +13,6 @@ constexpr double barsLeft = 20; // of the bars; before them stands the number of
 constexpr double right = 676;
 constexpr double rowHeight = 14;
 constexpr double barHeight = 8;
-constexpr double bottom = rowHeight * CamProgram::cams;
-constexpr double height = bottom + rowHeight;
 constexpr double textRise = 4; // of a base line above the foot of its row
 
 QString svgNumber(double value)
@@ -51,12 +49,13 @@ QString barSvg(const CamBar &bar)
 
 QString camPictureAsSvg(const CamPicture &picture)
 {
+    const double height = rowHeight * static_cast<double>(picture.cams + 1);
     QString svg = QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
                                  "font-family=\"sans-serif\" font-size=\"9\" viewBox=\"0 0 %1 %2\" "
                                  "aria-label=\"")
                       .arg(svgNumber(svgWidth), svgNumber(height)) +
                   printableText(picture.title).toHtmlEscaped() + QStringLiteral("\">\n");
-    for (std::size_t cam = 0; cam < CamProgram::cams; ++cam) {
+    for (std::size_t cam = 0; cam < picture.cams; ++cam) {
         const double foot = rowHeight * static_cast<double>(cam + 1);
         svg += textAt(0, foot - textRise, QStringLiteral("start"), QString::number(cam));
         svg += line(barsLeft, foot, right, foot);

@@ -42,8 +42,9 @@ struct CamPicture
     QString title;
     CamProgram program;
     std::int64_t positions = 1;
-    QString firstText; // of position 0
-    QString lastText;  // of the last position
+    QString firstText;                   // of position 0
+    QString lastText;                    // of the last position
+    std::size_t cams = CamProgram::cams; // that are shown
 };
 
 // Lines to sign on: a place for who it is, and nothing filled in.

@@ -78,7 +78,8 @@ TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, b
         if (const ParameterValue value{known.parameter, known.value};
             isSetting(&to.device(), value) && value.parameter != Parameter::zeroOffset)
             wish.values.push_back(value);
-    for (unsigned program = 1; withCams && program <= CamProgram::programs; ++program)
+    const auto &cams = to.can().cams;
+    for (unsigned program = 1; withCams && cams && program <= cams->programs; ++program)
         if (const auto known = from.cams(program))
             wish.cams.push_back(known->program);
     return wish;

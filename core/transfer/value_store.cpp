@@ -6,6 +6,7 @@
 #include "transfer/last_positions.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -38,9 +39,12 @@ EncoderJobs jobsToStore(const EncoderSession &encoder, bool withCams)
         std::erase(read.parameters, Parameter::temperature); // not every encoder has one
         jobs.jobs.emplace_back(std::move(read));
     }
-    if (withCams && encoder.can().cams)
-        jobs.jobs.emplace_back(
-            ReadCams{.programs = {1, 2, 3, 4, 5, 6, 7, 8}, .afterwards = modeOf(encoder.latest())});
+    if (const auto &cams = encoder.can().cams; withCams && cams) {
+        ReadCams read{.programs = std::vector<unsigned>(cams->programs),
+                      .afterwards = modeOf(encoder.latest())};
+        std::iota(read.programs.begin(), read.programs.end(), 1U);
+        jobs.jobs.emplace_back(std::move(read));
+    }
     return jobs;
 }
 

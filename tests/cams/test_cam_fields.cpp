@@ -47,6 +47,19 @@ TEST(CamFields, WordsOfCamsThereAreNotAndOfAnythingElseSetNothing)
         EXPECT_FALSE(fieldReadBy(out)) << hexWord(out).toStdString();
 }
 
+TEST(CamFields, WhatHasNoWordComesBackToo)
+{
+    CamProgram from;
+    from.cam[2] = {10, 20, true, 3, false};
+    from.cam[7] = {10, 20, false, 4, true};
+    CamProgram to;
+    for (std::size_t i = 0; i < allCamFieldCount; ++i) {
+        EXPECT_EQ(indexOf(camField(i)), i);
+        setValue(to, camField(i), valueOf(from, camField(i)));
+    }
+    EXPECT_EQ(to, from);
+}
+
 TEST(CamFields, EveryFieldOfEveryProgramComesBackFromItsWord)
 {
     std::mt19937 random(545);

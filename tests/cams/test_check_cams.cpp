@@ -36,7 +36,8 @@ TEST(CheckCams, NamesWhatIsOutOfRange)
     for (const unsigned number : {0U, 9U}) {
         const auto checked = check({.number = number, .cam = {}, .shift = 0}, k3Cams);
         ASSERT_FALSE(checked);
-        EXPECT_EQ(checked.error(), badInput(RefusalId::camProgramOutOfRange, {std::int64_t{number}}));
+        EXPECT_EQ(checked.error(),
+                  badInput(RefusalId::camProgramOutOfRange, {std::int64_t{number}, std::int64_t{8}}));
     }
     EXPECT_EQ(check({.number = 1, .cam = {}, .shift = 26}, k3Cams).error(),
               badInput(RefusalId::camShiftOutOfRange, {std::int64_t{26}}));
@@ -69,12 +70,13 @@ TEST(CheckCams, AnEncoderTakesWhatItsCamsHave)
 TEST(CheckCams, NamesWhatAnEncoderHasNot)
 {
     EXPECT_EQ(check({.number = 2}, rodCams).error(),
-              badInput(RefusalId::camProgramOutOfRange, {std::int64_t{2}}));
+              badInput(RefusalId::camProgramOutOfRange, {std::int64_t{2}, std::int64_t{1}}));
     EXPECT_EQ(check({.shift = 1}, rodCams).error(),
               badInput(RefusalId::camShiftOutOfRange, {std::int64_t{1}}));
     CamProgram program;
     program.cam[4] = {0, 10, false};
-    EXPECT_EQ(check(program, rodCams).error(), badInput(RefusalId::camOutOfRange, {std::int64_t{4}}));
+    EXPECT_EQ(check(program, rodCams).error(),
+              badInput(RefusalId::camOutOfRange, {std::int64_t{4}, std::int64_t{3}}));
     program.cam[4] = {};
     program.cam[0] = {10, 9, false};
     EXPECT_EQ(check(program, rodCams).error(), badInput(RefusalId::camThroughZero, {std::int64_t{0}}));

@@ -80,6 +80,7 @@ TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
         {generic, "37h", "0237h", 2, 2, preset, R"("presets": true)"},
         {baumer, "37h", "0237h", 2, 2, writable, R"("resets": true)"},
         {fraba, "B3h", "02B3h", 2, 2, readable, R"("cams": true)", hasModes},
+        {fraba, "37h", "0237h", 2, 2, "", R"("cams": {"programs": 4, "cyclic": false})", hasModes},
         {fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)", hasModes},
         {fraba, "37h", "0237h", 2, 2, wholePreset, R"("presets": true)", rearming},
         {fraba, "37h", "0237h", 2, 2, flag, noCapability, minusOne},
@@ -98,6 +99,21 @@ TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
         const auto added = catalog.add(description(parts), QStringLiteral("some.json"));
         EXPECT_TRUE(added) << description(parts).toStdString() << added.error().reason.toStdString();
     }
+}
+
+TEST(DescriptionRules, TakeWhatTheCamsHaveWhereItIsTold)
+{
+    const auto camsIn = [](const char *capability) {
+        Catalog catalog;
+        EXPECT_TRUE(catalog.add(description({fraba, "37h", "0237h", 2, 2, "", capability, hasModes}), {}));
+        return catalog.find(u"some")->capabilities.cams;
+    };
+    EXPECT_EQ(camsIn(R"("cams": false)"), std::nullopt);
+    EXPECT_EQ(camsIn(R"("cams": true)"), CamAbilities());
+    EXPECT_EQ(camsIn(R"("cams": {})"), CamAbilities());
+    EXPECT_EQ(camsIn(R"("cams": {"programs": 4, "cams": 8, "cyclic": false, "mode": true, "shift": true,
+                                 "hysteresis": false, "polarity": false})"),
+              (CamAbilities{.programs = 4, .isCyclic = false}));
 }
 
 QByteArray onLine(const char *parameters, const char *capability = noCapability)
@@ -297,6 +313,37 @@ const Broken broken[] = {
     // quirks
     {{baumer, "37h", "0237h", 2, 2, "", noCapability, hasModes}, "quirks.hasModes", "dialect fraba"},
     {{k1, "36h", "0136h", 1, 0, "", noCapability, hasModes}, "quirks.hasModes", "profile K1 cannot do"},
+    {{rod, "33h", "0233h", 2, 2, "", R"("cams": {"programs": 1})"},
+     "capabilities.cams",
+     "profile LA-66 cannot do"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": 8)", hasModes}, "capabilities.cams", "true or false"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"programs": 9})", hasModes},
+     "capabilities.cams.programs",
+     "9 is not between 1 and 8."},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"cams": 0})", hasModes},
+     "capabilities.cams.cams",
+     "0 is not between 1 and 8."},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"polarity": 1})", hasModes},
+     "capabilities.cams.polarity",
+     "true or false"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"inverted": true})", hasModes},
+     "capabilities.cams.inverted",
+     "not known"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"cams": 4})", hasModes},
+     "capabilities.cams.cams",
+     "words for 8 cams"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"shift": false})", hasModes},
+     "capabilities.cams.shift",
+     "beside a part of the position"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"mode": false})", hasModes},
+     "capabilities.cams.mode",
+     "a mode of their own"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"hysteresis": true})", hasModes},
+     "capabilities.cams.hysteresis",
+     "no word for the hysteresis"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": {"polarity": true})", hasModes},
+     "capabilities.cams.polarity",
+     "no word for the polarity"},
     {{fraba, "37h", "0237h", 2, 2, "", R"("cams": true)", noQuirk}, "quirks.hasModes", "Write true."},
     {{fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)", noQuirk}, "quirks.hasModes", "Write true."},
     {{fraba, "37h", "0237h", 2, 2, "", noCapability, rearming},

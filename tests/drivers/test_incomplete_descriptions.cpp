@@ -70,5 +70,15 @@ TEST_F(IncompleteDescription, NoPositionIsSetWhereTheDescriptionSaysThatItCannot
         << "the range of the position is not known";
 }
 
+TEST_F(IncompleteDescription, NoCamProgramIsSentThatTheEncoderLacks)
+{
+    DeviceDescription device = *catalog.find(u"fraba-ocd-ib");
+    device.capabilities.cams->programs = 2;
+    EXPECT_EQ(refusalOf(device, ReadCams{.programs = {1, 2}, .afterwards = {}}), std::nullopt);
+    for (const Job &job : {Job{ReadCams{.programs = {1, 3}, .afterwards = {}}}, Job{SwitchMode{Mode::cam, 3}},
+                           Job{WriteCams{.programs = {{.number = 3}}, .afterwards = {}}}})
+        EXPECT_EQ(refusalOf(device, job), RefusalId::camProgramOutOfRange);
+}
+
 } // namespace
 } // namespace codewheel

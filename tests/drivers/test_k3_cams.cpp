@@ -314,12 +314,16 @@ TEST_F(K3Cams, BadInputIsRefusedAndNothingIsSent)
     const SwitchMode programNine{Mode::cam, 9};
     const Row rows[] = {
         {ReadCams{.programs = {}, .afterwards = {}}, RefusalId::nothingToDo, {}},
-        {ReadCams{.programs = {0}, .afterwards = {}}, RefusalId::camProgramOutOfRange, {std::int64_t{0}}},
-        {ReadCams{.programs = {1, 9}, .afterwards = {}}, RefusalId::camProgramOutOfRange, {std::int64_t{9}}},
+        {ReadCams{.programs = {0}, .afterwards = {}},
+         RefusalId::camProgramOutOfRange,
+         {std::int64_t{0}, std::int64_t{8}}},
+        {ReadCams{.programs = {1, 9}, .afterwards = {}},
+         RefusalId::camProgramOutOfRange,
+         {std::int64_t{9}, std::int64_t{8}}},
         {ReadCams{.programs = {1, 1}, .afterwards = {}}, RefusalId::camProgramGivenTwice, {std::int64_t{1}}},
         {ReadCams{.programs = {1}, .afterwards = programNine},
          RefusalId::camProgramOutOfRange,
-         {std::int64_t{9}}},
+         {std::int64_t{9}, std::int64_t{8}}},
         {WriteCams{.programs = {}, .afterwards = {}}, RefusalId::nothingToDo, {}},
         {WriteCams{.programs = {{}, {}}, .afterwards = {}},
          RefusalId::camProgramGivenTwice,
@@ -333,8 +337,8 @@ TEST_F(K3Cams, BadInputIsRefusedAndNothingIsSent)
         {WriteCams{.programs = {with(0, {}, 26)}, .afterwards = {}},
          RefusalId::camShiftOutOfRange,
          {std::int64_t{26}}},
-        {SwitchMode{Mode::cam, 0}, RefusalId::camProgramOutOfRange, {std::int64_t{0}}},
-        {programNine, RefusalId::camProgramOutOfRange, {std::int64_t{9}}},
+        {SwitchMode{Mode::cam, 0}, RefusalId::camProgramOutOfRange, {std::int64_t{0}, std::int64_t{8}}},
+        {programNine, RefusalId::camProgramOutOfRange, {std::int64_t{9}, std::int64_t{8}}},
     };
     for (const Row &row : rows) {
         const auto begun = m_table.begin(row.job);

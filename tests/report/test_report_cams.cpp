@@ -11,6 +11,7 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 
 const char *const heading = "1.0: FRABA OCD-IB K3, Crane 1, hoist";
 
@@ -68,6 +69,21 @@ TEST(ReportedCams, ActiveCamsAreToldAsBits)
                 Contains(HasSubstr("Cam program 1: active cams 7 to 0 | 00000001 | 00000000")));
 }
 
+TEST(ReportedCams, HysteresisAndPolarityDiffer)
+{
+    ReportInput input = exampleInput();
+    fraba(input).wantedCams = {program(1, {100, 200, true, 3, true})};
+    fraba(input).storedCams = {{program(1, {100, 200, true}), Evidence::read, input.now}};
+    const Report report = reportOf(input);
+    EXPECT_THAT(rowsOf(sectionOf(report, heading)),
+                Contains("0 | 100 to 200, active, hysteresis 3, inverted | 100 to 200, active | differs"));
+    EXPECT_THAT(
+        rowsOf(sectionOf(report, "Deviations")),
+        IsSupersetOf({"1.0 | Crane 1, hoist | Cam program 1: hysteresis of cam 0 | 3 | 0 | read",
+                      "1.0 | Crane 1, hoist | Cam program 1: inverted cams 7 to 0 | 00000001 | 00000000 "
+                      "| read"}));
+}
+
 TEST(ReportedCams, WhatIsUnknownIsSaidToBe)
 {
     ReportInput input = exampleInput();
@@ -106,6 +122,15 @@ TEST(CamBars, ACamThroughZeroHasTwo)
 {
     const CamPicture picture{{}, program(1, {75, 24, false}), 100, {}, {}};
     EXPECT_THAT(camBars(picture), ElementsAre(CamBar{0, 0.0, 0.25, false}, CamBar{0, 0.75, 1.0, false}));
+}
+
+TEST(CamBars, AnInvertedCamIsOnOutside)
+{
+    const auto barsOf = [](const Cam &cam) { return camBars({{}, program(1, cam), 100, {}, {}}); };
+    EXPECT_THAT(barsOf({25, 74, true, 0, true}),
+                ElementsAre(CamBar{0, 0.0, 0.25, true}, CamBar{0, 0.75, 1.0, true}));
+    EXPECT_THAT(barsOf({0, 74, true, 0, true}), ElementsAre(CamBar{0, 0.75, 1.0, true}));
+    EXPECT_THAT(barsOf({75, 24, true, 0, true}), ElementsAre(CamBar{0, 0.25, 0.75, true}));
 }
 
 TEST(CamBars, NothingIsDrawnBesideTheRange)
