@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -162,7 +163,8 @@ void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> progra
 
 void read(CamCall &cams, std::optional<unsigned> program)
 {
-    std::vector<unsigned> programs{1, 2, 3, 4, 5, 6, 7, 8};
+    std::vector<unsigned> programs(cams.encoder.can().cams.value_or(CamAbilities()).programs);
+    std::iota(programs.begin(), programs.end(), 1U);
     if (program)
         programs = {*program};
     const auto read = cams.readPrograms(programs);

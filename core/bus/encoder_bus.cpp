@@ -21,7 +21,7 @@ Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) c
             return can;
     const EncoderSession *its = encoder(place);
     if (its != nullptr && its->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
     return {};
 }
 
@@ -78,7 +78,7 @@ WordChannel *EncoderBus::channelAt(NodeId) const
 
 Refusal notConnected(Place place)
 {
-    return {RefusalKind::link, RefusalId::notConnected, {place.toString()}};
+    return {RefusalKind::link, RefusalId::notConnected, {place.shown()}};
 }
 
 std::vector<Place> devicesWithOut(const EncoderBus &bus)

@@ -282,6 +282,22 @@ TYPED_TEST(EncoderBusContract, EveryMessageTellsItsBus)
     EXPECT_GT(ofBus, before) << "the link is lost";
 }
 
+TYPED_TEST(EncoderBusContract, RefusalsNameTheBusWhereSeveralHaveThePlace)
+{
+    setBusNames({{this->bus().id(), QStringLiteral("Crane")}});
+    this->open(true);
+    ASSERT_TRUE(this->start());
+    const auto again = this->start();
+    const auto named = this->bus().name(TypeParam::place, this->encoder().device().key);
+    setBusNames({});
+    const RefusalArgument place = QStringLiteral("Crane/%1").arg(TypeParam::place.toString());
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().arguments.front(), place);
+    ASSERT_FALSE(named);
+    EXPECT_EQ(named.error().id, RefusalId::jobRunning);
+    EXPECT_EQ(named.error().arguments.front(), place);
+}
+
 TYPED_TEST(EncoderBusContract, ALinkThatDoesNotOpenIsTold)
 {
     std::vector<RefusalId> refused;
