@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -163,10 +162,8 @@ void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> progra
 
 void read(CamCall &cams, std::optional<unsigned> program)
 {
-    std::vector<unsigned> programs(cams.encoder.can().cams.value_or(CamAbilities()).programs);
-    std::iota(programs.begin(), programs.end(), 1U);
-    if (program)
-        programs = {*program};
+    const auto programs =
+        program ? std::vector{*program} : programNumbers(cams.encoder.can().cams.value_or(CamAbilities()));
     const auto read = cams.readPrograms(programs);
     if (!read) {
         cams.answer.complaint = read.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/consent.h"
+#include "cli/json.h"
 #include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -152,9 +153,7 @@ QJsonObject toJson(const StoredMessage &message)
              QDateTime::fromMSecsSinceEpoch(message.at, Qt::UTC).toString(Qt::ISODateWithMs)},
             {QStringLiteral("severity"), severityKey(message.severity)},
             {QStringLiteral("bus"), message.place ? QJsonValue(message.place->bus.number) : QJsonValue()},
-            {QStringLiteral("place"), message.place && !message.place->isEmpty()
-                                          ? QJsonValue(message.place->toString())
-                                          : QJsonValue()},
+            {QStringLiteral("place"), textJson(placeText(message.place))},
             {QStringLiteral("code"), message.code},
             {QStringLiteral("arguments"), parsed(message.arguments).array()},
             {QStringLiteral("refusal"),

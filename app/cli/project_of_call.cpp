@@ -100,10 +100,7 @@ void BusNames::tell(const Call &call)
     std::vector<NamedBus> buses;
     for (const BusAccess *bus : call.links)
         buses.push_back({bus->bus().id(), bus->kind(), bus->name()});
-    std::map<BusId, QString> names;
-    for (const NamedBus &bus : buses)
-        names[bus.id] = bus.name;
-    setBusNames(namesOfSeveral(buses), std::move(names));
+    setBusNames(namesOfSeveral(buses), namesOf(buses));
 }
 
 void BusNames::tellApart(const Call &call, const std::set<Place> &places)
@@ -117,12 +114,9 @@ void BusNames::tellApart(const Call &call, const std::set<Place> &places)
             bus.kind = formOf(place.node);
     }
     std::vector<NamedBus> named;
-    std::map<BusId, QString> names;
-    for (const auto &[id, bus] : buses) {
+    for (const auto &[id, bus] : buses)
         named.push_back(bus);
-        names[id] = bus.name;
-    }
-    setBusNames(namesOfSeveral(named), buses.size() > 1 ? names : std::map<BusId, QString>());
+    setBusNames(namesOfSeveral(named), named.size() > 1 ? namesOf(named) : std::map<BusId, QString>());
 }
 
 } // namespace codewheel

@@ -9,6 +9,8 @@
 
 #include <QPointer>
 
+#include <array>
+
 namespace codewheel {
 
 class ComparisonPage;
@@ -22,17 +24,15 @@ class LineTerminal;
 class LineTrainingPanel;
 class LineAtWork;
 struct LineSettings;
-struct Message;
-struct LinePlan;
 
-// The views of a serial line in the window: terminal and panel, which stand in docks, and the pages to
-// connect it and to search for encoders; and the actions that open them.
 inline constexpr Panel terminalPanel{"terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
                                      Qt::ALT | Qt::Key_0, Panel::Behind::messages};
 inline constexpr Panel linePanel{"lineDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Serial line"),
                                  Qt::ALT | Qt::SHIFT | Qt::Key_L, Panel::Behind::state};
 inline constexpr std::array linePanels{&terminalPanel, &linePanel};
 
+// The views of a serial line in the window: terminal and panel, which stand in docks, and the pages to
+// connect it and to search for encoders; and the actions that open them.
 class LineViews final : public BusViews
 {
     Q_OBJECT

@@ -133,14 +133,14 @@ void Plant::followProject()
 void Plant::nameBuses()
 {
     const Project &project = m_surroundings.project.project();
-    std::vector<NamedBus> buses;
-    for (const auto &bus : m_buses)
+    std::vector<NamedBus> all;
+    std::vector<NamedBus> withPlaces;
+    for (const auto &bus : m_buses) {
+        all.push_back({bus->id(), bus->kind(), nameOf(bus->id())});
         if (bus->isOpen() || !devicesOn(project, bus->id()).empty())
-            buses.push_back({bus->id(), bus->kind(), nameOf(bus->id())});
-    std::map<BusId, QString> all;
-    for (const auto &bus : m_buses)
-        all[bus->id()] = nameOf(bus->id());
-    std::pair names(namesOfSeveral(buses), std::move(all));
+            withPlaces.push_back(all.back());
+    }
+    std::pair names(namesOfSeveral(withPlaces), namesOf(all));
     if (std::exchange(m_names, names) == names)
         return;
     setBusNames(std::move(names.first), std::move(names.second));

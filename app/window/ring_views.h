@@ -4,6 +4,8 @@
 #include "app/window/bus_views.h"
 #include "app/window/ring_status.h"
 
+#include <array>
+
 namespace codewheel {
 
 class LedRow;
@@ -15,11 +17,11 @@ class RingConnection;
 class RingPlanFields;
 class TrainingPanel;
 
-// The views of a ring in the window: its master, its training panel, and the comparison with the project.
 inline constexpr Panel masterPanel{"masterDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Master"),
                                    Qt::ALT | Qt::Key_9, Panel::Behind::state};
 inline constexpr std::array ringPanels{&masterPanel};
 
+// The views of a ring in the window: its master, its training panel, and the comparison with the project.
 class RingViews final : public BusViews
 {
     Q_OBJECT

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/check_cams.h"
 
+#include <numeric>
+
 namespace codewheel {
+
+std::vector<unsigned> programNumbers(const CamAbilities &abilities)
+{
+    std::vector<unsigned> numbers(abilities.programs);
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    return numbers;
+}
 
 Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities)
 {

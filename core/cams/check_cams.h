@@ -5,10 +5,15 @@
 #include "encoder/refusal.h"
 #include "words/k3_word.h"
 
+#include <vector>
+
 namespace codewheel {
 
 // The largest position 25 bits hold: the limit where the total range is not known.
 inline constexpr std::int64_t largestCamPosition = k3::largestTotalRange - 1;
+
+// Of all programs: 1 and up.
+std::vector<unsigned> programNumbers(const CamAbilities &abilities);
 
 // Whether there is such a program (camProgramOutOfRange).
 Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities = {});

@@ -14,6 +14,14 @@ std::map<BusId, QString> namesOfSeveral(const std::vector<NamedBus> &buses)
     return names;
 }
 
+std::map<BusId, QString> namesOf(const std::vector<NamedBus> &buses)
+{
+    std::map<BusId, QString> names;
+    for (const NamedBus &bus : buses)
+        names[bus.id] = bus.name;
+    return names;
+}
+
 QString shownPlace(Place place, const std::map<BusId, QString> &names)
 {
     const auto name = names.find(place.bus);

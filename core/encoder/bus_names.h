@@ -17,6 +17,8 @@ struct NamedBus
 // The names that tell the same places of several buses apart: of all whose kind is there more than once.
 std::map<BusId, QString> namesOfSeveral(const std::vector<NamedBus> &buses);
 
+std::map<BusId, QString> namesOf(const std::vector<NamedBus> &buses);
+
 // "1.0", or "Crane 2/1.0" where the bus has a name here.
 QString shownPlace(Place place, const std::map<BusId, QString> &names);
 

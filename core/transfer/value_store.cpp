@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/value_store.h"
 
+#include "cams/check_cams.h"
 #include "catalog/device_description.h"
 #include "drivers/values_to_write.h"
 #include "transfer/last_positions.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -39,12 +39,9 @@ EncoderJobs jobsToStore(const EncoderSession &encoder, bool withCams)
         std::erase(read.parameters, Parameter::temperature); // not every encoder has one
         jobs.jobs.emplace_back(std::move(read));
     }
-    if (const auto &cams = encoder.can().cams; withCams && cams) {
-        ReadCams read{.programs = std::vector<unsigned>(cams->programs),
-                      .afterwards = modeOf(encoder.latest())};
-        std::iota(read.programs.begin(), read.programs.end(), 1U);
-        jobs.jobs.emplace_back(std::move(read));
-    }
+    if (const auto &cams = encoder.can().cams; withCams && cams)
+        jobs.jobs.emplace_back(
+            ReadCams{.programs = programNumbers(*cams), .afterwards = modeOf(encoder.latest())});
     return jobs;
 }
 

@@ -122,18 +122,14 @@ std::int64_t milliseconds(const Message &message)
     return std::chrono::duration_cast<std::chrono::milliseconds>(message.at).count();
 }
 
-bool isOfBus(const Message &message)
-{
-    return message.place->isEmpty();
-}
-
 QString messageLines(const std::vector<Message> &messages)
 {
     using enum TextTable::Align;
     TextTable table({right, left, left});
     for (const Message &message : messages)
         table.add({CommandLine::tr("%1 ms").arg(milliseconds(message)),
-                   isOfBus(message) ? QStringLiteral("-") : message.place->toString(), messageText(message)});
+                   message.place->isEmpty() ? QStringLiteral("-") : message.place->toString(),
+                   messageText(message)});
     return table.toString();
 }
 
@@ -145,8 +141,7 @@ QJsonArray messagesJson(const std::vector<Message> &messages)
             errorJson({.key = messageKey(message.id), .text = {}, .arguments = message.arguments});
         rows.append(QJsonObject{{QStringLiteral("milliseconds"), static_cast<qint64>(milliseconds(message))},
                                 {QStringLiteral("bus"), message.place->bus.number},
-                                {QStringLiteral("place"),
-                                 isOfBus(message) ? QJsonValue() : QJsonValue(message.place->toString())},
+                                {QStringLiteral("place"), textJson(message.place->toString())},
                                 {QStringLiteral("key"), what[QStringLiteral("key")]},
                                 {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
     }
