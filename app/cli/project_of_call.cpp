@@ -114,6 +114,7 @@ void BusNames::tellApart(const Call &call, const std::set<Place> &places)
             bus.kind = formOf(place.node);
     }
     std::vector<NamedBus> named;
+    named.reserve(buses.size());
     for (const auto &[id, bus] : buses)
         named.push_back(bus);
     setBusNames(namesOfSeveral(named), named.size() > 1 ? namesOf(named) : std::map<BusId, QString>());
