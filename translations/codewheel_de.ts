@@ -760,10 +760,6 @@
         <translation>Der Bus läuft nicht.</translation>
     </message>
     <message>
-        <source>The device is not in the ring.</source>
-        <translation>Das Gerät ist nicht im Ring.</translation>
-    </message>
-    <message>
         <source>The encoder does not answer.</source>
         <translation>Der Geber antwortet nicht.</translation>
     </message>
@@ -774,6 +770,10 @@
     <message>
         <source>The computer slept since.</source>
         <translation>Der Rechner hat inzwischen geschlafen.</translation>
+    </message>
+    <message>
+        <source>The device is not on the bus.</source>
+        <translation>Das Gerät ist nicht am Bus.</translation>
     </message>
 </context>
 <context>
@@ -2744,6 +2744,10 @@
     <message>
         <source>There is no cam %1. Choose a cam from 0 to %2.</source>
         <translation>Es gibt keinen Nocken %1. Einen Nocken von 0 bis %2 wählen.</translation>
+    </message>
+    <message>
+        <source>The shift cannot be %1: this encoder does not shift its position. Set it to 0.</source>
+        <translation>Die Verschiebung kann nicht %1 sein: Dieser Geber verschiebt seine Position nicht. Auf 0 setzen.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6376,14 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>The bus &quot;%1&quot; differs from the project. See codewheel-cli compare.</source>
         <translation>Der Bus &quot;%1&quot; weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
+    </message>
+    <message>
+        <source>%1 has nothing stored of its encoders: there is nothing to write.</source>
+        <translation>%1 hat von seinen Gebern nichts gespeichert: Es gibt nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 wants nothing of its encoders: there is nothing to write.</source>
+        <translation>%1 will von seinen Gebern nichts: Es gibt nichts zu schreiben.</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,9 @@
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
 #include "cli/jobs.h"
+#include "cli/texts.h"
 #include "cli/transfer_call.h"
+#include "encoder/sentence.h"
 #include "transfer/project_places.h"
 
 #include <array>
@@ -44,6 +46,16 @@ Checked<Answer> runTransfer(const Call &call)
         const bool isEmpty = wish.values.empty() && wish.cams.empty();
         if (!all || !isEmpty)
             wishes.push_back(std::move(wish));
+    }
+    if (wishes.empty() && !call.arguments.has("--json")) {
+        const bool isStored = call.arguments.has("--stored");
+        call.terminal.print(
+            sentence(
+                isStored
+                    ? CommandLine::tr("%1 has nothing stored of its encoders: there is nothing to write.")
+                    : CommandLine::tr("%1 wants nothing of its encoders: there is nothing to write."),
+                {file}) +
+            u'\n');
     }
     return plan(call, wishes).map([&](const TransferPlan &planned) {
         return transfer(call, TransferKind::write, file, planned);

@@ -163,17 +163,19 @@ void MainWindow::chooseBus(BusId bus)
     showBusState();
 }
 
-// Pages and panels of a kind of which there are several buses have the name of theirs.
+// The tree, pages and panels of a kind of which there are several buses have the name of theirs.
 void MainWindow::tellWhose()
 {
+    if (m_structure != nullptr)
+        m_structure->showTitles();
     QString ofPage;
     for (const auto &[bus, views] : m_views) {
         if (views->owns(m_pages->currentWidget()))
-            ofPage = m_plant->nameAmongOthers(bus);
+            ofPage = nameAmongOthers(bus);
         const bool isCurrent = bus == m_currentOf.value(m_plant->find(bus)->kind());
         for (const auto &[panel, page] : views->pages())
             if (panel == &panel::training ? bus == m_chosenBus : isCurrent)
-                m_panels.tellWhose(*panel, m_plant->nameAmongOthers(bus));
+                m_panels.tellWhose(*panel, nameAmongOthers(bus));
     }
     m_whosePage->setText(ofPage);
     m_whosePage->setVisible(!ofPage.isEmpty());

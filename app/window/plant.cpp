@@ -40,12 +40,6 @@ QString Plant::nameOf(BusId bus) const
     return its != nullptr ? busKind(its->kind())->usualName() : QString();
 }
 
-QString Plant::nameAmongOthers(BusId bus) const
-{
-    const auto found = m_names.first.find(bus);
-    return found == m_names.first.end() ? QString() : found->second;
-}
-
 BusAtWork *Plant::find(BusId bus) const
 {
     const auto found = std::ranges::find(m_buses, bus, [](const auto &its) { return its->id(); });
@@ -137,7 +131,7 @@ void Plant::nameBuses()
     std::vector<NamedBus> withPlaces;
     for (const auto &bus : m_buses) {
         all.push_back({bus->id(), bus->kind(), nameOf(bus->id())});
-        if (bus->isOpen() || !devicesOn(project, bus->id()).empty())
+        if (bus->isOpen() || findBus(project, bus->id()) != nullptr)
             withPlaces.push_back(all.back());
     }
     std::pair names(namesOfSeveral(withPlaces), namesOf(all));

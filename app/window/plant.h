@@ -23,8 +23,6 @@ public:
     std::vector<BusAtWork *> all() const; // by number
     QString nameOf(BusId bus) const;      // as the project calls it, or as its kind is called
     BusAtWork *find(BusId bus) const;     // null: there is none
-    // By which it is told apart; empty: there is no other of its kind.
-    QString nameAmongOthers(BusId bus) const;
     // Their sessions, whichever they have.
     Buses &buses() { return m_sessions; }
     const LastPositions &positions() const { return m_positions; }

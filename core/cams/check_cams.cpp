@@ -42,7 +42,9 @@ Result<void> check(const CamProgram &program, const CamAbilities &abilities, std
 {
     if (auto checked = checkCamProgramNumber(program.number, abilities); !checked)
         return checked;
-    if (program.shift > (abilities.hasShift ? CamProgram::largestShift : 0))
+    if (program.shift > 0 && !abilities.hasShift)
+        return refuse(RefusalKind::badInput, RefusalId::camHasNoShift, {std::int64_t{program.shift}});
+    if (program.shift > CamProgram::largestShift)
         return refuse(RefusalKind::badInput, RefusalId::camShiftOutOfRange, {std::int64_t{program.shift}});
     for (std::size_t n = 0; n < CamProgram::cams; ++n)
         if (auto checked = check(program.cam[n], n, abilities, largestPosition); !checked)

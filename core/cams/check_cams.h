@@ -19,8 +19,8 @@ std::vector<unsigned> programNumbers(const CamAbilities &abilities);
 Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities = {});
 
 // Whether an encoder with such cams and positions 0..largestPosition can take the program or the cam, active
-// or not (camProgramOutOfRange, camShiftOutOfRange, camOutOfRange, camPositionTooLarge, camThroughZero,
-// camHasMore).
+// or not (camProgramOutOfRange, camShiftOutOfRange, camHasNoShift, camOutOfRange, camPositionTooLarge,
+// camThroughZero, camHasMore).
 Result<void> check(const CamProgram &program, const CamAbilities &abilities,
                    std::int64_t largestPosition = largestCamPosition);
 Result<void> check(const Cam &cam, std::size_t number, const CamAbilities &abilities,

@@ -13,8 +13,8 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
         return Reason::disconnected;
     if (!bus.isLinkThere)
         return Reason::linkLost;
-    if (!bus.isInRing)
-        return Reason::notInRing;
+    if (!bus.isOnBus)
+        return Reason::notOnBus;
     if (!bus.isRunning)
         return Reason::stopped;
     if (seen < bus.awakeSince)

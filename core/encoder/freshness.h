@@ -22,7 +22,7 @@ public:
         disconnected, // by the user
         linkLost,     // the port is gone
         stopped,      // the bus does not run, or positions are not polled: ALARM STOP, a fault, by the user
-        notInRing,    // the segment is off, or behind a fault
+        notOnBus,     // the segment is off, or behind a fault
         silent,       // it does not answer
         notAsked,     // not for `lateAfter`: something else keeps the line busy
         slept,        // the computer slept since
@@ -34,7 +34,7 @@ public:
         bool isConnected = false;
         bool isLinkThere = true;
         bool isRunning = false;
-        bool isInRing = true;
+        bool isOnBus = true;
         Instant awakeSince{}; // what was shown before does not count: the computer slept until then
         Instant now{};
     };

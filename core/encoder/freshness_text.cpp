@@ -47,8 +47,8 @@ QString freshnessText(Freshness::Reason reason)
         return FreshnessText::tr("The port is gone.");
     case Freshness::Reason::stopped:
         return FreshnessText::tr("The bus does not run.");
-    case Freshness::Reason::notInRing:
-        return FreshnessText::tr("The device is not in the ring.");
+    case Freshness::Reason::notOnBus:
+        return FreshnessText::tr("The device is not on the bus.");
     case Freshness::Reason::silent:
         return FreshnessText::tr("The encoder does not answer.");
     case Freshness::Reason::notAsked:

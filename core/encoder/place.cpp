@@ -82,4 +82,10 @@ void setBusNames(std::map<BusId, QString> ofPlaces, std::map<BusId, QString> ofB
     busNames() = {std::move(ofPlaces), std::move(ofBuses)};
 }
 
+QString nameAmongOthers(BusId bus)
+{
+    const auto name = busNames().ofPlaces.find(bus);
+    return name == busNames().ofPlaces.end() ? QString() : name->second;
+}
+
 } // namespace codewheel

@@ -87,5 +87,7 @@ struct Place
 // The names of the buses that may have the same places as others, and of those that are told by name when
 // they are meant themselves. By the thread of the window or of the command line, as shown().
 void setBusNames(std::map<BusId, QString> ofPlaces, std::map<BusId, QString> ofBuses = {});
+// The name of a bus that may have the same places as another; empty: no other has them.
+QString nameAmongOthers(BusId bus);
 
 } // namespace codewheel

@@ -41,6 +41,7 @@ enum class RefusalId : std::uint8_t {
     camOutOfRange,         // cam
     camPositionTooLarge,   // cam, position, largest
     camShiftOutOfRange,    // shift
+    camHasNoShift,         // shift
     camThroughZero,        // cam
     camHasMore,            // cam
     camProgramGivenTwice,  // program

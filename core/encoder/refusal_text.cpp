@@ -63,6 +63,9 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
     RefusalRow{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
                QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
+    RefusalRow{RefusalId::camHasNoShift, "camHasNoShift",
+               QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1: this encoder does not shift its "
+                                            "position. Set it to 0.")},
     RefusalRow{RefusalId::camThroughZero, "camThroughZero",
                QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot go through zero: the positions of this encoder do "
                                             "not lie in a circle. Give a stop that is not below the start.")},

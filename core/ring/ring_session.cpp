@@ -181,7 +181,7 @@ void RingSession::showDevice(std::size_t place)
     const Freshness::Circumstances circumstances{.isConnected = isOpen(),
                                                  .isLinkThere = shown->connected,
                                                  .isRunning = isRunning(),
-                                                 .isInRing = device.inRing,
+                                                 .isOnBus = device.inRing,
                                                  .awakeSince = shown->awakeSince,
                                                  .now = shown->at};
     const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;

@@ -71,8 +71,7 @@ TEST(CheckCams, NamesWhatAnEncoderHasNot)
 {
     EXPECT_EQ(check({.number = 2}, rodCams).error(),
               badInput(RefusalId::camProgramOutOfRange, {std::int64_t{2}, std::int64_t{1}}));
-    EXPECT_EQ(check({.shift = 1}, rodCams).error(),
-              badInput(RefusalId::camShiftOutOfRange, {std::int64_t{1}}));
+    EXPECT_EQ(check({.shift = 1}, rodCams).error(), badInput(RefusalId::camHasNoShift, {std::int64_t{1}}));
     CamProgram program;
     program.cam[4] = {0, 10, false};
     EXPECT_EQ(check(program, rodCams).error(),

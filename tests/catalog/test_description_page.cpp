@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "tests/support/breakage.h"
 
 #include <QFile>
 
@@ -9,19 +10,17 @@ namespace codewheel {
 namespace {
 
 // The names the reader knows, as it tells them when it meets an unknown one in the place of `from`.
-QStringList namesKnownInPlaceOf(const QByteArray &from, const QByteArray &to)
+QStringList namesKnownInPlaceOf(const char *from, const char *to)
 {
     QFile file(QStringLiteral(CODEWHEEL_ROOT "/resources/devices/tr-la66.json"));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-    QByteArray json = file.readAll();
-    const auto at = json.indexOf(from);
-    EXPECT_GE(at, 0) << from.toStdString();
-    json.replace(at, from.size(), to);
+    const QByteArray json = brokenBy({.from = from, .to = to, .line = 0, .key = "", .reason = ""},
+                                     file.readAll(), Occurs::firstOfSeveral);
     const auto added = Catalog().add(json, QString());
     EXPECT_FALSE(added);
     const QString intro = QStringLiteral("Known are: ");
     const QString reason = added ? QString() : added.error().reason;
-    EXPECT_TRUE(reason.contains(intro)) << from.toStdString() << ": " << reason.toStdString();
+    EXPECT_TRUE(reason.contains(intro)) << from << ": " << reason.toStdString();
     QStringList names = reason.mid(reason.indexOf(intro) + intro.size()).split(QStringLiteral(", "));
     names.last().chop(1); // the full stop
     return names;

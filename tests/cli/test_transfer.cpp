@@ -47,6 +47,20 @@ protected:
     Project project;
 };
 
+TEST_F(CliTransfer, AProjectThatWantsNothingIsSaidSo)
+{
+    for (ProjectDevice &device : project.devices)
+        device.wanted.clear();
+    save();
+    const CliRun wanted = runIt("transfer @ --dry-run");
+    EXPECT_EQ(wanted.exit, 0) << wanted.err;
+    EXPECT_EQ(wanted.out,
+              file.toStdString() + " wants nothing of its encoders: there is nothing to write.\n");
+    EXPECT_EQ(runIt("transfer @ --stored --dry-run").out,
+              file.toStdString() + " has nothing stored of its encoders: there is nothing to write.\n");
+    EXPECT_EQ(runIt("transfer @ --dry-run --json").json()[u"plan"].toArray(), QJsonArray());
+}
+
 TEST_F(CliTransfer, ADryRunShowsTheDifferenceAndSendsNothing)
 {
     const CliRun run = runIt("transfer @ --dry-run");

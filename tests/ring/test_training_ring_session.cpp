@@ -121,7 +121,7 @@ TEST_F(TrainingBusSession, WhatIsBehindASwitchedOffSegmentIsOld)
     const Place behind = m_bus.places().back();
     m_bus.switchSegment(DeviceNumber::of(behind.node).segment, false);
     m_bus.advance(10);
-    EXPECT_EQ(m_bus.channel(behind)->freshness().reason(), Freshness::Reason::notInRing);
+    EXPECT_EQ(m_bus.channel(behind)->freshness().reason(), Freshness::Reason::notOnBus);
     EXPECT_TRUE(encoder().freshness().isLive());
 }
 

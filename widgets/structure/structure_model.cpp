@@ -24,6 +24,11 @@ bool isFlat(const std::vector<BusNode> &nodes)
     return std::ranges::none_of(nodes, [](const BusNode &node) { return node.parent.has_value(); });
 }
 
+QString titleOf(const BusBranch &branch)
+{
+    return calledText(nameAmongOthers(branch.bus), branch.outline().title());
+}
+
 } // namespace
 
 StructureModel::StructureModel(QObject *parent)
@@ -113,6 +118,7 @@ std::vector<BusBranch> StructureModel::branches()
     std::ranges::sort(all, {}, &BusBranch::bus);
     for (BusBranch &branch : all) {
         branch.id = ++m_lastId;
+        branch.title = titleOf(branch);
         branch.state = branch.outline().state();
         branch.mode = branch.modeNow();
         const std::vector<BusNode> nodes = branch.outline().nodes();
@@ -127,27 +133,8 @@ void StructureModel::show(std::vector<BusBranch> branches)
 {
     beginResetModel();
     m_branches = std::move(branches);
-    giveTitles();
     noteWhere();
     endResetModel();
-}
-
-// Several of a kind, and two that look the same, are told apart by the names that the project gives them.
-void StructureModel::giveTitles()
-{
-    for (BusBranch &branch : m_branches) {
-        const QString title = branch.outline().title();
-        branch.title = title;
-        const PlannedBus *planned =
-            m_project != nullptr ? findBus(m_project->project(), branch.bus) : nullptr;
-        if (planned == nullptr)
-            continue;
-        const auto same = std::ranges::count_if(
-            m_branches, [&](const BusBranch &other) { return other.outline().title() == title; });
-        const auto ofKind = std::ranges::count(m_project->project().buses, planned->kind, &PlannedBus::kind);
-        if (same > 1 || ofKind > 1)
-            branch.title = calledText(planned->name, title);
-    }
 }
 
 void StructureModel::noteWhere()
@@ -179,12 +166,15 @@ void StructureModel::followProject()
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
         m_branches[i].planned = now[i].planned;
-        now[i].title = m_branches[i].title; // before
         showNames(m_branches[i], m_branches[i].outline().nodes());
     }
-    giveTitles();
-    for (std::size_t i = 0; i < now.size(); ++i)
-        if (const BusBranch &branch = m_branches[i]; branch.title != now[i].title)
+    showTitles();
+}
+
+void StructureModel::showTitles()
+{
+    for (BusBranch &branch : m_branches)
+        if (std::exchange(branch.title, titleOf(branch)) != branch.title)
             Q_EMIT dataChanged(indexOf(branch, deviceColumn), indexOf(branch, deviceColumn));
 }
 

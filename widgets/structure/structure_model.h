@@ -38,6 +38,9 @@ public:
     // Both must outlive the model.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
 
+    // Buses are told apart by other names than before (nameAmongOthers()).
+    void showTitles();
+
     std::optional<Place> placeAt(const QModelIndex &index) const; // nothing for the row of a bus
     std::optional<BusId> busAt(const QModelIndex &index) const;   // nothing for the row of a device
     QModelIndex indexOf(Place place) const;
@@ -69,7 +72,6 @@ private:
     void show(std::vector<BusBranch> branches);
     std::vector<BusBranch> branches();
     bool isShown(const PlannedBus &bus) const;
-    void giveTitles();
     void noteWhere();
     void followProject();
     void followBus(EncoderBus &bus);

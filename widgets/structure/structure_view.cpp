@@ -156,6 +156,11 @@ void StructureView::changeEvent(QEvent *event)
         m_measuring.start();
 }
 
+void StructureView::showTitles()
+{
+    m_model->showTitles();
+}
+
 void StructureView::addBus(EncoderBus &bus)
 {
     const auto before = current();

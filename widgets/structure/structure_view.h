@@ -34,6 +34,7 @@ public:
     void removeBus(BusId bus); // what the project plans for it is shown instead
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
+    void showTitles(); // buses are told apart by other names than before
     std::optional<Place> current() const;
     std::optional<BusId> currentBus() const; // the row of the bus itself
     void choose(Place place);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/breakage.h"
 #include "tests/support/old_file.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 
@@ -105,24 +106,17 @@ TEST_F(CamEditorFiles, ABrokenFileIsRefusedWithLineAndReasonAndNothingIsLost)
     QFile good(path("cams.json"));
     ASSERT_TRUE(good.open(QIODevice::ReadOnly));
     const QByteArray json = good.readAll();
-    struct Fault
-    {
-        const char *of;
-        const char *by;
-        const char *said;
-    };
-    for (const Fault &fault : {Fault{"\"shift\": 0", "\"shift\": 26", "shift"},
-                               Fault{"\"program\": 8", "\"program\": 9", "program"},
-                               Fault{"\"program\": 1", "\"program\": 0", "program"},
-                               Fault{"\"stop\": 531", "\"stop\": 33554432", "stop"},
-                               Fault{"\"cam\": 7", "\"cam\": 8", "cam"}, Fault{"[", "", "line"}}) {
-        QByteArray broken = json;
-        const auto at = broken.indexOf(fault.of);
-        ASSERT_GE(at, 0) << fault.of;
-        broken.replace(at, QByteArrayView(fault.of).size(), fault.by);
-        EXPECT_FALSE(editor.load(keep("broken.json", broken))) << fault.by;
-        EXPECT_TRUE(message().contains(QStringLiteral("broken.json, line "))) << message().toStdString();
-        EXPECT_TRUE(message().contains(QLatin1String(fault.said))) << message().toStdString();
+    for (const Breakage &breakage :
+         {Breakage{R"("shift": 0)", R"("shift": 26)", 8, "programs[0].shift", "26 is not between 0 and 25"},
+          Breakage{R"("program": 8)", R"("program": 9)", 105, "programs[7].program", "between 1 and 8"},
+          Breakage{R"("program": 1)", R"("program": 0)", 7, "programs[0].program", "between 1 and 8"},
+          Breakage{R"("stop": 531)", R"("stop": 33554432)", 13, "cams[3].stop", "between 0 and 33554431"},
+          Breakage{R"("cam": 7)", R"("cam": 8)", 17, "cams[7].cam", "between 0 and 7"},
+          Breakage{"[", "", 20, "", ""}}) {
+        EXPECT_FALSE(editor.load(keep("broken.json", brokenBy(breakage, json, Occurs::firstOfSeveral))));
+        for (const QString &said : {QStringLiteral("broken.json, line %1").arg(breakage.line),
+                                    QString::fromLatin1(breakage.key), QString::fromLatin1(breakage.reason)})
+            EXPECT_TRUE(message().contains(said)) << said.toStdString() << " | " << message().toStdString();
         EXPECT_EQ(program(1), before);
     }
 }
