@@ -10036,36 +10036,20 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Kein Monitor ist offen</translation>
     </message>
     <message>
-        <source>A monitor shows one word of one device, and lets you set the bits of an OUT word. Use Add monitor, or the menu of a device in the bus structure.</source>
-        <translation>Ein Monitor zeigt ein Wort eines Geräts; in einem OUT-Wort lassen sich die Bits setzen. &quot;Neuer Monitor&quot; oder das Menü eines Geräts im Busaufbau öffnet einen.</translation>
-    </message>
-    <message>
-        <source>Add &amp;monitor</source>
-        <translation>Neuer &amp;Monitor</translation>
-    </message>
-    <message>
-        <source>Add monitor</source>
-        <translation>Neuer Monitor</translation>
-    </message>
-    <message>
-        <source>Open another word of a device</source>
-        <translation>Ein weiteres Wort eines Geräts öffnen</translation>
-    </message>
-    <message>
-        <source>There is no device on the bus</source>
-        <translation>Am Bus ist kein Gerät</translation>
-    </message>
-    <message>
-        <source>%1 has no word %2 to show. Choose another device or word.</source>
-        <translation>%1 hat kein Wort %2. Ein anderes Gerät oder Wort wählen.</translation>
-    </message>
-    <message>
         <source>%1 has no words to show: it takes no part in the process data.</source>
         <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
     </message>
     <message>
         <source>%1 has no words: its position stands in the panels, what passes on its bus in the terminal.</source>
         <translation>%1 hat keine Wörter: seine Position steht in den Feldern, was über seinen Bus geht, im Terminal.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected: its words are shown once it is.</source>
+        <translation>%1 ist nicht verbunden: Seine Worte werden gezeigt, sobald es verbunden ist.</translation>
+    </message>
+    <message>
+        <source>A monitor shows the words of a device, and lets you set the bits of its OUT word. Choose a device in the bus structure.</source>
+        <translation>Ein Monitor zeigt die Worte eines Geräts und setzt die Bits seines OUT-Worts. Ein Gerät im Busaufbau wählen.</translation>
     </message>
 </context>
 <context>
@@ -10129,17 +10113,9 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::NumberFields</name>
     <message>
-        <source>Hexadecimal</source>
-        <translation>Hexadezimal</translation>
-    </message>
-    <message>
         <source>%1 hexadecimal</source>
         <comment>OUT 1.0 hexadecimal</comment>
         <translation>%1 hexadezimal</translation>
-    </message>
-    <message>
-        <source>Decimal</source>
-        <translation>Dezimal</translation>
     </message>
     <message>
         <source>%1 decimal</source>
@@ -14367,30 +14343,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Gerät</translation>
     </message>
     <message>
-        <source>Monitor &amp;IN 32</source>
-        <translation>Monitor &amp;IN 32</translation>
-    </message>
-    <message>
-        <source>Opens a monitor of the 32-bit IN word</source>
-        <translation>Öffnet einen Monitor des 32-Bit-Wortes IN</translation>
-    </message>
-    <message>
-        <source>Monitor &amp;OUT 32</source>
-        <translation>Monitor &amp;OUT 32</translation>
-    </message>
-    <message>
-        <source>Opens a monitor of the 32-bit OUT word</source>
-        <translation>Öffnet einen Monitor des 32-Bit-Wortes OUT</translation>
-    </message>
-    <message>
-        <source>Monitor IN &amp;16</source>
-        <translation>Monitor IN &amp;16</translation>
-    </message>
-    <message>
-        <source>Opens a monitor of a 16-bit IN word</source>
-        <translation>Öffnet einen Monitor eines 16-Bit-Wortes IN</translation>
-    </message>
-    <message>
         <source>Parameter &amp;wizard</source>
         <translation>&amp;Parametrier-Assistent</translation>
     </message>
@@ -14674,6 +14626,22 @@ Worte: IN %3, OUT %4</translation>
         <source>At once: %1</source>
         <translation>Sofort: %1</translation>
     </message>
+    <message>
+        <source>M&amp;onitor</source>
+        <translation>M&amp;onitor</translation>
+    </message>
+    <message>
+        <source>Shows the words of the chosen device</source>
+        <translation>Zeigt die Worte des gewählten Geräts</translation>
+    </message>
+    <message>
+        <source>&amp;Pin monitor</source>
+        <translation>Monitor an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Keeps the monitor of the chosen device when another one is chosen</source>
+        <translation>Behält den Monitor des gewählten Geräts, wenn ein anderes gewählt wird</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -14683,42 +14651,47 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::WordMonitor</name>
+    <name>codewheel::WordCard</name>
     <message>
         <source>Monitor %1</source>
-        <comment>Monitor OUT 1.0</comment>
+        <comment>Monitor 1.0</comment>
         <translation>Monitor %1</translation>
     </message>
     <message>
-        <source>%1 half</source>
-        <comment>IN 1.0 half</comment>
-        <translation>Hälfte von %1</translation>
+        <source>Pin monitor %1</source>
+        <comment>Pin monitor 1.0</comment>
+        <translation>Monitor %1 anheften</translation>
     </message>
     <message>
-        <source>Which half of the 32 bits is shown</source>
-        <translation>Welche Hälfte der 32 Bits zu sehen ist</translation>
+        <source>Keep this monitor when another device is chosen</source>
+        <translation>Diesen Monitor behalten, wenn ein anderes Gerät gewählt wird</translation>
+    </message>
+    <message>
+        <source>Show of %1</source>
+        <comment>Show of 1.0</comment>
+        <translation>Anzeige von %1</translation>
+    </message>
+    <message>
+        <source>Choose what all monitors show</source>
+        <translation>Wählen, was alle Monitore zeigen</translation>
     </message>
     <message>
         <source>Show</source>
         <translation>Anzeige</translation>
     </message>
     <message>
-        <source>Show of %1</source>
-        <comment>Show of OUT 1.0</comment>
-        <translation>Anzeige von %1</translation>
-    </message>
-    <message>
-        <source>Choose what this kind of monitor shows</source>
-        <translation>Wählen, was Monitore dieser Art zeigen</translation>
-    </message>
-    <message>
         <source>Close monitor %1</source>
-        <comment>Close monitor OUT 1.0</comment>
+        <comment>Close monitor 1.0</comment>
         <translation>Monitor %1 schließen</translation>
     </message>
     <message>
         <source>Close this monitor</source>
         <translation>Diesen Monitor schließen</translation>
+    </message>
+    <message>
+        <source>%1 has no OUT word: nothing can be sent to it.</source>
+        <comment>1.0</comment>
+        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
     </message>
     <message>
         <source>Copy as hexadecimal</source>
@@ -14729,15 +14702,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Als zwei SPS-Worte kopieren</translation>
     </message>
     <message>
-        <source>Not explained: there is no description of this device.</source>
-        <translation>Ohne Erklärung: Für dieses Gerät gibt es keine Beschreibung.</translation>
-    </message>
-    <message>
-        <source>Not sent yet: %1</source>
-        <comment>meaning of a word</comment>
-        <translation>Noch nicht gesendet: %1</translation>
-    </message>
-    <message>
         <source>%1 has a command bit or a parameter number, so it is not sent at once. Send it?</source>
         <translation>%1 hat ein Befehlsbit oder eine Parameternummer und geht deshalb nicht sofort hinaus. Senden?</translation>
     </message>
@@ -14746,10 +14710,17 @@ Worte: IN %3, OUT %4</translation>
         <comment>a word</comment>
         <translation>%1 senden</translation>
     </message>
+</context>
+<context>
+    <name>codewheel::WordLine</name>
     <message>
-        <source>%1 has no OUT word: nothing can be sent to it.</source>
-        <comment>1.0</comment>
-        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
+        <source>Not explained: there is no description of this device.</source>
+        <translation>Ohne Erklärung: Für dieses Gerät gibt es keine Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Not sent yet: %1</source>
+        <comment>meaning of a word</comment>
+        <translation>Noch nicht gesendet: %1</translation>
     </message>
     <message>
         <source>Not up to date, %1: %2</source>
@@ -14795,21 +14766,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>%1 sofort senden</translation>
     </message>
     <message>
-        <source>Not sent yet</source>
-        <translation>Noch nicht gesendet</translation>
-    </message>
-    <message>
         <source>Send each change as it is made. Words with a parameter number or a command bit still ask.</source>
         <translation>Jede Änderung sofort senden. Bei Worten mit Parameternummer oder Befehlsbit wird trotzdem gefragt.</translation>
     </message>
 </context>
 <context>
     <name>codewheel::WordView</name>
-    <message>
-        <source>%1 bits</source>
-        <comment>OUT 1.0 bits</comment>
-        <translation>Bits %1</translation>
-    </message>
     <message>
         <source>%1 bit %2</source>
         <comment>OUT 1.0 bit 25</comment>
@@ -14832,6 +14794,15 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Bit %1</source>
         <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>%1 bits</source>
+        <comment>OUT 1.0, IN 1.0 bits</comment>
+        <translation>Bits %1</translation>
+    </message>
+    <message>
+        <source>%1 bit %2</source>
+        <translation>%1 Bit %2</translation>
     </message>
 </context>
 <context>

@@ -111,7 +111,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectViews();
     connectProject();
     connectBuses();
-    openFirstMonitors();
+    if (const auto state = m_settings.monitors())
+        m_monitors->restoreState(*state);
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
     connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::tellWhose);
     showBusState();
@@ -163,6 +164,7 @@ void MainWindow::showChosen()
     showWordActions();
     m_transfer->setEncoder(encoder);
     const auto place = m_choice->place();
+    m_monitors->follow(place);
     if (place)
         chooseBusOf(*place);
     for (const auto &[bus, views] : m_views)
@@ -170,14 +172,6 @@ void MainWindow::showChosen()
     // what its bus does not name is shown as it is described
     const bool isNamed = connected != nullptr && m_buses->channel(connected->place()) != nullptr;
     m_device->setPlace(place, encoder.isThere() && !isNamed ? std::optional(encoder.device()) : std::nullopt);
-}
-
-void MainWindow::openFirstMonitors()
-{
-    if (const auto state = m_settings.monitors())
-        m_monitors->restoreState(*state);
-    else
-        m_monitors->openFirst();
 }
 
 void MainWindow::showPicture()

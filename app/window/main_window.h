@@ -115,7 +115,6 @@ private:
     void chooseBusOf(Place place);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
     void showChosen();
-    void openFirstMonitors();
     void makePages();
     void connectProject();
     void tell(const Message &message);

@@ -42,17 +42,16 @@ void MainWindow::connectActions()
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
     connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);
     connect(m_actions.projectPage, &QAction::triggered, this, &MainWindow::showProjectPage);
-    const auto open = [this](MonitorKind kind) {
-        return [this, kind] {
-            if (const auto number = currentNumber()) {
+    const auto onMonitor = [this](QAction *action, void (MonitorArea::*what)(Place)) {
+        connect(action, &QAction::triggered, this, [this, what] {
+            if (const auto place = currentNumber()) {
                 showMonitors();
-                m_monitors->openMonitor(*number, kind);
+                (m_monitors->*what)(*place);
             }
-        };
+        });
     };
-    connect(m_actions.openIn32, &QAction::triggered, this, open(MonitorKind::in32));
-    connect(m_actions.openOut32, &QAction::triggered, this, open(MonitorKind::out32));
-    connect(m_actions.openIn16, &QAction::triggered, this, open(MonitorKind::in16));
+    onMonitor(m_actions.openMonitor, &MonitorArea::open);
+    onMonitor(m_actions.pinMonitor, &MonitorArea::pin);
     connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
         if (WordChannel *words = chosenWords())
             if (const auto sent = words->zero(); !sent)

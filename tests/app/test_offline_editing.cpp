@@ -87,7 +87,7 @@ TEST_F(OfflineEditing, NothingThatSendsCanBeAskedFor)
 {
     goOffline();
     for (const QAction *action : {actions().wizard, actions().zeroOut, actions().replaceEncoder,
-                                  actions().restoreValues, actions().openIn32, actions().openOut32})
+                                  actions().restoreValues, actions().openMonitor, actions().pinMonitor})
         EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
     for (const QAction *action : {actions().wizard, actions().zeroOut, actions().replaceEncoder})
         EXPECT_TRUE(action->toolTip().startsWith(QStringLiteral("Not connected")))

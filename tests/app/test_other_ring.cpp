@@ -29,16 +29,16 @@ protected:
 TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
 {
     monitors().closeAll();
-    monitors().openMonitor(fraba, MonitorKind::in32);
-    monitors().openMonitor("6.1"_ring, MonitorKind::in32);
+    monitors().pin(fraba);
+    monitors().pin("6.1"_ring);
     window().findChild<StructureView *>()->choose("6.1"_ring);
     befall(TrainingFault::wireBreak, "6.0"_ring);
     ringActions().readIn->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
     EXPECT_EQ(bus().structure().size(), 5U);
-    ASSERT_EQ(monitors().monitors().size(), 1U);
-    EXPECT_EQ(monitors().monitors().front()->place(), fraba);
+    ASSERT_EQ(monitors().cards().size(), 1U);
+    EXPECT_EQ(monitors().cards().front()->place(), fraba);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
     advance(200);
 
@@ -51,11 +51,11 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
 
 TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
 {
-    WordMonitor *monitor = monitors().monitors().front();
+    WordCard *monitor = monitors().cards().front();
     befall(TrainingFault::wrongDevice, baumer);
     ringActions().readIn->trigger();
     advance(100);
-    EXPECT_EQ(monitors().monitors().front(), monitor);
+    EXPECT_EQ(monitors().cards().front(), monitor);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
     EXPECT_EQ(bus().encoder(baumer)->device().profile, Profile::k2);
     window().findChild<StructureView *>()->choose(baumer);

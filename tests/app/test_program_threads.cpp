@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as it runs: bus at 1 ms in a thread of its own, four monitors, a wizard's job, starts and
+// The program as it runs: bus at 1 ms in a thread of its own, two monitors, a wizard's job, starts and
 // stops. Meant for ThreadSanitizer; every wait is for something that happens.
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
@@ -75,12 +75,11 @@ protected:
     Program program{*qApp, folder.filePath(QStringLiteral("program.ini"))};
 };
 
-TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
+TEST_F(RunningProgram, TwoMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 {
     auto *monitors = program.window()->findChild<MonitorArea *>();
     for (const Place number : {fraba, baumer})
-        for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
-            monitors->openMonitor(number, kind);
+        monitors->pin(number);
     program.plant()->first<RingAtWork>()->controls().setSpeed(fraba.node, 300);
     ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
 
@@ -115,7 +114,7 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
     program.window()->actions().undo->trigger();
     EXPECT_EQ(wanted->value(fraba, Parameter::steps), std::nullopt) << "undo goes on as well";
     EXPECT_TRUE(waitFor([&] { return bus().latest().cycle > cycle; }));
-    EXPECT_EQ(program.window()->findChild<MonitorArea *>()->monitors().size(), 2u);
+    EXPECT_EQ(program.window()->findChild<MonitorArea *>()->cards().size(), 1u);
     Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
     ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
     QLocale::setDefault(before);

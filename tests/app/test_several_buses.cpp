@@ -94,7 +94,9 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
     EXPECT_EQ(farFraba.shown(), QStringLiteral("Ring 2/1.0"));
-    EXPECT_TRUE(monitors().monitors().front()->accessibleName().contains(QStringLiteral("Ring/1.0")));
+    ASSERT_FALSE(monitors().cards().empty());
+    for (const WordCard *card : monitors().cards())
+        EXPECT_EQ(card->accessibleName(), QStringLiteral("Monitor %1").arg(card->place().shown()));
     EXPECT_EQ(test::fraba.shown(), QStringLiteral("Ring/1.0"));
     EXPECT_EQ(placeOnLine({5}).shown(), QStringLiteral("esc:05")) << "there is one line";
 
@@ -197,25 +199,26 @@ TEST_F(SeveralBuses, MonitorsAreOfTheDeviceThatIsShown)
     ringActions().disconnectBus->trigger();
     advance(50);
     choose(secondRing);
-    EXPECT_TRUE(actions().openIn16->isEnabled()) << "the shown encoder is connected";
+    EXPECT_TRUE(actions().openMonitor->isEnabled()) << "the shown encoder is connected";
     choose(farFraba);
-    EXPECT_FALSE(actions().openIn16->isEnabled());
+    EXPECT_FALSE(actions().openMonitor->isEnabled());
     choose(firstRing);
-    EXPECT_FALSE(actions().openIn16->isEnabled()) << "the shown encoder is not connected";
+    EXPECT_FALSE(actions().openMonitor->isEnabled()) << "the shown encoder is not connected";
 }
 
 TEST_F(SeveralBuses, EachMonitorShowsItsOwnBus)
 {
     openSecondRing();
     choose(farFraba);
-    actions().openOut32->trigger();
-    WordMonitor *far = monitors().monitor(farFraba, MonitorKind::out32);
+    actions().openMonitor->trigger();
+    const WordCard *far = monitors().card(farFraba);
     ASSERT_NE(far, nullptr);
     WordChannel &channel = *busAt(secondRing).channel(farFraba);
     channel.stage(0x0200'00FF);
     ASSERT_TRUE(channel.write());
     advance(20);
     EXPECT_EQ(channel.out(), Word{0x0200'00FF});
+    EXPECT_EQ(far->line(WordDirection::out)->shown(), Word{0x0200'00FF});
     EXPECT_EQ(out(test::fraba), Word{0}) << "the encoder of the same number in the other ring";
 }
 

@@ -8,7 +8,7 @@
 #include "ring/ring_session.h"
 #include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
-#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_card.h"
 
 #include <QStackedWidget>
 #include <QTemporaryDir>

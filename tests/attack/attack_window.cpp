@@ -101,8 +101,7 @@ private:
         auto *monitors = m_shown.window().findChild<MonitorArea *>();
         monitors->closeAll();
         for (const Place place : {worked, watched})
-            for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
-                monitors->openMonitor(place, kind);
+            monitors->open(place);
     }
 
     TrainingWindow &m_shown;

@@ -12,7 +12,7 @@
 #include "simulator/training_bus.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
-#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_card.h"
 #include "widgets/project/project_document.h"
 
 #include <QApplication>
@@ -31,9 +31,6 @@ using namespace std::chrono_literals;
 
 constexpr int movingWords = 8;
 constexpr QSize windowSize(1600, 1450);
-// Bits, hexadecimal and meaning.
-constexpr MonitorDisplay display{
-    .bar = false, .decimal = false, .signedDecimal = false, .gray = false, .binary = false};
 constexpr auto settling = 3s;
 constexpr auto measured = 10s;
 
@@ -101,10 +98,8 @@ int main(int argc, char **argv)
     monitors->closeAll();
     for (const Place number : bus.places()) {
         tell(*bus.encoder(number));
-        monitors->openMonitor(number, MonitorKind::in32);
+        monitors->pin(number);
     }
-    for (WordMonitor *monitor : monitors->monitors())
-        monitor->setDisplay(display);
     window.resize(windowSize);
     window.show();
     plant.start();

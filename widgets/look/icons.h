@@ -36,6 +36,7 @@ enum class Icon : std::uint8_t {
     operate,
     parameters,
     paste,
+    pin,
     power,
     preset,
     read,

@@ -18,12 +18,13 @@ namespace {
 
 // In the order of Icon.
 constexpr std::array fileNames{
-    "add",    "alarm-stop", "attention", "back",        "battery", "cams",   "cancel",   "compare",
-    "copy",   "down",       "encoder",   "export-data", "fault",   "filter", "inactive", "information",
-    "master", "messages",   "monitor",   "next",        "ok",      "open",   "operate",  "parameters",
-    "paste",  "power",      "preset",    "read",        "refresh", "remove", "ring",     "running",
-    "save",   "search",     "sequence",  "set-bit",     "shaft",   "start",  "step",     "stop",
-    "trace",  "training",   "turn-left", "turn-right",  "up",      "watch",  "wizard",   "write",
+    "add",      "alarm-stop",  "attention",  "back",     "battery",     "cams",   "cancel",
+    "compare",  "copy",        "down",       "encoder",  "export-data", "fault",  "filter",
+    "inactive", "information", "master",     "messages", "monitor",     "next",   "ok",
+    "open",     "operate",     "parameters", "paste",    "pin",         "power",  "preset",
+    "read",     "refresh",     "remove",     "ring",     "running",     "save",   "search",
+    "sequence", "set-bit",     "shaft",      "start",    "step",        "stop",   "trace",
+    "training", "turn-left",   "turn-right", "up",       "watch",       "wizard", "write",
 };
 static_assert(fileNames.size() == iconCount);
 

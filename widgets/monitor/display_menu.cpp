@@ -3,21 +3,18 @@
 
 namespace codewheel {
 
-DisplayMenu::DisplayMenu(MonitorKind kind, QWidget *parent)
+DisplayMenu::DisplayMenu(QWidget *parent)
     : QMenu(parent)
 {
     addFlag(tr("Bits in &rows of 8"), &MonitorDisplay::matrix);
-    if (kind == MonitorKind::in32)
-        addFlag(tr("Bar over the &position range"), &MonitorDisplay::bar);
+    addFlag(tr("Bar over the &position range"), &MonitorDisplay::bar);
     addSeparator();
     addFlag(tr("&Decimal"), &MonitorDisplay::decimal);
     addFlag(tr("&Signed"), &MonitorDisplay::signedDecimal);
     addFlag(tr("&Gray"), &MonitorDisplay::gray);
     addFlag(tr("&Binary"), &MonitorDisplay::binary);
-    if (bitsOf(kind) == 32) {
-        addSeparator();
-        addFlag(tr("Numbers of the &whole word, not of D24..D0"), &MonitorDisplay::wholeWord);
-    }
+    addSeparator();
+    addFlag(tr("Numbers of the &whole word, not of D24..D0"), &MonitorDisplay::wholeWord);
 }
 
 void DisplayMenu::addFlag(const QString &text, bool MonitorDisplay::*value)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "widgets/monitor/monitor_display.h"
-#include "widgets/monitor/monitor_kind.h"
 
 #include <QMenu>
 
@@ -14,7 +13,7 @@ class DisplayMenu : public QMenu
     Q_OBJECT
 
 public:
-    explicit DisplayMenu(MonitorKind kind, QWidget *parent = nullptr);
+    explicit DisplayMenu(QWidget *parent = nullptr);
 
     void setDisplay(const MonitorDisplay &display);
     const MonitorDisplay &display() const { return m_display; }

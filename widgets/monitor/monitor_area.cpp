@@ -3,60 +3,42 @@
 
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
-#include "encoder/refusal_text.h"
-#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
-#include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
-#include "widgets/monitor/word_monitor.h"
+#include "widgets/look/wrapped_label.h"
+#include "widgets/monitor/word_card.h"
 
 #include <QJsonArray>
-#include <QMenu>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
-#include <QToolButton>
-#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace codewheel {
 
 namespace {
 
-const QLatin1String monitorsKey("monitors");
-const QLatin1String placeKey("place");
-const QLatin1String kindKey("kind");
-const QLatin1String highHalfKey("highHalf");
+const QLatin1String pinnedKey("pinned");
 const QLatin1String displayKey("display");
-
-constexpr std::array everyKind{MonitorKind::in32, MonitorKind::out32, MonitorKind::in16};
+const QLatin1String wordsKey("monitors"); // of before: one for each word
+const QLatin1String placeKey("place");
 
 } // namespace
 
 MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     : QWidget(parent)
     , m_buses(buses)
-    , m_add(describe(new QToolButton(this), tr("Add monitor"), tr("Open another word of a device")))
-    , m_addMenu(new QMenu(this))
-    , m_message(new InlineMessage(this))
     , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::monitor, {}, {}, this))
     , m_scroll(new QScrollArea(this))
 {
-    auto *rows = layOut<QVBoxLayout>(this, 0);
-    makeBar();
-    rows->addWidget(m_add, 0, Qt::AlignLeft);
-    rows->addWidget(m_message);
-    rows->addWidget(m_pages, 1);
-
-    auto *empty =
-        new EmptyState(Icon::monitor, tr("No monitor is open"),
-                       tr("A monitor shows one word of one device, and lets you set the bits of an "
-                          "OUT word. Use Add monitor, or the menu of a device in the bus structure."),
-                       this);
-    m_pages->addWidget(empty);
-
+    layOut<QVBoxLayout>(this, 0)->addWidget(m_pages);
+    m_pages->addWidget(m_empty);
     auto *column = new QWidget;
-    m_column = layOut<QVBoxLayout>(column, grid::margin, grid::unit);
+    m_column = layOut<QVBoxLayout>(column, grid::unit, grid::unit);
+    m_note = wrappedLabel(column, "whyNoMonitor");
+    m_column->addWidget(m_note);
     m_column->addStretch(1);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -65,267 +47,261 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
 
     connect(&buses, &Buses::updated, this, &MonitorArea::showPicture);
     connect(&buses, &Buses::changed, this, [this] {
-        putAside();
         followDevices();
         bringBack();
-        for (WordMonitor *monitor : m_monitors)
-            monitor->busStateChanged();
-        showWhetherEmpty();
+        showFollowing();
+        for (WordCard *card : m_cards)
+            card->busStateChanged();
     });
-    showWhetherEmpty();
+    showWhatThereIs();
 }
 
-// A device that was named has another session and other words: its monitors are made anew, in their places.
-void MonitorArea::openAgain(Place number)
+void MonitorArea::setStations(std::function<QString(Place)> stationOf)
 {
-    const auto before = m_monitors;
-    for (WordMonitor *monitor : before) {
-        if (monitor->place() != number)
-            continue;
-        const int row = m_column->indexOf(monitor);
-        const auto place = std::ranges::find(m_monitors, monitor) - m_monitors.begin();
-        WordMonitor *fresh = addMonitor(number, monitor->kind());
-        fresh->setHighHalf(monitor->isHighHalf());
-        m_monitors.pop_back();
-        m_monitors.insert(m_monitors.begin() + place, fresh);
-        m_column->removeWidget(fresh);
-        m_column->insertWidget(row, fresh);
-        remove(monitor);
-    }
+    m_stationOf = std::move(stationOf);
+    showStations();
 }
 
-void MonitorArea::putAside()
+void MonitorArea::showStations()
 {
-    const auto before = m_monitors;
-    for (WordMonitor *monitor : before)
-        if (m_buses.open(monitor->place().bus) == nullptr) {
-            m_aside.push_back({monitor->place(), monitor->kind(), monitor->isHighHalf()});
-            remove(monitor);
-        }
+    for (WordCard *card : m_cards)
+        card->setStation(m_stationOf ? m_stationOf(card->place()) : QString());
 }
 
-void MonitorArea::bringBack()
+bool MonitorArea::canShow(Place place) const
 {
-    for (const Aside &aside : std::exchange(m_aside, {}))
-        if (m_buses.open(aside.place.bus) == nullptr)
-            m_aside.push_back(aside);
-        else if (hasWord(aside.place, aside.kind) && !monitor(aside.place, aside.kind))
-            addMonitor(aside.place, aside.kind)->setHighHalf(aside.isHighHalf);
+    const WordChannel *channel = m_buses.channel(place);
+    return channel != nullptr && WordCard::canShow(*channel);
 }
 
-// Monitors of devices that are gone are closed, those of other devices in their places made anew, and of
-// those that were named.
-void MonitorArea::followDevices()
+QString MonitorArea::whyNot(Place place) const
 {
-    const auto before = m_monitors;
-    for (WordMonitor *monitor : before) {
-        if (std::ranges::find(m_monitors, monitor) == m_monitors.end())
-            continue; // made anew with another of its device
-        const Place number = monitor->place();
-        if (!hasWord(number, monitor->kind()))
-            remove(monitor);
-        else if (monitor->channel() != m_buses.channel(number) ||
-                 monitor->encoder() != m_buses.encoder(number) || monitor->isNamedAnew())
-            openAgain(number);
-    }
-}
-
-void MonitorArea::makeBar()
-{
-    m_add->setText(tr("Add &monitor"));
-    m_add->setIcon(lineIcon(Icon::add));
-    m_add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_add->setPopupMode(QToolButton::InstantPopup);
-    m_add->setAutoRaise(true);
-    m_add->setFocusPolicy(Qt::StrongFocus);
-    m_add->setMenu(m_addMenu);
-    connect(m_addMenu, &QMenu::aboutToShow, this, &MonitorArea::fillAddMenu);
-}
-
-void MonitorArea::fillAddMenu()
-{
-    m_addMenu->clear();
-    for (const Place number : m_buses.places())
-        for (const MonitorKind kind : everyKind) {
-            if (!hasWord(number, kind))
-                continue;
-            const EncoderSession *encoder = m_buses.encoder(number);
-            const QString name = encoder ? encoder->device().fullName() : QString();
-            m_addMenu->addAction(
-                QStringLiteral("%1  %2  %3").arg(number.shown(), monitorKindText(kind), name).trimmed(), this,
-                [this, number, kind] { openMonitor(number, kind); });
-        }
-    if (m_addMenu->isEmpty())
-        m_addMenu->addAction(tr("There is no device on the bus"))->setEnabled(false);
-}
-
-bool MonitorArea::hasWord(Place number, MonitorKind kind) const
-{
-    const WordChannel *channel = m_buses.channel(number);
-    if (!channel)
-        return false;
-    switch (kind) {
-    case MonitorKind::in32:
-        return channel->inWords() >= 2;
-    case MonitorKind::out32:
-        return channel->outWords() >= 2;
-    case MonitorKind::in16:
-        break;
-    }
-    return channel->inWords() >= 1;
-}
-
-void MonitorArea::openMonitor(Place number, MonitorKind kind)
-{
-    m_message->withdraw();
-    WordMonitor *opened = monitor(number, kind);
-    if (!opened && !hasWord(number, kind)) {
-        m_message->showMessage(Role::attention, whyNot(number, kind));
-        return;
-    }
-    if (!opened)
-        opened = addMonitor(number, kind);
-    m_column->activate();
-    m_scroll->ensureWidgetVisible(opened, 0, 0);
-    opened->setFocus();
-}
-
-void MonitorArea::openWords(Place number)
-{
-    openMonitor(number, hasWord(number, MonitorKind::in32) ? MonitorKind::in32 : MonitorKind::in16);
-    if (hasWord(number, MonitorKind::out32))
-        openMonitor(number, MonitorKind::out32);
-}
-
-QString MonitorArea::whyNot(Place number, MonitorKind kind) const
-{
-    const WordChannel *channel = m_buses.channel(number);
-    const EncoderSession *encoder = m_buses.encoder(number);
-    if (channel == nullptr && encoder != nullptr)
+    if (!m_buses.isConnected(place))
+        return tr("%1 is not connected: its words are shown once it is.").arg(place.shown());
+    if (m_buses.channel(place) == nullptr && m_buses.encoder(place) != nullptr)
         return tr("%1 has no words: its position stands in the panels, what passes on its bus in the "
                   "terminal.")
-            .arg(number.shown());
-    if (channel && channel->inWords() == 0 && channel->outWords() == 0)
-        return tr("%1 has no words to show: it takes no part in the process data.").arg(number.shown());
-    if (encoder && channel && channel->outWords() == 0 && kind == MonitorKind::out32)
-        return refusalText(
-            {RefusalKind::notSupported, RefusalId::sendingNotSupported, {encoder->device().fullName()}});
-    return tr("%1 has no word %2 to show. Choose another device or word.")
-        .arg(number.shown(), monitorKindText(kind));
+            .arg(place.shown());
+    return tr("%1 has no words to show: it takes no part in the process data.").arg(place.shown());
 }
 
-void MonitorArea::openFirst()
+void MonitorArea::follow(std::optional<Place> chosen)
 {
-    for (const Place number : m_buses.places()) {
-        if (!hasWord(number, MonitorKind::in32) || !hasWord(number, MonitorKind::out32))
-            continue;
-        for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
-            if (!monitor(number, kind))
-                addMonitor(number, kind);
+    if (std::exchange(m_chosen, chosen) != chosen)
+        m_isClosed = false;
+    showFollowing();
+}
+
+// There is one of the chosen device, if it has words and is not pinned anyway.
+void MonitorArea::showFollowing()
+{
+    const bool isWanted = m_chosen && !m_isClosed && canShow(*m_chosen) && find(true, *m_chosen) == nullptr;
+    const auto following = std::ranges::find(m_cards, false, &WordCard::isPinned);
+    const bool isThere = following != m_cards.end();
+    if (isThere && !(isWanted && (*following)->place() == *m_chosen))
+        remove(*following);
+    else if (isThere)
         return;
+    if (isWanted)
+        add(*m_chosen, false);
+    showWhatThereIs();
+}
+
+void MonitorArea::open(Place place)
+{
+    if (place == m_chosen)
+        m_isClosed = false;
+    else
+        pin(place);
+    showFollowing();
+    if (WordCard *opened = card(place)) {
+        m_column->activate();
+        m_scroll->ensureWidgetVisible(opened, 0, 0);
+        opened->setFocus();
     }
 }
 
-WordMonitor *MonitorArea::addMonitor(Place number, MonitorKind kind)
+void MonitorArea::pin(Place place)
 {
-    WordChannel *channel = m_buses.channel(number);
-    EncoderSession *encoder = m_buses.encoder(number);
-    auto *monitor =
-        new WordMonitor(*channel, encoder, encoder ? &encoder->device() : nullptr, kind, m_scroll->widget());
-    monitor->setDisplay(m_displays.value(kind));
-    monitor->showPicture(m_buses.open(number.bus)->now());
-    m_monitors.push_back(monitor);
-    m_column->insertWidget(m_column->count() - 1, monitor);
-    connect(monitor, &WordMonitor::closeRequested, this, [this, monitor] { remove(monitor); });
-    connect(monitor, &WordMonitor::displayChosen, this,
-            [this, kind](const MonitorDisplay &display) { setDisplay(kind, display); });
-    connect(channel, &QObject::destroyed, monitor, [this, monitor] { remove(monitor); });
-    showWhetherEmpty();
-    return monitor;
+    if (!canShow(place) || find(true, place) != nullptr)
+        return;
+    if (WordCard *following = find(false, place))
+        setPinned(following, true);
+    else
+        add(place, true);
+    notePinned(place, true);
 }
 
-void MonitorArea::remove(WordMonitor *monitor)
+void MonitorArea::notePinned(Place place, bool pinned)
 {
-    std::erase(m_monitors, monitor);
-    monitor->hide();
-    monitor->deleteLater();
-    showWhetherEmpty();
+    std::erase(m_pinned, place);
+    if (pinned)
+        m_pinned.push_back(place);
 }
 
-void MonitorArea::closeMonitor(Place number, MonitorKind kind)
+void MonitorArea::setPinned(WordCard *card, bool pinned)
 {
-    if (WordMonitor *open = monitor(number, kind))
-        remove(open);
+    card->setPinned(pinned);
+    notePinned(card->place(), pinned);
+    if (pinned)
+        return;
+    if (card->place() == m_chosen) {
+        std::ranges::rotate(m_cards, std::ranges::find(m_cards, card));
+        m_column->removeWidget(card);
+        m_column->insertWidget(1, card);
+    } else {
+        remove(card);
+        showWhatThereIs();
+    }
+}
+
+void MonitorArea::closed(WordCard *card)
+{
+    m_isClosed = m_isClosed || card->place() == m_chosen;
+    notePinned(card->place(), false);
+    remove(card);
+    showWhatThereIs();
+}
+
+void MonitorArea::close(Place place)
+{
+    if (WordCard *open = card(place))
+        closed(open);
 }
 
 void MonitorArea::closeAll()
 {
-    while (!m_monitors.empty())
-        remove(m_monitors.back());
+    while (!m_cards.empty())
+        closed(m_cards.back());
 }
 
-WordMonitor *MonitorArea::monitor(Place number, MonitorKind kind) const
+WordCard *MonitorArea::card(Place place) const
 {
-    const auto found = std::ranges::find_if(m_monitors, [number, kind](const WordMonitor *monitor) {
-        return monitor->place() == number && monitor->kind() == kind;
-    });
-    return found == m_monitors.end() ? nullptr : *found;
+    const auto found = std::ranges::find(m_cards, place, &WordCard::place);
+    return found == m_cards.end() ? nullptr : *found;
 }
 
-void MonitorArea::setDisplay(MonitorKind kind, const MonitorDisplay &display)
+WordCard *MonitorArea::find(bool pinned, Place place) const
 {
-    m_displays.insert(kind, display);
-    for (WordMonitor *monitor : m_monitors)
-        if (monitor->kind() == kind)
-            monitor->setDisplay(display);
+    WordCard *found = card(place);
+    return found != nullptr && found->isPinned() == pinned ? found : nullptr;
+}
+
+// The one that follows stands first, below the note; the others in the order in which they were pinned.
+WordCard *MonitorArea::add(Place place, bool pinned)
+{
+    WordCard *card = make(place);
+    card->setPinned(pinned);
+    m_cards.insert(pinned ? m_cards.end() : m_cards.begin(), card);
+    m_column->insertWidget(pinned ? m_column->count() - 1 : 1, card);
+    showWhatThereIs();
+    return card;
+}
+
+WordCard *MonitorArea::make(Place place)
+{
+    WordChannel *channel = m_buses.channel(place);
+    EncoderSession *encoder = m_buses.encoder(place);
+    auto *card = new WordCard(*channel, encoder, encoder ? &encoder->device() : nullptr, m_scroll->widget());
+    card->setDisplay(m_display);
+    card->setStation(m_stationOf ? m_stationOf(place) : QString());
+    card->showPicture(m_buses.open(place.bus)->now());
+    connect(card, &WordCard::closeRequested, this, [this, card] { closed(card); });
+    connect(card, &WordCard::pinToggled, this, [this, card](bool pinned) { setPinned(card, pinned); });
+    connect(card, &WordCard::displayChosen, this, &MonitorArea::setDisplay);
+    connect(channel, &QObject::destroyed, card, [this, card] { remove(card); });
+    return card;
+}
+
+void MonitorArea::remove(WordCard *card)
+{
+    std::erase(m_cards, card);
+    card->hide();
+    card->deleteLater();
+}
+
+// In its place.
+void MonitorArea::makeAnew(WordCard *card)
+{
+    WordCard *fresh = make(card->place());
+    fresh->setPinned(card->isPinned());
+    std::ranges::replace(m_cards, card, fresh);
+    m_column->insertWidget(m_column->indexOf(card), fresh);
+    remove(card);
+}
+
+// Monitors of devices that are gone go, those of other devices in their places are made anew, and of those
+// that were named.
+void MonitorArea::followDevices()
+{
+    const auto before = m_cards;
+    for (WordCard *card : before)
+        if (!canShow(card->place()))
+            remove(card);
+        else if (card->channel() != m_buses.channel(card->place()) ||
+                 card->encoder() != m_buses.encoder(card->place()) || card->isNamedAnew())
+            makeAnew(card);
+}
+
+void MonitorArea::bringBack()
+{
+    for (const Place place : m_pinned)
+        if (canShow(place) && card(place) == nullptr)
+            add(place, true);
+}
+
+void MonitorArea::setDisplay(const MonitorDisplay &display)
+{
+    m_display = display;
+    for (WordCard *card : m_cards)
+        card->setDisplay(display);
 }
 
 void MonitorArea::showPicture(BusId bus)
 {
     const EncoderBus *shown = m_buses.open(bus);
-    for (WordMonitor *monitor : m_monitors)
-        if (shown != nullptr && monitor->place().bus == bus)
-            monitor->showPicture(shown->now());
+    for (WordCard *card : m_cards)
+        if (shown != nullptr && card->place().bus == bus)
+            card->showPicture(shown->now());
 }
 
-void MonitorArea::showWhetherEmpty()
+// A device without words is said so above the monitors that are pinned, or in their place.
+void MonitorArea::showWhatThereIs()
 {
-    m_pages->setCurrentIndex(m_monitors.empty() ? 0 : 1);
+    const bool isMissing = m_chosen && !m_isClosed && !canShow(*m_chosen);
+    const QString why = isMissing ? whyNot(*m_chosen) : QString();
+    m_note->setText(why);
+    m_note->setVisible(isMissing);
+    m_empty->setTexts(tr("No monitor is open"),
+                      isMissing
+                          ? why
+                          : tr("A monitor shows the words of a device, and lets you set the bits of its "
+                               "OUT word. Choose a device in the bus structure."));
+    m_pages->setCurrentIndex(m_cards.empty() ? 0 : 1);
 }
 
 QJsonObject MonitorArea::state() const
 {
-    QJsonArray monitors;
-    const auto add = [&](Place place, MonitorKind kind, bool isHighHalf) {
-        QJsonObject json{{placeKey, place.key()}, {kindKey, monitorKindText(kind)}};
-        if (isHighHalf)
-            json.insert(highHalfKey, true);
-        monitors.append(json);
-    };
-    for (const WordMonitor *monitor : m_monitors)
-        add(monitor->place(), monitor->kind(), monitor->isHighHalf());
-    for (const Aside &aside : m_aside)
-        add(aside.place, aside.kind, aside.isHighHalf);
-    QJsonObject displays;
-    for (auto it = m_displays.begin(); it != m_displays.end(); ++it)
-        displays.insert(monitorKindText(it.key()), it->toJson());
-    return {{monitorsKey, monitors}, {displayKey, displays}};
+    QJsonArray pinned;
+    for (const Place place : m_pinned)
+        pinned.append(place.key());
+    return {{pinnedKey, pinned}, {displayKey, m_display.toJson()}};
 }
 
 void MonitorArea::restoreState(const QJsonObject &state)
 {
     closeAll();
-    m_aside.clear();
-    const QJsonObject displays = state.value(displayKey).toObject();
-    for (const MonitorKind kind : everyKind)
-        if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
-            setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
-    for (const QJsonValue json : state.value(monitorsKey).toArray()) {
-        const auto place = Place::parse(json[placeKey].toString());
-        if (const auto kind = monitorKindFromText(json[kindKey].toString()); place && kind)
-            m_aside.push_back({*place, *kind, json[highHalfKey].toBool()});
-    }
+    m_pinned.clear();
+    m_isClosed = false;
+    setDisplay(MonitorDisplay::fromJson(state.value(displayKey).toObject()));
+    QJsonArray places = state.value(pinnedKey).toArray();
+    for (const QJsonValue word : state.value(wordsKey).toArray())
+        places.append(word[placeKey]);
+    for (const QJsonValue key : places)
+        if (const auto place = Place::parse(key.toString()))
+            notePinned(*place, true);
     bringBack();
+    showFollowing();
 }
 
 } // namespace codewheel

@@ -3,23 +3,23 @@
 
 #include "bus/buses.h"
 #include "widgets/monitor/monitor_display.h"
-#include "widgets/monitor/monitor_kind.h"
 
-#include <QMap>
 #include <QWidget>
 
-class QMenu;
+#include <functional>
+#include <vector>
+
+class QLabel;
 class QScrollArea;
 class QStackedWidget;
-class QToolButton;
 class QVBoxLayout;
 
 namespace codewheel {
 
-class InlineMessage;
-class WordMonitor;
+class EmptyState;
+class WordCard;
 
-// The column of monitors: as many as wanted, each pinned to a device and to IN 32, OUT 32 or IN 16.
+// The column of monitors: that of the chosen device, which follows the choice, above those that were pinned.
 class MonitorArea : public QWidget
 {
     Q_OBJECT
@@ -27,55 +27,56 @@ class MonitorArea : public QWidget
 public:
     explicit MonitorArea(Buses &buses, QWidget *parent = nullptr);
 
-    // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
-    void openMonitor(Place number, MonitorKind kind);
-    // All words the device has: IN 32, or IN 16 where there is no more, and OUT 32.
-    void openWords(Place number);
-    // At first start: IN 32 and OUT 32 of the first device that has both.
-    void openFirst();
-    void closeMonitor(Place number, MonitorKind kind);
-    void closeAll();
-    WordMonitor *monitor(Place number, MonitorKind kind) const; // null: not open
-    const std::vector<WordMonitor *> &monitors() const { return m_monitors; }
+    // What a device is called at the plant.
+    void setStations(std::function<QString(Place)> stationOf);
+    void showStations(); // they may be others now
 
-    // Which monitors are open, and what each kind shows; for the window to keep.
+    // The chosen device: its monitor is open, unless it is pinned already, or was closed since.
+    void follow(std::optional<Place> chosen);
+    // Brings its monitor into view, with the focus on its bits; of another device than the chosen one it is
+    // pinned.
+    void open(Place place);
+    void pin(Place place);
+    void close(Place place);
+    void closeAll();
+    WordCard *card(Place place) const; // null: not open
+    const std::vector<WordCard *> &cards() const { return m_cards; }
+
+    // Which monitors are pinned, and what all of them show; for the window to keep.
     QJsonObject state() const;
-    // Devices that an open bus does not have any more are left out.
+    // That of before, too: a monitor for each word, all of them pinned.
     void restoreState(const QJsonObject &state);
 
 private:
-    void makeBar();
-    void openAgain(Place number);
+    bool canShow(Place place) const;
+    QString whyNot(Place place) const;
+    WordCard *find(bool pinned, Place place) const;
+    WordCard *add(Place place, bool pinned);
+    WordCard *make(Place place);
+    void makeAnew(WordCard *card);
+    void remove(WordCard *card);
+    void notePinned(Place place, bool pinned);
+    void setPinned(WordCard *card, bool pinned);
+    void closed(WordCard *card);
+    void setDisplay(const MonitorDisplay &display);
     void followDevices();
-    void fillAddMenu();
-    WordMonitor *addMonitor(Place number, MonitorKind kind);
-    void remove(WordMonitor *monitor);
-    QString whyNot(Place number, MonitorKind kind) const;
-    bool hasWord(Place number, MonitorKind kind) const;
-    void setDisplay(MonitorKind kind, const MonitorDisplay &display);
-    void showPicture(BusId bus);
-    void putAside();
     void bringBack();
-    void showWhetherEmpty();
-
-    // Of a bus that is not open: they come back with it.
-    struct Aside
-    {
-        Place place;
-        MonitorKind kind;
-        bool isHighHalf;
-    };
+    void showFollowing();
+    void showPicture(BusId bus);
+    void showWhatThereIs();
 
     Buses &m_buses;
-    QToolButton *m_add;
-    QMenu *m_addMenu;
-    InlineMessage *m_message;
+    std::function<QString(Place)> m_stationOf;
     QStackedWidget *m_pages;
+    EmptyState *m_empty;
     QScrollArea *m_scroll;
     QVBoxLayout *m_column;
-    std::vector<WordMonitor *> m_monitors; // from top to bottom
-    std::vector<Aside> m_aside;
-    QMap<MonitorKind, MonitorDisplay> m_displays;
+    QLabel *m_note;                  // why there is none of the chosen device
+    std::vector<WordCard *> m_cards; // from top to bottom: the one that follows first
+    std::vector<Place> m_pinned;     // of buses that are not open, too: they come back with them
+    std::optional<Place> m_chosen;
+    bool m_isClosed = false; // the one that follows, by the user
+    MonitorDisplay m_display;
 };
 
 } // namespace codewheel

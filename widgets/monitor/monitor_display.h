@@ -5,15 +5,15 @@
 
 namespace codewheel {
 
-// What the monitors of one kind show beside hexadecimal and meaning; the user chooses it in their Show menu.
+// What monitors show beside bits, hexadecimal and meaning; the user chooses it in their Show menu.
 struct MonitorDisplay
 {
     bool matrix = false; // bits in rows of 8
-    bool bar = true;     // IN 32: the position over its range
+    bool bar = false;    // the position over its range
     bool decimal = true;
-    bool signedDecimal = true;
-    bool gray = true;
-    bool binary = true;
+    bool signedDecimal = false;
+    bool gray = false;
+    bool binary = false;
     bool wholeWord = false; // numbers of all bits, not of D24..D0 alone
 
     QJsonObject toJson() const;

@@ -10,14 +10,19 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
 namespace {
 
 const QString widestNumber = QStringLiteral("-2147483648");
-const QString widestHex = widestNumber; // with room for the mark of bad input
+const QString widestHex = QStringLiteral("0x020000FF");
+
+// Of so many bits, and not all ones alone: the digits of the largest number.
+QString widestOf(int bits)
+{
+    return decimalText(~Word{0}, bits);
+}
 
 } // namespace
 
@@ -25,40 +30,35 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
     : QWidget(parent)
     , m_form(form)
     , m_hex(new WordField(widestHex, this))
-    , m_decimal(new NumberField(widestNumber, this))
-    , m_signed(new NumberField(widestNumber, this))
-    , m_gray(new NumberField(widestNumber, this))
-    , m_binary(new NumberField(binaryText(0, form.bits), this))
+    , m_decimal(new NumberField(widestOf(form.bits), this))
+    , m_more(new QWidget(parent))
+    , m_signed(new NumberField(widestNumber, m_more))
+    , m_gray(new NumberField(widestNumber, m_more))
+    , m_binary(new NumberField(binaryText(0, form.bits), m_more))
 {
-    auto *rows = layOut<QVBoxLayout>(this, grid::unit);
-    auto *numbers = new QHBoxLayout;
-    numbers->setSpacing(grid::groupGap);
-    rows->addLayout(numbers);
-    auto *last = new QHBoxLayout;
-    last->setSpacing(grid::groupGap);
-    rows->addLayout(last);
-
-    const auto above = [numbers] {
-        auto *column = new QVBoxLayout;
-        column->setSpacing(0);
-        numbers->addLayout(column);
-        return column;
-    };
-    addField(m_hex, tr("Hexadecimal"), tr("%1 hexadecimal", "OUT 1.0 hexadecimal").arg(place), above());
-    addField(m_decimal, tr("Decimal"), tr("%1 decimal", "OUT 1.0 decimal").arg(place), above());
-    addField(m_signed, tr("Signed"), tr("%1 signed", "OUT 1.0 signed").arg(place), above());
-    addField(m_gray, tr("Gray"), tr("%1 Gray", "OUT 1.0 Gray").arg(place), above());
-    addField(m_binary, tr("Binary"), tr("%1 binary", "OUT 1.0 binary").arg(place), last);
-    numbers->addStretch(1);
-    last->addStretch(1);
+    m_hex->setAccessibleName(tr("%1 hexadecimal", "OUT 1.0 hexadecimal").arg(place));
+    m_decimal->setAccessibleName(tr("%1 decimal", "OUT 1.0 decimal").arg(place));
+    m_signed->setAccessibleName(tr("%1 signed", "OUT 1.0 signed").arg(place));
+    m_gray->setAccessibleName(tr("%1 Gray", "OUT 1.0 Gray").arg(place));
+    m_binary->setAccessibleName(tr("%1 binary", "OUT 1.0 binary").arg(place));
+    layOutRow(this, {m_hex, m_decimal}, {grid::unit, QMargins()});
+    const LayoutRoom room{grid::unit, {}};
+    layOutColumn(m_more,
+                 {layOutRow({captionOf(m_signed, tr("Signed")), m_signed, captionOf(m_gray, tr("Gray")),
+                             m_gray, Stretch{1}},
+                            room),
+                  layOutRow({captionOf(m_binary, tr("Binary")), m_binary, Stretch{1}}, room)},
+                 {grid::unit, QMargins()});
 
     m_hex->setReadOnly(!editable);
     m_hex->setToolTip(editable ? tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed")
                                : tr("The whole word, as the manuals write it"));
     connect(m_hex, &WordField::typed, this, &NumberFields::hexTyped);
     connect(m_hex, &QLineEdit::returnPressed, this, [this] {
-        if (!m_hex->hasProblem() && !m_hex->isReadOnly())
-            Q_EMIT entered();
+        if (m_hex->hasProblem() || m_hex->isReadOnly())
+            return;
+        m_hex->selectAll();
+        Q_EMIT entered();
     });
     connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
     setDisplay(m_display);
@@ -74,13 +74,14 @@ void NumberFields::setOld(bool old)
 // A label of a caption has a colour of its own role, and stays.
 void NumberFields::showAge()
 {
-    for (auto field = m_captions.keyBegin(); field != m_captions.keyEnd(); ++field) {
+    const std::initializer_list<QWidget *> fields{m_hex, m_decimal, m_signed, m_gray, m_binary};
+    for (QWidget *field : fields) {
         QPalette colors;
         if (m_old)
             for (const auto group : {QPalette::Active, QPalette::Inactive})
                 colors.setColor(group, QPalette::Text, palette().color(group, QPalette::PlaceholderText));
         colors.setResolveMask(m_old ? colors.resolveMask() : 0);
-        (*field)->setPalette(colors);
+        field->setPalette(colors);
     }
 }
 
@@ -91,16 +92,13 @@ void NumberFields::changeEvent(QEvent *event)
         showAge();
 }
 
-void NumberFields::addField(QWidget *field, const QString &caption, const QString &name,
-                            QBoxLayout *captioned)
+QLabel *NumberFields::captionOf(QWidget *field, const QString &caption)
 {
-    auto *label = new QLabel(caption, this);
+    auto *label = new QLabel(caption, m_more);
     label->setFont(textFont(TextSize::small));
     label->setBuddy(field);
-    captioned->addWidget(label);
-    captioned->addWidget(field);
-    field->setAccessibleName(name);
     m_captions.insert(field, label);
+    return label;
 }
 
 void NumberFields::show(QWidget *field, bool shown)
@@ -122,10 +120,11 @@ void NumberFields::setWord(Word word)
 void NumberFields::setDisplay(const MonitorDisplay &display)
 {
     m_display = display;
-    show(m_decimal, display.decimal);
+    m_decimal->setVisible(display.decimal);
     show(m_signed, display.signedDecimal);
     show(m_gray, display.gray);
     show(m_binary, display.binary);
+    m_more->setVisible(display.signedDecimal || display.gray || display.binary);
     const bool dataOnly = numberBits() < m_form.bits;
     const QString dataBits = QStringLiteral("D%1..D0").arg(m_form.dataBits - 1);
     m_decimal->setToolTip(dataOnly ? tr("%1 as a number", "D24..D0").arg(dataBits)

@@ -8,13 +8,13 @@
 
 #include <QHash>
 
-class QBoxLayout;
 class QLabel;
 
 namespace codewheel {
 
-// A word as numbers: hexadecimal, decimal, signed, Gray, binary, each under its name. Only hexadecimal can be
-// typed, and only where the word can be written; what is typed is checked with every key.
+// A word as numbers: hexadecimal and decimal in a row; signed, Gray and binary, beside their names, in
+// more(). Only hexadecimal can be typed, and only where the word can be written; what is typed is checked
+// with every key.
 class NumberFields : public QWidget
 {
     Q_OBJECT
@@ -29,18 +29,19 @@ public:
     void setOld(bool old); // the word is of before: grey
     void restore();        // hexadecimal says the word again, whatever was typed
     WordField *hexadecimal() const { return m_hex; }
+    QWidget *more() const { return m_more; } // hidden where none of them is shown; to be put in its place
 
 Q_SIGNALS:
     void wordTyped(codewheel::Word word);         // with every key that makes a word
     void problemChanged(const QString &sentence); // empty: it is gone
-    void entered();                               // Return, on a good word
+    void entered();                               // Return, on a good word: it is selected
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
     void showAge();
-    void addField(QWidget *field, const QString &caption, const QString &name, QBoxLayout *captioned);
+    QLabel *captionOf(QWidget *field, const QString &caption);
     void show(QWidget *field, bool shown); // with its caption
     void hexTyped(const QString &text);
     void hexLeft();
@@ -51,6 +52,7 @@ private:
     WordForm m_form;
     WordField *m_hex;
     NumberField *m_decimal;
+    QWidget *m_more;
     NumberField *m_signed;
     NumberField *m_gray;
     NumberField *m_binary;

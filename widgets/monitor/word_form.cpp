@@ -20,9 +20,9 @@ constexpr WordForm la66Form{
 
 } // namespace
 
-WordForm wordForm(MonitorKind kind, const DeviceDescription *device)
+WordForm wordForm(int bits, const DeviceDescription *device)
 {
-    if (bitsOf(kind) == 16)
+    if (bits == 16)
         return {.bits = 16, .dataBits = 16};
     if (device == nullptr)
         return {};

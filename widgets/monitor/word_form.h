@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/monitor/monitor_kind.h"
+#include "words/k3_word.h"
 
 namespace codewheel {
 
@@ -20,7 +20,7 @@ struct WordForm
     friend bool operator==(const WordForm &, const WordForm &) = default;
 };
 
-// device: null for one that is not known, then every bit may be anything.
-WordForm wordForm(MonitorKind kind, const DeviceDescription *device);
+// bits: 16 or 32; device: null for one that is not known, then every bit may be anything.
+WordForm wordForm(int bits, const DeviceDescription *device);
 
 } // namespace codewheel

@@ -9,53 +9,80 @@ namespace {
 
 constexpr int cellWidth = 22;
 constexpr int cellHeight = 26;
+// So that a row of 32 bits has room beside the panels of a window of 1280 pixels.
+constexpr int narrowCellWidth = 18;
+constexpr int narrowGroupGap = grid::unit;
+constexpr int widestNarrowRow = 16; // bits; more of them are narrow
+constexpr int wordGap = 2;
 
 } // namespace
 
-WordLayout::WordLayout(const WordForm &form, int rows, double factor, int numberHeight)
+WordLayout::WordLayout(const WordForm &form, int words, int rows, const Room &room)
     : m_form(form)
+    , m_words(words)
     , m_rows(rows)
-    , m_cell(qRound(cellWidth * factor), qRound(cellHeight * factor))
-    , m_numberHeight(numberHeight)
-{}
+    , m_room(room)
+{
+    const bool isNarrow = bitsPerRow() > widestNarrowRow;
+    m_cell = {qRound((isNarrow ? narrowCellWidth : cellWidth) * room.factor),
+              qRound(cellHeight * room.factor)};
+    m_groupGap = isNarrow ? narrowGroupGap : grid::groupGap;
+}
+
+int WordLayout::rowHeight() const
+{
+    return m_room.numberHeight + m_words * m_cell.height() + (m_words - 1) * wordGap;
+}
 
 QSize WordLayout::size() const
 {
     const int width = left(bits() - bitsPerRow()) + m_cell.width();
-    const int rowHeight = m_numberHeight + m_cell.height();
-    return {width, m_rows * rowHeight + (m_rows - 1) * grid::unit};
+    return {width, m_rows * rowHeight() + (m_rows - 1) * grid::unit};
 }
 
-// Rows are flush right, so that the nibbles of both stand above each other.
+// Rows are flush right, so that the nibbles of all stand above each other.
 int WordLayout::left(int bit) const
 {
     const auto fromRight = [this](int of) {
         const int first = of - of % bitsPerRow();
         int distance = 0;
         for (int below = first; below < of; ++below)
-            distance += m_cell.width() + (startsGroup(below + 1) ? grid::groupGap : 0);
+            distance += m_cell.width() + (startsGroup(below + 1) ? m_groupGap : 0);
         return distance;
     };
-    return fromRight(bits() - 1) - fromRight(bit);
+    return m_room.captionWidth + fromRight(bits() - 1) - fromRight(bit);
 }
 
-QRect WordLayout::cell(int bit) const
+int WordLayout::top(int word, int row) const
 {
-    const int top = rowOf(bit) * (m_numberHeight + m_cell.height() + grid::unit) + m_numberHeight;
-    return {QPoint(left(bit), top), m_cell};
+    return row * (rowHeight() + grid::unit) + m_room.numberHeight + word * (m_cell.height() + wordGap);
+}
+
+QRect WordLayout::cell(WordBit bit) const
+{
+    return {QPoint(left(bit.bit), top(bit.word, rowOf(bit.bit))), m_cell};
 }
 
 QRect WordLayout::number(int bit) const
 {
-    const QRect below = cell(bit);
-    return {below.left(), below.top() - m_numberHeight, below.width(), m_numberHeight};
+    const QRect below = cell({0, bit});
+    return {below.left(), below.top() - m_room.numberHeight, below.width(), m_room.numberHeight};
 }
 
-std::optional<int> WordLayout::bitAt(QPoint point) const
+QRect WordLayout::caption(int word, int row) const
 {
-    for (int bit = 0; bit < bits(); ++bit)
-        if (cell(bit).united(number(bit)).contains(point))
-            return bit;
+    return {0, top(word, row), m_room.captionWidth, m_cell.height()};
+}
+
+std::optional<WordBit> WordLayout::bitAt(QPoint point) const
+{
+    for (int bit = 0; bit < bits(); ++bit) {
+        if (number(bit).contains(point))
+            return WordBit{0, bit};
+        for (int word = 0; word < m_words; ++word)
+            if (cell({word, bit}).contains(point))
+                return WordBit{word, bit};
+    }
     return {};
 }
 

@@ -3,42 +3,67 @@
 
 #include "widgets/monitor/word_form.h"
 
+#include <QMetaType>
 #include <QRect>
 
 #include <optional>
 
 namespace codewheel {
 
-// Where the bits of a word stand: the highest left, in groups, each with its number above. Pure geometry, for
+// A bit of one of the words that stand above each other: 0 is the upper word.
+struct WordBit
+{
+    int word = 0;
+    int bit = 0;
+
+    friend bool operator==(const WordBit &, const WordBit &) = default;
+};
+
+// Where the bits of words stand that are shown bit under bit: the highest left, in groups, with one line of
+// numbers above them. Where they take several rows, each row has its part of every word. Pure geometry, for
 // WordView.
 class WordLayout
 {
 public:
     static constexpr int matrixBitsPerRow = 8;
 
-    // rows: 1, 2, or as many as a matrix has; factor: 1.5 with large controls.
-    WordLayout(const WordForm &form, int rows, double factor, int numberHeight);
+    // What stands around the cells, in pixels.
+    struct Room
+    {
+        double factor = 1;    // of the cells: 1.5 with large controls
+        int numberHeight = 0; // of the numbers above them
+        int captionWidth = 0; // of the names of the words, left of them
+    };
+
+    // rows: 1, 2, or as many as a matrix has.
+    WordLayout(const WordForm &form, int words, int rows, const Room &room);
 
     const WordForm &form() const { return m_form; }
     int bits() const { return m_form.bits; }
+    int words() const { return m_words; }
     int rows() const { return m_rows; }
     int bitsPerRow() const { return m_form.bits / m_rows; }
     QSize size() const;
 
-    QRect cell(int bit) const;
+    QRect cell(WordBit bit) const;
     QRect number(int bit) const;
-    // By the cell or the number above it.
-    std::optional<int> bitAt(QPoint point) const;
+    QRect caption(int word, int row) const;
+    // By its cell, or by its number, which stands for the upper word.
+    std::optional<WordBit> bitAt(QPoint point) const;
 
 private:
     bool startsGroup(int bit) const { return (m_form.groupStarts >> bit & 1) != 0; }
     int left(int bit) const;
     int rowOf(int bit) const { return m_rows - 1 - bit / bitsPerRow(); }
+    int rowHeight() const;
+    int top(int word, int row) const;
 
     WordForm m_form;
+    int m_words;
     int m_rows;
+    Room m_room;
     QSize m_cell;
-    int m_numberHeight;
+    int m_groupGap;
 };
 
 } // namespace codewheel

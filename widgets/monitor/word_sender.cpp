@@ -5,10 +5,8 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
-#include "widgets/look/role_label.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QPushButton>
 
 namespace codewheel {
@@ -19,8 +17,7 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
     , m_commandBits(form.commandBits)
     , m_write(new QPushButton(lineIcon(Icon::write), tr("Write"), this))
     , m_discard(new QPushButton(tr("Discard"), this))
-    , m_atOnce(new QCheckBox(tr("At once"), this))
-    , m_staged(new RoleLabel(this))
+    , m_atOnce(new QCheckBox(tr("At once"), parent))
 {
     describe(m_write, tr("Write %1", "Write OUT 1.0").arg(place),
              tr("Send this word to the encoder; it stands there until another is sent (Ctrl+Return)"));
@@ -28,14 +25,7 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
              tr("Back to the word that stands on the bus (Esc)"));
     describe(m_atOnce, tr("Send %1 at once", "Send OUT 1.0 at once").arg(place),
              tr("Send each change as it is made. Words with a parameter number or a command bit still ask."));
-    m_staged->setState(Role::attention, tr("Not sent yet"));
-
-    auto *layout = layOut<QHBoxLayout>(this, grid::groupGap);
-    layout->addWidget(m_write);
-    layout->addWidget(m_discard);
-    layout->addWidget(m_atOnce);
-    layout->addStretch(1);
-    layout->addWidget(m_staged);
+    layOutRow(this, {m_write, m_discard}, {grid::unit, QMargins()});
 
     connect(m_write, &QPushButton::clicked, this, &WordSender::write);
     connect(m_discard, &QPushButton::clicked, this, &WordSender::discard);
@@ -83,7 +73,6 @@ void WordSender::edited()
 void WordSender::showStaged()
 {
     const bool staged = m_channel && m_channel->staged();
-    m_staged->setVisible(staged);
     if (!staged && m_discard->hasFocus())
         m_write->setFocus();
     m_discard->setEnabled(staged);

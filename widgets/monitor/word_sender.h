@@ -14,11 +14,9 @@ class QPushButton;
 
 namespace codewheel {
 
-class RoleLabel;
-
-// The row below an OUT word: Write, Discard, "At once". At once is off with every new monitor, and even then
-// a word with a command bit or a parameter number is sent only when the user says so: clicking bit 25 alone
-// means steps = 0.
+// What sends an OUT word: Write, Discard, and beside them "At once", which its monitor puts in its place. At
+// once is off with every new monitor, and even then a word with a command bit or a parameter number is sent
+// only when the user says so: clicking bit 25 alone means steps = 0.
 class WordSender : public QWidget
 {
     Q_OBJECT
@@ -34,6 +32,7 @@ public:
     void discard();
     void edited(); // the user has staged a whole word: it is sent if that is to happen at once
     void showStaged();
+    QCheckBox *atOnce() const { return m_atOnce; }
 
 Q_SIGNALS:
     void refused(const codewheel::Refusal &why);
@@ -48,7 +47,6 @@ private:
     QPushButton *m_write;
     QPushButton *m_discard;
     QCheckBox *m_atOnce;
-    RoleLabel *m_staged;
     bool m_blocked = false;
 };
 

@@ -6,7 +6,6 @@
 #include "widgets/look/grid.h"
 #include "widgets/monitor/word_view_accessible.h"
 
-#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QHelpEvent>
 #include <QPainter>
@@ -19,10 +18,6 @@ namespace codewheel {
 
 namespace {
 
-// A narrower window has no room for 32 bits beside its docks.
-constexpr int oneRowWindowWidth = 1280;
-constexpr int cardMargins = 8 * grid::unit; // beside the bits, in a column of monitors
-
 int numberHeight()
 {
     return QFontMetrics(numberFont(TextSize::small)).ascent() + 2;
@@ -33,179 +28,168 @@ constexpr Word maskOf(int bit)
     return Word{1} << bit;
 }
 
-// The column of a scroll area the view stands in; null: none.
-QWidget *viewportAround(const QWidget &view)
-{
-    for (QWidget *above = view.parentWidget(); above != nullptr; above = above->parentWidget())
-        if (const auto *area = qobject_cast<QAbstractScrollArea *>(above))
-            return area->viewport();
-    return nullptr;
-}
-
 } // namespace
 
-WordView::WordView(const WordForm &form, QWidget *parent)
+WordView::WordView(const WordForm &form, std::vector<Line> lines, QWidget *parent)
     : QWidget(parent)
-    , m_layout(form, 1, 1.0, numberHeight())
-    , m_focusedBit(form.bits - 1)
+    , m_layout(form, static_cast<int>(lines.size()), 1, {})
+    , m_focused{0, form.bits - 1}
 {
+    QStringList places;
+    for (Line &line : lines) {
+        places << line.place;
+        m_words.push_back({.line = std::move(line)});
+    }
+    setAccessibleName(tr("%1 bits", "OUT 1.0, IN 1.0 bits").arg(places.join(QStringLiteral(", "))));
     installWordViewAccessibility();
     setAutoFillBackground(true); // so that a bit that changes does not paint what is behind it
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     arrange();
 }
 
-void WordView::setPlace(const QString &place)
+int WordView::captionWidth(const QStringList &captions)
 {
-    m_place = place;
-    setAccessibleName(tr("%1 bits", "OUT 1.0 bits").arg(place));
+    const QFontMetrics metrics(textFont(TextSize::small));
+    int widest = 0;
+    for (const QString &caption : captions)
+        widest = std::max(widest, metrics.horizontalAdvance(caption));
+    return widest + grid::unit;
 }
 
-void WordView::setEditable(bool editable)
+QStringList WordView::captions() const
 {
-    m_editable = editable;
-    m_pressedBit.reset();
-    updateCells(~Word{0});
+    QStringList captions;
+    for (const Shown &shown : m_words)
+        captions << shown.line.caption;
+    return captions;
 }
 
-void WordView::setBitText(std::function<QString(int)> text)
+void WordView::setWord(int word, Word shown, Word onBus, Word edges, Instant now)
 {
-    m_bitText = std::move(text);
+    Shown &its = at(word);
+    const Word shownBefore = std::exchange(its.shown, shown);
+    const Word stagedBefore = std::exchange(its.staged, shown ^ onBus);
+    const Word markedBefore = its.marks.bits();
+    its.marks.update(edges, now);
+    updateCells(word,
+                (shownBefore ^ its.shown) | (stagedBefore ^ its.staged) | (markedBefore ^ its.marks.bits()));
+    if (hasFocus() && m_focused.word == word && ((shownBefore ^ its.shown) & maskOf(m_focused.bit)) != 0)
+        announceBitState(*this, m_focused);
 }
 
-void WordView::setWord(Word shown, Word onBus, Word edges, Instant now)
+bool WordView::isSet(WordBit bit) const
 {
-    const Word shownBefore = std::exchange(m_shown, shown);
-    const Word stagedBefore = std::exchange(m_staged, shown ^ onBus);
-    const Word markedBefore = m_marks.bits();
-    m_marks.update(edges, now);
-    updateCells((shownBefore ^ m_shown) | (stagedBefore ^ m_staged) | (markedBefore ^ m_marks.bits()));
-    if (hasFocus() && ((shownBefore ^ m_shown) & maskOf(m_focusedBit)) != 0)
-        announceBitState(*this, m_focusedBit);
+    return (at(bit.word).shown & maskOf(bit.bit)) != 0;
 }
 
-bool WordView::isSet(int bit) const
+bool WordView::isStaged(WordBit bit) const
 {
-    return (m_shown & maskOf(bit)) != 0;
+    return (at(bit.word).staged & maskOf(bit.bit)) != 0;
 }
 
-bool WordView::isStaged(int bit) const
+bool WordView::isMarked(WordBit bit) const
 {
-    return (m_staged & maskOf(bit)) != 0;
+    return (at(bit.word).marks.bits() & maskOf(bit.bit)) != 0;
 }
 
-bool WordView::isMarked(int bit) const
+QString WordView::bitName(WordBit bit) const
 {
-    return (m_marks.bits() & maskOf(bit)) != 0;
+    return tr("%1 bit %2", "OUT 1.0 bit 25").arg(at(bit.word).line.place).arg(bit.bit);
 }
 
-QString WordView::bitName(int bit) const
+QString WordView::bitDescription(WordBit bit) const
 {
-    return tr("%1 bit %2", "OUT 1.0 bit 25").arg(m_place).arg(bit);
-}
-
-QString WordView::bitDescription(int bit) const
-{
-    QString meaning = m_bitText ? m_bitText(bit) : QString();
+    const auto &bitText = at(bit.word).line.bitText;
+    QString meaning = bitText ? bitText(bit.bit) : QString();
     if (!isStaged(bit))
         return meaning;
     return meaning.isEmpty() ? tr("Not sent yet") : tr("%1 (not sent yet)", "meaning of a bit").arg(meaning);
 }
 
-void WordView::setFocusedBit(int bit)
+bool WordView::has(WordBit bit) const
 {
-    if (bit < 0 || bit >= bits() || bit == m_focusedBit)
+    return bit.bit >= 0 && bit.bit < bits() && bit.word >= 0 && bit.word < words();
+}
+
+void WordView::setFocusedBit(WordBit bit)
+{
+    if (!has(bit) || bit == m_focused)
         return;
-    updateCells(maskOf(std::exchange(m_focusedBit, bit)) | maskOf(bit));
+    updateCell(std::exchange(m_focused, bit));
+    updateCell(bit);
     if (hasFocus()) {
         announceBitFocus(*this, bit);
         showStatusTip(bit);
     }
 }
 
-void WordView::toggleBit(int bit)
+void WordView::toggleBit(WordBit bit)
 {
-    if (m_editable && isEnabled() && bit >= 0 && bit < bits())
+    if (isEnabled() && has(bit) && isEditable(bit.word))
         Q_EMIT bitToggled(bit);
+}
+
+WordLayout WordView::layoutWith(int rows) const
+{
+    return {m_layout.form(),
+            words(),
+            rows,
+            {.factor = controlFactor(*this),
+             .numberHeight = numberHeight(),
+             .captionWidth = captionWidth(captions())}};
+}
+
+WordLayout WordView::layoutFor(int width) const
+{
+    if (m_matrix)
+        return layoutWith(bits() / WordLayout::matrixBitsPerRow);
+    const WordLayout oneRow = layoutWith(1);
+    return bits() == 16 || oneRow.size().width() <= width ? oneRow : layoutWith(2);
 }
 
 QSize WordView::sizeHint() const
 {
-    return m_layout.size();
+    return layoutFor(QWIDGETSIZE_MAX).size();
+}
+
+QSize WordView::minimumSizeHint() const
+{
+    return {layoutFor(0).size().width(), sizeHint().height()};
 }
 
 void WordView::setMatrix(bool matrix)
 {
-    if (std::exchange(m_matrix, matrix) != matrix)
-        arrange();
+    if (std::exchange(m_matrix, matrix) == matrix)
+        return;
+    arrange();
+    updateGeometry();
 }
 
-int WordView::wantedRows() const
-{
-    if (m_matrix)
-        return bits() / WordLayout::matrixBitsPerRow;
-    const bool narrow = window()->width() < oneRowWindowWidth * controlFactor(*this);
-    return bits() == 32 && (narrow || !fitsIntoOneRow()) ? 2 : 1;
-}
-
-// Panels beside the monitors take room that the width of the window does not tell of.
-bool WordView::fitsIntoOneRow() const
-{
-    if (m_room == nullptr)
-        return true;
-    const int needed = WordLayout(m_layout.form(), 1, controlFactor(*this), numberHeight()).size().width();
-    return needed + cardMargins <= m_room->width();
-}
-
-// The width of window and column decides on one row or two, the style on the size of the cells.
+// The width decides on one row or two, the style on the size of the cells.
 void WordView::arrange()
 {
-    m_layout = WordLayout(m_layout.form(), wantedRows(), controlFactor(*this), numberHeight());
-    updateGeometry();
+    m_layout = layoutFor(width());
     update();
 }
 
-void WordView::watchWindow()
+void WordView::resizeEvent(QResizeEvent *)
 {
-    QWidget *room = viewportAround(*this);
-    if (m_window == window() && m_room == room)
-        return;
-    for (QWidget *watched : {m_window.data(), m_room.data()})
-        if (watched != nullptr)
-            watched->removeEventFilter(this);
-    m_window = window();
-    m_room = room;
-    for (QWidget *watched : {m_window.data(), m_room.data()})
-        if (watched != nullptr && watched != this)
-            watched->installEventFilter(this);
     arrange();
-}
-
-bool WordView::eventFilter(QObject *watched, QEvent *event)
-{
-    if ((watched == m_window || watched == m_room) && event->type() == QEvent::Resize) {
-        if (wantedRows() != m_layout.rows())
-            arrange();
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 bool WordView::event(QEvent *event)
 {
-    switch (event->type()) {
-    case QEvent::ParentChange:
-    case QEvent::Show:
-    case QEvent::Polish:
-        watchWindow();
-        break;
-    case QEvent::ToolTip: {
+    if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);
         return showToolTip(help->pos(), help->globalPos());
     }
-    default:
-        break;
+    if (event->type() == QEvent::Polish) {
+        arrange();
+        updateGeometry();
     }
     return QWidget::event(event);
 }
@@ -219,6 +203,7 @@ void WordView::changeEvent(QEvent *event)
     case QEvent::PaletteChange:
         m_pictures.clear();
         arrange();
+        updateGeometry();
         break;
     case QEvent::EnabledChange:
         update();
@@ -228,47 +213,57 @@ void WordView::changeEvent(QEvent *event)
     }
 }
 
-void WordView::setOld(bool old)
+void WordView::setOld(int word, bool old)
 {
-    if (std::exchange(m_old, old) != old)
-        update();
+    if (std::exchange(at(word).isOld, old) != old)
+        updateCells(word, ~Word{0});
 }
 
-BitCell WordView::lookOf(int bit) const
+BitCell WordView::lookOf(WordBit bit) const
 {
     return {.set = isSet(bit),
             .changed = isMarked(bit),
             .staged = isStaged(bit),
-            .focused = hasFocus() && bit == m_focusedBit,
-            .hovered = m_editable && m_hoveredBit == bit,
-            .enabled = isEnabled() && !m_old};
+            .focused = hasFocus() && bit == m_focused,
+            .hovered = isEditable(bit.word) && m_hovered == bit,
+            .enabled = isEnabled() && !isOld(bit.word)};
 }
 
 void WordView::paintEvent(QPaintEvent *event)
 {
     QPainter painter(this);
-    painter.setFont(numberFont(TextSize::small));
     painter.setPen(
         palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
     const QRegion &exposed = event->region();
+    painter.setFont(textFont(TextSize::small));
+    paintCaptions(painter, exposed);
+    painter.setFont(numberFont(TextSize::small));
     for (int bit = 0; bit < bits(); ++bit) {
-        const QRect cell = m_layout.cell(bit);
-        if (exposed.intersects(cell))
-            painter.drawPixmap(cell.topLeft(),
-                               m_pictures.picture(lookOf(bit), cell.size(), devicePixelRatioF(), palette()));
         if (const QRect number = m_layout.number(bit); exposed.intersects(number))
             painter.drawText(number, Qt::AlignHCenter | Qt::AlignTop, QString::number(bit));
+        for (int word = 0; word < words(); ++word)
+            if (const QRect cell = m_layout.cell({word, bit}); exposed.intersects(cell))
+                painter.drawPixmap(cell.topLeft(), m_pictures.picture(lookOf({word, bit}), cell.size(),
+                                                                      devicePixelRatioF(), palette()));
     }
 }
 
+void WordView::paintCaptions(QPainter &painter, const QRegion &exposed) const
+{
+    for (int row = 0; row < m_layout.rows(); ++row)
+        for (int word = 0; word < words(); ++word)
+            if (const QRect caption = m_layout.caption(word, row); exposed.intersects(caption))
+                painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter, at(word).line.caption);
+}
+
 // Neighbours together: each rectangle costs as much as its cells.
-void WordView::updateCells(Word bitMask)
+void WordView::updateCells(int word, Word bitMask)
 {
     QRect together;
     for (int bit = 0; bit < bits(); ++bit) {
         if ((bitMask & maskOf(bit)) == 0)
             continue;
-        const QRect cell = m_layout.cell(bit);
+        const QRect cell = m_layout.cell({word, bit});
         const bool isNext = bit > 0 && (bitMask & maskOf(bit - 1)) != 0 && cell.top() == together.top();
         if (!isNext)
             update(together);
@@ -277,12 +272,14 @@ void WordView::updateCells(Word bitMask)
     update(together);
 }
 
-void WordView::setHoveredBit(std::optional<int> bit)
+void WordView::setHoveredBit(std::optional<WordBit> bit)
 {
-    const std::optional<int> before = std::exchange(m_hoveredBit, bit);
+    const std::optional<WordBit> before = std::exchange(m_hovered, bit);
     if (before == bit)
         return;
-    updateCells((before ? maskOf(*before) : 0) | (bit ? maskOf(*bit) : 0));
+    for (const std::optional<WordBit> &one : {before, bit})
+        if (one)
+            updateCell(*one);
     showStatusTip(bit);
 }
 
@@ -298,34 +295,44 @@ void WordView::leaveEvent(QEvent *)
 
 void WordView::mousePressEvent(QMouseEvent *event)
 {
-    m_pressedBit = event->button() == Qt::LeftButton ? bitAt(event->position().toPoint()) : std::nullopt;
-    if (m_pressedBit)
-        setFocusedBit(*m_pressedBit);
+    const auto bit = bitAt(event->position().toPoint());
+    m_pressed = event->button() == Qt::LeftButton ? bit : std::nullopt;
+    if (bit)
+        setFocusedBit(*bit);
 }
 
 void WordView::mouseReleaseEvent(QMouseEvent *event)
 {
-    const std::optional<int> pressed = std::exchange(m_pressedBit, std::nullopt);
+    const std::optional<WordBit> pressed = std::exchange(m_pressed, std::nullopt);
     if (pressed && event->button() == Qt::LeftButton && bitAt(event->position().toPoint()) == pressed)
         toggleBit(*pressed);
 }
 
-std::optional<int> WordView::bitForKey(int key) const
+// By so many lines of bits, those of the words and of the rows; the same bit where there is none.
+WordBit WordView::below(WordBit bit, int lines) const
 {
-    const int row = m_layout.bitsPerRow();
+    const int line = (bits() - 1 - bit.bit) / m_layout.bitsPerRow() * words() + bit.word + lines;
+    if (line < 0 || line >= words() * m_layout.rows())
+        return bit;
+    const int inRow = bit.bit % m_layout.bitsPerRow();
+    return {line % words(), bits() - (line / words() + 1) * m_layout.bitsPerRow() + inRow};
+}
+
+std::optional<WordBit> WordView::bitForKey(int key) const
+{
     switch (key) {
     case Qt::Key_Left:
-        return std::min(m_focusedBit + 1, bits() - 1);
+        return WordBit{m_focused.word, std::min(m_focused.bit + 1, bits() - 1)};
     case Qt::Key_Right:
-        return std::max(m_focusedBit - 1, 0);
+        return WordBit{m_focused.word, std::max(m_focused.bit - 1, 0)};
     case Qt::Key_Up:
-        return m_focusedBit + row < bits() ? m_focusedBit + row : m_focusedBit;
+        return below(m_focused, -1);
     case Qt::Key_Down:
-        return m_focusedBit - row >= 0 ? m_focusedBit - row : m_focusedBit;
+        return below(m_focused, 1);
     case Qt::Key_Home:
-        return bits() - 1;
+        return WordBit{m_focused.word, bits() - 1};
     case Qt::Key_End:
-        return 0;
+        return WordBit{m_focused.word, 0};
     default:
         return {};
     }
@@ -335,8 +342,8 @@ void WordView::keyPressEvent(QKeyEvent *event)
 {
     if (const auto bit = bitForKey(event->key()))
         setFocusedBit(*bit);
-    else if (event->key() == Qt::Key_Space && m_editable)
-        toggleBit(m_focusedBit);
+    else if (event->key() == Qt::Key_Space && isEditable(m_focused.word))
+        toggleBit(m_focused);
     else
         QWidget::keyPressEvent(event);
 }
@@ -344,19 +351,19 @@ void WordView::keyPressEvent(QKeyEvent *event)
 void WordView::focusInEvent(QFocusEvent *event)
 {
     QWidget::focusInEvent(event);
-    updateCells(maskOf(m_focusedBit));
-    announceBitFocus(*this, m_focusedBit);
-    showStatusTip(m_focusedBit);
+    updateCell(m_focused);
+    announceBitFocus(*this, m_focused);
+    showStatusTip(m_focused);
 }
 
 void WordView::focusOutEvent(QFocusEvent *event)
 {
     QWidget::focusOutEvent(event);
-    updateCells(maskOf(m_focusedBit));
+    updateCell(m_focused);
     showStatusTip({});
 }
 
-void WordView::showStatusTip(std::optional<int> bit)
+void WordView::showStatusTip(std::optional<WordBit> bit)
 {
     QString tip;
     if (bit) {
@@ -376,7 +383,8 @@ bool WordView::showToolTip(QPoint position, QPoint globalPosition)
         return true;
     }
     const QString description = bitDescription(*bit);
-    const QString name = tr("Bit %1").arg(*bit);
+    const QString name = words() == 1 ? tr("Bit %1").arg(bit->bit)
+                                      : tr("%1 bit %2").arg(at(bit->word).line.caption).arg(bit->bit);
     QToolTip::showText(globalPosition,
                        description.isEmpty() ? name : tr("%1: %2", "bit: meaning").arg(name, description),
                        this, m_layout.cell(*bit));

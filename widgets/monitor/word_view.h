@@ -6,68 +6,76 @@
 #include "widgets/monitor/word_layout.h"
 #include "words/k3_word.h"
 
-#include <QPointer>
 #include <QWidget>
 
 #include <functional>
 
 namespace codewheel {
 
-// A word as its bits, each a control of its own for mouse, keys and screen readers, painted as one widget. It
-// shows what it is given and asks for a change by bitToggled(); monitors and the wizard use it.
+// The words of a device bit under bit, each bit a control of its own for mouse, keys and screen readers,
+// painted as one widget. It shows what it is given and asks for a change by bitToggled(). All bits stand in
+// one row where it is wide enough, else in two.
 //
-// Keys: Left to the higher bit, Right to the lower, Up and Down between the rows, Home to the highest, End to
-// bit 0, Space toggles.
+// Keys: Left to the higher bit, Right to the lower, Up and Down to the bit above and below, Home to the
+// highest, End to bit 0, Space toggles.
 class WordView : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit WordView(const WordForm &form, QWidget *parent = nullptr);
+    struct Line
+    {
+        QString caption; // "OUT", left of its bits
+        QString place;   // "OUT 1.0": names the bits for screen readers
+        bool isEditable = false;
+        // What a bit means in this device, for tooltip, status tip and screen reader; empty where nothing is
+        // known.
+        std::function<QString(int bit)> bitText{};
+    };
 
-    // "OUT 1.0": names the bits for screen readers.
-    void setPlace(const QString &place);
-    QString place() const { return m_place; }
-    void setEditable(bool editable);
-    bool isEditable() const { return m_editable; }
+    // From top to bottom; at least one.
+    WordView(const WordForm &form, std::vector<Line> lines, QWidget *parent = nullptr);
+
     // The bits are of before: grey.
-    void setOld(bool old);
-    bool isOld() const { return m_old; }
-    // In rows of 8 bits, whatever the width of the window.
+    void setOld(int word, bool old);
+    bool isOld(int word) const { return at(word).isOld; }
+    // In rows of 8 bits, whatever the width.
     void setMatrix(bool matrix);
-    // What a bit means in this device, for tooltip, status tip and screen reader; empty where nothing is
-    // known.
-    void setBitText(std::function<QString(int bit)> text);
 
     // shown: with what is staged; onBus: as last sent or received; edges: bits that changed in any cycle
     // since the last call. Call it for each picture, also where nothing changed: marks go by now.
-    void setWord(Word shown, Word onBus, Word edges, Instant now);
-    Word word() const { return m_shown; }
+    void setWord(int word, Word shown, Word onBus, Word edges, Instant now);
+    Word word(int word = 0) const { return at(word).shown; }
 
     int bits() const { return m_layout.bits(); }
-    bool isSet(int bit) const;
-    bool isStaged(int bit) const;
-    bool isMarked(int bit) const;
-    QString bitName(int bit) const; // "OUT 1.0 bit 25"
-    QString bitDescription(int bit) const;
-    QRect bitRect(int bit) const { return m_layout.cell(bit); }
-    std::optional<int> bitAt(QPoint point) const { return m_layout.bitAt(point); }
+    int words() const { return m_layout.words(); }
+    bool isEditable(int word) const { return at(word).line.isEditable; }
+    bool isSet(WordBit bit) const;
+    bool isStaged(WordBit bit) const;
+    bool isMarked(WordBit bit) const;
+    QString bitName(WordBit bit) const; // "OUT 1.0 bit 25"
+    QString bitDescription(WordBit bit) const;
+    QRect bitRect(WordBit bit) const { return m_layout.cell(bit); }
+    std::optional<WordBit> bitAt(QPoint point) const { return m_layout.bitAt(point); }
+    static int captionWidth(const QStringList &captions); // of the column they stand in
 
-    int focusedBit() const { return m_focusedBit; }
-    void setFocusedBit(int bit);
+    WordBit focusedBit() const { return m_focused; }
+    void setFocusedBit(WordBit bit);
     // As if the bit were clicked: does nothing where it cannot be.
-    void toggleBit(int bit);
+    void toggleBit(WordBit bit);
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override { return layoutFor(width).size().height(); }
 
 Q_SIGNALS:
-    void bitToggled(int bit);
+    void bitToggled(codewheel::WordBit bit);
 
 protected:
     bool event(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -78,32 +86,39 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    std::optional<int> bitForKey(int key) const;
-    BitCell lookOf(int bit) const;
-    void setHoveredBit(std::optional<int> bit);
-    void updateCells(Word bits);
-    void watchWindow();
-    int wantedRows() const;
-    bool fitsIntoOneRow() const;
+    struct Shown
+    {
+        Line line;
+        Word shown = 0;
+        Word staged = 0;
+        ChangeMarks marks{};
+        bool isOld = false;
+    };
+
+    const Shown &at(int word) const { return m_words[static_cast<std::size_t>(word)]; }
+    Shown &at(int word) { return m_words[static_cast<std::size_t>(word)]; }
+    bool has(WordBit bit) const;
+    QStringList captions() const;
+    WordLayout layoutWith(int rows) const;
+    WordLayout layoutFor(int width) const;
     void arrange();
-    void showStatusTip(std::optional<int> bit);
+    std::optional<WordBit> bitForKey(int key) const;
+    WordBit below(WordBit bit, int lines) const;
+    BitCell lookOf(WordBit bit) const;
+    void setHoveredBit(std::optional<WordBit> bit);
+    void updateCells(int word, Word bits);
+    void updateCell(WordBit bit) { update(m_layout.cell(bit)); }
+    void paintCaptions(QPainter &painter, const QRegion &exposed) const;
+    void showStatusTip(std::optional<WordBit> bit);
     bool showToolTip(QPoint position, QPoint globalPosition);
 
+    std::vector<Shown> m_words;
+    bool m_matrix = false;
     WordLayout m_layout;
     BitCellPictures m_pictures;
-    QPointer<QWidget> m_window;
-    QPointer<QWidget> m_room; // of the column it stands in, if it does
-    QString m_place;
-    std::function<QString(int)> m_bitText;
-    Word m_shown = 0;
-    Word m_staged = 0;
-    ChangeMarks m_marks;
-    bool m_editable = false;
-    bool m_old = false;
-    bool m_matrix = false;
-    int m_focusedBit;
-    std::optional<int> m_hoveredBit;
-    std::optional<int> m_pressedBit;
+    WordBit m_focused;
+    std::optional<WordBit> m_hovered;
+    std::optional<WordBit> m_pressed;
 };
 
 } // namespace codewheel

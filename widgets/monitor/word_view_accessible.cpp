@@ -14,9 +14,14 @@ QAccessibleInterface *makeWordInterface(const QString &className, QObject *objec
     return view != nullptr ? new WordViewAccessible(*view) : nullptr;
 }
 
-int indexOfBit(const WordView &view, int bit)
+int indexOfBit(const WordView &view, WordBit bit)
 {
-    return view.bits() - 1 - bit;
+    return bit.word * view.bits() + view.bits() - 1 - bit.bit;
+}
+
+WordBit bitOfIndex(const WordView &view, int index)
+{
+    return {index / view.bits(), view.bits() - 1 - index % view.bits()};
 }
 
 } // namespace
@@ -26,14 +31,14 @@ void installWordViewAccessibility()
     QAccessible::installFactory(makeWordInterface); // ignored if it is there already
 }
 
-void announceBitFocus(WordView &view, int bit)
+void announceBitFocus(WordView &view, WordBit bit)
 {
     QAccessibleEvent event(&view, QAccessible::Focus);
     event.setChild(indexOfBit(view, bit));
     QAccessible::updateAccessibility(&event);
 }
 
-void announceBitState(WordView &view, int bit)
+void announceBitState(WordView &view, WordBit bit)
 {
     QAccessible::State changed;
     changed.checked = true;
@@ -48,9 +53,8 @@ WordViewAccessible::WordViewAccessible(WordView &view)
 
 WordViewAccessible::~WordViewAccessible()
 {
-    for (const QAccessible::Id bit : m_bits)
-        if (bit != 0)
-            QAccessible::deleteAccessibleInterface(bit);
+    for (const auto &[index, id] : m_bits)
+        QAccessible::deleteAccessibleInterface(id);
 }
 
 WordView &WordViewAccessible::view() const
@@ -60,18 +64,18 @@ WordView &WordViewAccessible::view() const
 
 int WordViewAccessible::childCount() const
 {
-    return isValid() ? view().bits() : 0;
+    return isValid() ? view().words() * view().bits() : 0;
 }
 
 QAccessibleInterface *WordViewAccessible::child(int index) const
 {
     if (index < 0 || index >= childCount())
         return nullptr;
-    const int bit = view().bits() - 1 - index;
-    QAccessible::Id &id = m_bits.at(static_cast<std::size_t>(bit));
-    if (id == 0)
-        id = QAccessible::registerAccessibleInterface(new BitAccessible(view(), bit));
-    return QAccessible::accessibleInterface(id);
+    const auto [made, isNew] = m_bits.try_emplace(index);
+    if (isNew)
+        made->second =
+            QAccessible::registerAccessibleInterface(new BitAccessible(view(), bitOfIndex(view(), index)));
+    return QAccessible::accessibleInterface(made->second);
 }
 
 QAccessibleInterface *WordViewAccessible::childAt(int x, int y) const
@@ -93,7 +97,7 @@ QAccessibleInterface *WordViewAccessible::focusChild() const
     return isValid() && view().hasFocus() ? child(indexOfBit(view(), view().focusedBit())) : nullptr;
 }
 
-BitAccessible::BitAccessible(WordView &view, int bit)
+BitAccessible::BitAccessible(WordView &view, WordBit bit)
     : m_view(&view)
     , m_bit(bit)
 {}
@@ -144,7 +148,7 @@ QAccessible::State BitAccessible::state() const
     }
     state.checkable = true;
     state.checked = m_view->isSet(m_bit);
-    state.readOnly = !m_view->isEditable();
+    state.readOnly = !m_view->isEditable(m_bit.word);
     state.disabled = !m_view->isEnabled();
     state.invisible = !m_view->isVisible();
     state.focusable = true;
@@ -159,7 +163,7 @@ void *BitAccessible::interface_cast(QAccessible::InterfaceType type)
 
 QStringList BitAccessible::actionNames() const
 {
-    if (m_view && m_view->isEditable() && m_view->isEnabled())
+    if (m_view && m_view->isEditable(m_bit.word) && m_view->isEnabled())
         return {toggleAction(), setFocusAction()};
     return {setFocusAction()};
 }

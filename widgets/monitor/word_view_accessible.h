@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/monitor/word_layout.h"
+
 #include <QAccessibleWidget>
 #include <QPointer>
 
-#include <array>
+#include <unordered_map>
 
 namespace codewheel {
 
@@ -13,10 +15,11 @@ class WordView;
 // Makes Qt ask us for the accessible side of WordView; may be called any number of times.
 void installWordViewAccessibility();
 
-void announceBitFocus(WordView &view, int bit);
-void announceBitState(WordView &view, int bit);
+void announceBitFocus(WordView &view, WordBit bit);
+void announceBitState(WordView &view, WordBit bit);
 
-// A WordView as assistive technology sees it: a group of check boxes, the highest bit first.
+// A WordView as assistive technology sees it: a group of check boxes, word by word, the highest bit
+// first.
 class WordViewAccessible final : public QAccessibleWidget
 {
 public:
@@ -34,16 +37,16 @@ public:
 private:
     WordView &view() const;
 
-    mutable std::array<QAccessible::Id, 32> m_bits{}; // by bit, made when first asked for; 0: not yet
+    mutable std::unordered_map<int, QAccessible::Id> m_bits; // by index, made when first asked for
 };
 
 // One bit: a check box; with a toggle action where the word is editable.
 class BitAccessible final : public QAccessibleInterface, public QAccessibleActionInterface
 {
 public:
-    BitAccessible(WordView &view, int bit);
+    BitAccessible(WordView &view, WordBit bit);
 
-    int bit() const { return m_bit; }
+    WordBit bit() const { return m_bit; }
 
     bool isValid() const override;
     QObject *object() const override { return nullptr; } // the view's object is the group
@@ -66,7 +69,7 @@ public:
 
 private:
     QPointer<WordView> m_view;
-    int m_bit;
+    WordBit m_bit;
 };
 
 } // namespace codewheel

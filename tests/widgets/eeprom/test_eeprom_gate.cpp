@@ -6,8 +6,8 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/cancel_question.h"
 #include "widgets/job/job_strip.h"
+#include "widgets/monitor/word_card.h"
 #include "widgets/monitor/word_field.h"
-#include "widgets/monitor/word_monitor.h"
 #include "widgets/parameters/write_review.h"
 
 #include <QApplication>
@@ -183,7 +183,7 @@ TEST_F(EepromGateTest, AQuestionIsAskedOnlyWhereThereIsOne)
 TEST_F(EepromGateTest, HoldsBackAWordByHandThatIsStored)
 {
     EncoderSession &encoder = ring.encoder(fraba);
-    WordMonitor monitor(ring.channel(fraba), &encoder, &encoder.device(), MonitorKind::out32);
+    WordCard monitor(ring.channel(fraba), &encoder, &encoder.device());
     count(500);
     const auto send = [&](Word word) {
         ring.channel(fraba).stage(word);

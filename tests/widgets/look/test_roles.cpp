@@ -89,9 +89,10 @@ TEST_P(Contrast, IconsOfRolesStandOutThreeToOneAndTheirWordsFourAndAHalf)
 
 TEST_P(Contrast, ASetBitStandsOutAndItsDigitFromIt)
 {
-    WordView view(wordForm(MonitorKind::in16, nullptr));
-    view.setWord(1, 1, 0, {});
-    const QImage cell = grab(view, view.bitRect(0));
+    WordView view(wordForm(16, nullptr),
+                  {{.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")}});
+    view.setWord(0, 1, 1, 0, {});
+    const QImage cell = grab(view, view.bitRect({0, 0}));
     const QRgb fill = cell.pixel(cell.width() / 2, 8);
     EXPECT_EQ(fill, roleColor(Role::setBit, qApp->palette()).rgb());
     EXPECT_GE(contrast(fill, windowGround), 3.0);
@@ -100,8 +101,9 @@ TEST_P(Contrast, ASetBitStandsOutAndItsDigitFromIt)
 
 TEST_P(Contrast, AClearBitHasARimAndADigitToSee)
 {
-    WordView view(wordForm(MonitorKind::in16, nullptr));
-    const QImage cell = grab(view, view.bitRect(0));
+    WordView view(wordForm(16, nullptr),
+                  {{.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")}});
+    const QImage cell = grab(view, view.bitRect({0, 0}));
     const QRgb inside = cell.pixel(cell.width() / 2, 8);
     EXPECT_EQ(inside, qApp->palette().base().color().rgb());
     EXPECT_GE(strongestContrast(cell.copy(0, cell.height() / 2, 6, 1), windowGround), 3.0);

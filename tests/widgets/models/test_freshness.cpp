@@ -8,7 +8,7 @@
 #include "widgets/dial/rod_view.h"
 #include "widgets/monitor/bar_view.h"
 #include "widgets/monitor/number_field.h"
-#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_card.h"
 #include "widgets/monitor/word_view.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/wanted_values.h"
@@ -146,38 +146,39 @@ TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
 
 TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
 {
-    WordMonitor in(ring.channel(fraba), &ring.encoder(fraba), &ring.encoder(fraba).device(),
-                   MonitorKind::in32);
-    WordMonitor out(ring.channel(fraba), &ring.encoder(fraba), &ring.encoder(fraba).device(),
-                    MonitorKind::out32);
-    const auto show = [&] {
-        in.showPicture(ring.bus.now());
-        out.showPicture(ring.bus.now());
+    WordCard card(ring.channel(fraba), &ring.encoder(fraba), &ring.encoder(fraba).device());
+    card.setDisplay({.bar = true});
+    const WordLine &in = *card.line(WordDirection::in);
+    const WordLine &out = *card.line(WordDirection::out);
+    const auto show = [&] { card.showPicture(ring.bus.now()); };
+    const auto ink = [](const WordLine &line) {
+        return line.findChild<NumberField *>()->palette().color(QPalette::Active, QPalette::Text);
     };
-    const auto ink = [](WordMonitor &monitor) {
-        return monitor.findChild<NumberField *>()->palette().color(QPalette::Active, QPalette::Text);
-    };
+    const auto &bits = *card.findChild<WordView *>();
+    const int outBits = 0;
+    const int inBits = 1;
     show();
     const QColor live = ink(in);
-    EXPECT_FALSE(in.findChild<WordView *>()->isOld());
+    EXPECT_FALSE(bits.isOld(inBits));
     ring.bus.setRunning(false);
     advance(40);
     show();
-    EXPECT_TRUE(in.findChild<WordView *>()->isOld());
-    EXPECT_FALSE(out.findChild<WordView *>()->isOld()) << "it goes out when the bus runs again";
-    EXPECT_EQ(ink(in), in.palette().color(QPalette::Active, QPalette::PlaceholderText));
+    EXPECT_TRUE(bits.isOld(inBits));
+    EXPECT_FALSE(bits.isOld(outBits)) << "it goes out when the bus runs again";
+    EXPECT_EQ(ink(in), card.palette().color(QPalette::Active, QPalette::PlaceholderText));
+    EXPECT_EQ(ink(out), live);
     EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, %1: ").arg(lastSeen())))
         << in.meaning().toStdString();
-    EXPECT_TRUE(in.findChild<BarView *>()->valueText().endsWith(QStringLiteral("not up to date")));
+    EXPECT_TRUE(card.findChild<BarView *>()->valueText().endsWith(QStringLiteral("not up to date")));
 
     ring.bus.setRunning(true);
     advance(40);
     show();
-    EXPECT_FALSE(in.findChild<WordView *>()->isOld());
+    EXPECT_FALSE(bits.isOld(inBits));
     EXPECT_EQ(ink(in), live);
     ring.bus.close();
     show();
-    EXPECT_TRUE(out.findChild<WordView *>()->isOld()) << "nobody knows what stands there now";
+    EXPECT_TRUE(bits.isOld(outBits)) << "nobody knows what stands there now";
 }
 
 TEST_F(FreshnessTest, KnownParametersAreOfBefore)

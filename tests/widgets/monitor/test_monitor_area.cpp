@@ -2,16 +2,14 @@
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
-#include "widgets/look/inline_message.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/number_field.h"
-#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_card.h"
 
+#include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
-#include <QLatin1Char>
-#include <QMenu>
 #include <QTest>
 #include <QToolButton>
 
@@ -34,9 +32,24 @@ protected:
     QStringList open() const
     {
         QStringList names;
-        for (const WordMonitor *monitor : area.monitors())
-            names << monitor->place().toString() + QLatin1Char(' ') + monitorKindText(monitor->kind());
+        for (const WordCard *card : area.cards())
+            names << card->place().toString() + (card->isPinned() ? QStringLiteral(" pinned") : QString());
         return names;
+    }
+    void press(const char *name)
+    {
+        QCoreApplication::processEvents();
+        for (auto *button : area.findChildren<QToolButton *>())
+            if (button->accessibleName() == QLatin1String(name) && button->isVisible()) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        ADD_FAILURE() << "no " << name;
+    }
+    QString note() const
+    {
+        const auto *label = area.findChild<QLabel *>(QStringLiteral("whyNoMonitor"));
+        return label->isHidden() ? QString() : label->text();
     }
 
     test::TrainingBusSession ring;
@@ -47,140 +60,165 @@ TEST_F(MonitorAreaTest, EmptyItSaysHowToOpenAMonitor)
 {
     const auto *empty = area.findChild<EmptyState *>();
     EXPECT_TRUE(empty->isVisible());
-    area.openMonitor(fraba, MonitorKind::in32);
+    area.follow(fraba);
     EXPECT_FALSE(empty->isVisible());
-    area.closeMonitor(fraba, MonitorKind::in32);
+    area.close(fraba);
     EXPECT_TRUE(empty->isVisible());
 }
 
-TEST_F(MonitorAreaTest, AtFirstStartBothWordsOfTheFirstEncoderAreOpen)
+TEST_F(MonitorAreaTest, OneMonitorFollowsTheChoice)
 {
-    area.openFirst();
-    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0 IN 32"), QStringLiteral("1.0 OUT 32")}));
-}
-
-TEST_F(MonitorAreaTest, OpensEachMonitorOnce)
-{
-    area.openMonitor(fraba, MonitorKind::in32);
-    area.openMonitor(baumer, MonitorKind::out32);
-    area.openMonitor(fraba, MonitorKind::in32);
-    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0 IN 32"), QStringLiteral("2.0 OUT 32")}));
-}
-
-TEST_F(MonitorAreaTest, ADeviceThatIsNotThereIsRefusedWithASentence)
-{
-    area.openMonitor("7.0"_ring, MonitorKind::in32);
+    area.follow(fraba);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0")});
+    area.follow(baumer);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("2.0")});
+    area.follow({});
     EXPECT_TRUE(open().isEmpty());
-    EXPECT_EQ(area.findChild<InlineMessage *>()->sentence(),
-              QStringLiteral("7.0 has no word IN 32 to show. Choose another device or word."));
 }
 
-TEST_F(MonitorAreaTest, OpensTheWordsADeviceHas)
+TEST_F(MonitorAreaTest, APinnedMonitorStaysAndTheNextChoiceIsANewOneAboveIt)
 {
-    area.openWords(test::singleTurn);
-    area.openWords(test::multiTurn);
-    area.openWords(test::onLoop);
-    EXPECT_EQ(open(), (QStringList{QStringLiteral("3.0 IN 16"), QStringLiteral("4.0 IN 32"),
-                                   QStringLiteral("6.1 IN 32"), QStringLiteral("6.1 OUT 32")}));
-    EXPECT_TRUE(area.findChild<InlineMessage *>()->isHidden());
-    EXPECT_EQ(area.monitor(test::singleTurn, MonitorKind::in16)->hexText(), QStringLiteral("03E9"));
+    area.follow(fraba);
+    press("Pin monitor 1.0");
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 pinned")});
+    WordCard *pinned = area.card(fraba);
+    area.follow(baumer);
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("2.0"), QStringLiteral("1.0 pinned")}));
+    EXPECT_EQ(area.card(fraba), pinned);
+    area.follow(fraba);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 pinned")}) << "it is there";
+    press("Pin monitor 1.0");
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0")}) << "it follows again";
+    area.pin(baumer);
+    press("Pin monitor 2.0");
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0")}) << "another device is chosen";
 }
 
-TEST_F(MonitorAreaTest, WhereThereIsNoOutWordItSaysSo)
+TEST_F(MonitorAreaTest, WhatIsStagedStaysWithItsDevice)
 {
-    const QString name = QStringLiteral("noOut");
-    area.openWords(test::singleTurn);
-    area.openWords(fraba);
-    const auto *note = area.monitor(test::singleTurn, MonitorKind::in16)->findChild<QLabel *>(name);
-    ASSERT_NE(note, nullptr);
-    EXPECT_EQ(note->text(), QStringLiteral("3.0 has no OUT word: nothing can be sent to it."));
-    EXPECT_EQ(area.monitor(fraba, MonitorKind::in32)->findChild<QLabel *>(name), nullptr);
+    area.follow(fraba);
+    ring.channel(fraba).stage(0x0200'00FF);
+    area.follow(baumer);
+    EXPECT_EQ(area.card(baumer)->line(WordDirection::out)->shown(), 0U);
+    area.follow(fraba);
+    EXPECT_EQ(area.card(fraba)->line(WordDirection::out)->shown(), 0x0200'00FFU);
+    EXPECT_EQ(ring.channel(fraba).out(), 0U);
+}
 
-    const auto *message = area.findChild<InlineMessage *>(QString(), Qt::FindDirectChildrenOnly);
-    area.openMonitor(test::multiTurn, MonitorKind::out32);
-    EXPECT_EQ(message->sentence(),
-              QStringLiteral("FRABA OCD-IB K2 has no OUT word: nothing can be sent to it."));
-    area.openWords(test::busTerminal);
-    EXPECT_EQ(message->sentence(),
-              QStringLiteral("6.0 has no words to show: it takes no part in the process data."));
+TEST_F(MonitorAreaTest, AClosedMonitorComesBackWithTheNextChoiceAndWhenItIsAskedFor)
+{
+    area.follow(fraba);
+    press("Close monitor 1.0");
+    EXPECT_TRUE(open().isEmpty());
+    area.follow(fraba);
+    EXPECT_TRUE(open().isEmpty()) << "nobody has chosen anything";
+    area.open(fraba);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0")});
+    press("Close monitor 1.0");
+    area.follow(baumer);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("2.0")});
+}
+
+TEST_F(MonitorAreaTest, OpenedTheMonitorOfAnotherDeviceIsPinned)
+{
+    area.follow(fraba);
+    area.open(baumer);
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0"), QStringLiteral("2.0 pinned")}));
+    area.open(baumer);
+    EXPECT_EQ(open().size(), 2);
+}
+
+TEST_F(MonitorAreaTest, ADeviceHasTheWordsThatItHas)
+{
+    area.follow(test::singleTurn);
+    const WordCard *card = area.card(test::singleTurn);
+    EXPECT_EQ(card->line(WordDirection::out), nullptr);
+    EXPECT_EQ(card->line(WordDirection::in)->hexText(), QStringLiteral("03E9"));
+    area.follow(test::multiTurn);
+    EXPECT_EQ(area.card(test::multiTurn)->line(WordDirection::in)->hexText().size(), 8);
+    EXPECT_EQ(area.card(test::multiTurn)->line(WordDirection::out), nullptr);
+    area.follow(test::onLoop);
+    EXPECT_NE(area.card(test::onLoop)->line(WordDirection::out), nullptr);
+}
+
+TEST_F(MonitorAreaTest, WhereThereAreNoWordsItSaysWhy)
+{
+    area.follow(test::singleTurn);
+    const auto *noOut = area.card(test::singleTurn)->findChild<QLabel *>(QStringLiteral("noOut"));
+    ASSERT_NE(noOut, nullptr);
+    EXPECT_EQ(noOut->text(), QStringLiteral("3.0 has no OUT word: nothing can be sent to it."));
+    area.pin(fraba);
+    EXPECT_EQ(area.card(fraba)->findChild<QLabel *>(QStringLiteral("noOut")), nullptr);
+    EXPECT_TRUE(note().isEmpty());
+    area.follow(test::busTerminal);
+    EXPECT_EQ(note(), QStringLiteral("6.0 has no words to show: it takes no part in the process data."));
+    area.follow("7.0"_ring);
+    EXPECT_EQ(note(), QStringLiteral("7.0 is not connected: its words are shown once it is."));
+    area.follow(baumer);
+    EXPECT_TRUE(note().isEmpty());
 }
 
 TEST_F(MonitorAreaTest, WhatAPositionOnlyEncoderShowsIsExplained)
 {
-    area.openWords(test::singleTurn);
+    area.follow(test::singleTurn);
     ring.controls->setSpeed(test::singleTurn.node, 0);
     ring.controls->turnTo(test::singleTurn.node, 4095);
     ring.bus.advance(5);
-    const WordMonitor *monitor = area.monitor(test::singleTurn, MonitorKind::in16);
-    EXPECT_EQ(monitor->hexText(), QStringLiteral("0FFF"));
-    EXPECT_EQ(monitor->meaning(), QStringLiteral("Running, position 4095"));
-}
-
-TEST_F(MonitorAreaTest, TheMenuOffersEveryWordOfEveryDevice)
-{
-    auto *menu = area.findChild<QMenu *>();
-    QMetaObject::invokeMethod(menu, "aboutToShow");
-    ASSERT_EQ(menu->actions().size(), 15) << "K1 has one word, K2 two, a bus terminal none";
-    EXPECT_EQ(menu->actions().at(1)->text(), QStringLiteral("1.0  OUT 32  FRABA OCD-IB K3"));
-    menu->actions().at(1)->trigger();
-    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});
+    const WordLine *in = area.card(test::singleTurn)->line(WordDirection::in);
+    EXPECT_EQ(in->hexText(), QStringLiteral("0FFF"));
+    EXPECT_EQ(in->meaning(), QStringLiteral("Running, position 4095"));
 }
 
 TEST_F(MonitorAreaTest, MonitorsMoveWithTheBus)
 {
-    area.openMonitor(fraba, MonitorKind::in32);
+    area.follow(fraba);
     ring.controls->turnTo(fraba.node, 0x77);
     ring.bus.advance(5);
-    EXPECT_EQ(area.monitor(fraba, MonitorKind::in32)->hexText(), QStringLiteral("00000077"));
+    EXPECT_EQ(area.card(fraba)->line(WordDirection::in)->hexText(), QStringLiteral("00000077"));
 }
 
-TEST_F(MonitorAreaTest, TheCloseButtonClosesItsMonitor)
+TEST_F(MonitorAreaTest, WhatIsPinnedAndShownIsKept)
 {
-    area.openMonitor(fraba, MonitorKind::in32);
-    area.openMonitor(fraba, MonitorKind::out32);
-    for (auto *button : area.findChildren<QToolButton *>())
-        if (button->accessibleName() == QLatin1String("Close monitor IN 1.0"))
-            QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});
-}
-
-TEST_F(MonitorAreaTest, WhatAMonitorShowsIsKeptForItsKind)
-{
-    area.openMonitor(fraba, MonitorKind::in32);
-    area.openMonitor(fraba, MonitorKind::in16);
-    area.monitor(fraba, MonitorKind::in16)->setHighHalf(true);
-    Q_EMIT area.monitor(fraba, MonitorKind::in32)->displayChosen({.gray = false});
+    area.follow(fraba);
+    area.pin(baumer);
+    area.pin(test::onLoop);
+    Q_EMIT area.card(fraba)->displayChosen({.gray = true});
     const QJsonObject state = area.state();
 
     MonitorArea another(ring.buses);
     another.restoreState(state);
     EXPECT_EQ(another.state(), state);
-    EXPECT_TRUE(another.monitor(fraba, MonitorKind::in16)->isHighHalf());
-    another.openMonitor(baumer, MonitorKind::in32);
-    const auto fields = another.monitor(baumer, MonitorKind::in32)->findChildren<NumberField *>();
+    ASSERT_EQ(another.cards().size(), 2U);
+    EXPECT_EQ(another.cards()[0]->place(), baumer);
+    another.follow(fraba);
+    const auto fields = another.card(fraba)->findChildren<NumberField *>();
     EXPECT_GE(fields.size(), 3);
     for (const auto *field : fields)
-        EXPECT_EQ(field->isHidden(), field->accessibleName() == QLatin1String("IN 2.0 Gray"));
+        EXPECT_EQ(field->isHidden(), !field->accessibleName().endsWith(QLatin1String("Gray")) &&
+                                         !field->accessibleName().endsWith(QLatin1String("decimal")))
+            << field->accessibleName().toStdString();
 }
 
-TEST_F(MonitorAreaTest, AStateFromAnotherBusOpensWhatIsThere)
+// A monitor for each word, some of devices that are not there, and what was none even then.
+TEST_F(MonitorAreaTest, AStateOfBeforeIsRead)
 {
     const auto json = QJsonDocument::fromJson(
         R"({"monitors": [{"place": "9.0", "kind": "IN 32"}, {"place": "2.0", "kind": "IN 32"}, 5,
-            {"place": "2.0", "kind": "TREND"}]})");
+            {"place": "2.0", "kind": "OUT 32"}], "display": {"IN 32": {"gray": true}}})");
     area.restoreState(json.object());
-    EXPECT_EQ(open(), QStringList{QStringLiteral("2.0 IN 32")});
+    EXPECT_EQ(open(), QStringList{QStringLiteral("2.0 pinned")});
 }
 
 TEST_F(MonitorAreaTest, MonitorsGoAndComeBackWithTheirBus)
 {
-    area.openMonitor(fraba, MonitorKind::in32);
+    area.follow(fraba);
+    area.pin(baumer);
     ring.bus.close();
     EXPECT_TRUE(open().isEmpty());
     const QJsonObject kept = area.state();
     EXPECT_TRUE(ring.bus.open(RingSession::Start::watching));
     ring.bus.advance(5);
-    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 IN 32")});
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0"), QStringLiteral("2.0 pinned")}));
     EXPECT_EQ(area.state(), kept);
 }
 

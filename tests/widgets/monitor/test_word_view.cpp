@@ -33,8 +33,7 @@ protected:
     WordViewTest()
     {
         window.resize(1400, 200);
-        view.setPlace(QStringLiteral("OUT 1.0"));
-        view.setEditable(true);
+        view.resize(view.sizeHint());
         window.show();
         window.activateWindow();
         view.setFocus();
@@ -42,19 +41,31 @@ protected:
     }
     ~WordViewTest() override { applyAppearance(*qApp, {.scheme = Scheme::light}); }
 
-    void click(int bit) { QTest::mouseClick(&view, Qt::LeftButton, {}, view.bitRect(bit).center()); }
+    void click(int bit) { QTest::mouseClick(&view, Qt::LeftButton, {}, view.bitRect({0, bit}).center()); }
     QList<int> toggledBits() const
     {
         QList<int> bits;
         for (const QList<QVariant> &signal : toggled)
-            bits.append(signal.first().toInt());
+            bits.append(signal.first().value<WordBit>().bit);
         return bits;
     }
-    QImage picture(int bit) { return view.grab(view.bitRect(bit)).toImage(); }
+    QImage picture(int bit) { return view.grab(view.bitRect({0, bit})).toImage(); }
+
+    static WordView::Line outLine()
+    {
+        return {.caption = QStringLiteral("OUT"),
+                .place = QStringLiteral("OUT 1.0"),
+                .isEditable = true,
+                .bitText = [](int bit) { return bit == 31 ? QStringLiteral("Start") : QString(); }};
+    }
+    static WordView::Line inLine()
+    {
+        return {.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")};
+    }
 
     const DeviceDescription k3;
     QWidget window;
-    WordView view{wordForm(MonitorKind::in32, &k3), &window};
+    WordView view{wordForm(32, &k3), {outLine()}, &window};
     QSignalSpy toggled{&view, &WordView::bitToggled};
 };
 
@@ -69,31 +80,34 @@ TEST_F(WordViewTest, AClickAsksForItsBitAndChangesNothingItself)
 TEST_F(WordViewTest, ANumberAboveIsPartOfItsBit)
 {
     QTest::mouseClick(&view, Qt::LeftButton, {},
-                      view.bitRect(7).center() - QPoint(0, view.bitRect(7).height() / 2 + 4));
+                      view.bitRect({0, 7}).center() - QPoint(0, view.bitRect({0, 7}).height() / 2 + 4));
     EXPECT_EQ(toggledBits(), QList{7});
 }
 
 TEST_F(WordViewTest, ReleasedOverAnotherBitNothingIsAsked)
 {
-    QTest::mousePress(&view, Qt::LeftButton, {}, view.bitRect(7).center());
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, view.bitRect(6).center());
+    QTest::mousePress(&view, Qt::LeftButton, {}, view.bitRect({0, 7}).center());
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, view.bitRect({0, 6}).center());
     EXPECT_TRUE(toggled.isEmpty());
 }
 
 TEST_F(WordViewTest, TheGapBetweenGroupsIsNoBit)
 {
     QTest::mouseClick(&view, Qt::LeftButton, {},
-                      QPoint(view.bitRect(28).left() - 4, view.bitRect(28).center().y()));
+                      QPoint(view.bitRect({0, 28}).left() - 4, view.bitRect({0, 28}).center().y()));
     EXPECT_TRUE(toggled.isEmpty());
 }
 
 TEST_F(WordViewTest, InputWordsDoNotToggle)
 {
-    view.setEditable(false);
-    click(3);
-    QTest::keyClick(&view, Qt::Key_Space);
-    EXPECT_TRUE(toggled.isEmpty());
-    EXPECT_EQ(view.focusedBit(), 3);
+    WordView in(wordForm(32, &k3), {inLine()}, &window);
+    in.resize(in.sizeHint());
+    in.show();
+    const QSignalSpy toggledIn(&in, &WordView::bitToggled);
+    QTest::mouseClick(&in, Qt::LeftButton, {}, in.bitRect({0, 3}).center());
+    QTest::keyClick(&in, Qt::Key_Space);
+    EXPECT_TRUE(toggledIn.isEmpty());
+    EXPECT_EQ(in.focusedBit(), (WordBit{0, 3}));
 }
 
 struct KeyStep
@@ -114,23 +128,55 @@ TEST_F(WordViewTest, ArrowsHomeAndEndMoveTheFocusedBit)
                                 {12, Qt::Key_End, 0},
                                 {12, Qt::Key_Up, 12},
                                 {12, Qt::Key_Down, 12}}) {
-        view.setFocusedBit(step.from);
+        view.setFocusedBit({0, step.from});
         QTest::keyClick(&view, step.key);
-        EXPECT_EQ(view.focusedBit(), step.to) << "from " << step.from << " by key " << step.key;
+        EXPECT_EQ(view.focusedBit(), (WordBit{0, step.to})) << "from " << step.from << " by key " << step.key;
     }
     EXPECT_TRUE(toggled.isEmpty());
 }
 
-TEST_F(WordViewTest, InTwoRowsUpAndDownGoToTheBitAboveAndBelow)
+TEST_F(WordViewTest, UpAndDownGoToTheBitAboveAndBelow)
 {
-    window.resize(1024, 200);
-    view.setFocusedBit(12);
-    QTest::keyClick(&view, Qt::Key_Up);
-    EXPECT_EQ(view.focusedBit(), 28);
-    QTest::keyClick(&view, Qt::Key_Up);
-    EXPECT_EQ(view.focusedBit(), 28);
-    QTest::keyClick(&view, Qt::Key_Down);
-    EXPECT_EQ(view.focusedBit(), 12);
+    WordView both(wordForm(32, &k3), {outLine(), inLine()}, &window);
+    both.resize(both.minimumSizeHint().width(), 300);
+    both.setFocusedBit({0, 28});
+    for (const WordBit below : {WordBit{1, 28}, WordBit{0, 12}, WordBit{1, 12}, WordBit{1, 12}}) {
+        QTest::keyClick(&both, Qt::Key_Down);
+        EXPECT_EQ(both.focusedBit(), below) << below.word << ", " << below.bit;
+    }
+    for (const WordBit above : {WordBit{0, 12}, WordBit{1, 28}, WordBit{0, 28}, WordBit{0, 28}}) {
+        QTest::keyClick(&both, Qt::Key_Up);
+        EXPECT_EQ(both.focusedBit(), above) << above.word << ", " << above.bit;
+    }
+    QTest::keyClick(&both, Qt::Key_End);
+    EXPECT_EQ(both.focusedBit(), (WordBit{0, 0}));
+}
+
+// The echo of a handshake is seen as a column.
+TEST_F(WordViewTest, WordsStandBitUnderBitAndAreShownEachForItself)
+{
+    WordView both(wordForm(32, &k3), {outLine(), inLine()}, &window);
+    both.resize(both.sizeHint());
+    both.show();
+    for (const int bit : {31, 25, 0}) {
+        EXPECT_EQ(both.bitRect({0, bit}).left(), both.bitRect({1, bit}).left());
+        EXPECT_GT(both.bitRect({1, bit}).top(), both.bitRect({0, bit}).bottom());
+    }
+    both.setWord(0, 0x0200'00FF, 0, 0, 0ms);
+    both.setWord(1, 0xC200'0000, 0xC200'0000, 0x8000'0000, 0ms);
+    EXPECT_TRUE(both.isStaged({0, 25}));
+    EXPECT_FALSE(both.isStaged({1, 25}));
+    EXPECT_TRUE(both.isSet({1, 31}));
+    EXPECT_FALSE(both.isSet({0, 31}));
+    EXPECT_TRUE(both.isMarked({1, 31}));
+    EXPECT_FALSE(both.isMarked({0, 31}));
+    EXPECT_EQ(both.bitName({1, 31}), QStringLiteral("IN 1.0 bit 31"));
+    const QSignalSpy asked(&both, &WordView::bitToggled);
+    QTest::mouseClick(&both, Qt::LeftButton, {}, both.bitRect({1, 25}).center());
+    EXPECT_TRUE(asked.isEmpty());
+    QTest::mouseClick(&both, Qt::LeftButton, {}, both.bitRect({0, 25}).center());
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_EQ(asked.first().first().value<WordBit>(), (WordBit{0, 25}));
 }
 
 TEST_F(WordViewTest, SpaceTogglesTheFocusedBit)
@@ -153,60 +199,67 @@ TEST_F(WordViewTest, ADisabledWordDoesNothing)
 {
     view.setEnabled(false);
     click(3);
-    view.toggleBit(3);
+    view.toggleBit({0, 3});
     EXPECT_TRUE(toggled.isEmpty());
 }
 
 TEST_F(WordViewTest, HalfAnEditedWordIsMarkedAsNotSent)
 {
-    view.setWord(0x0200'00FF, 0x0000'00FF, 0, 0ms);
-    EXPECT_TRUE(view.isStaged(25));
-    EXPECT_FALSE(view.isStaged(0));
+    view.setWord(0, 0x0200'00FF, 0x0000'00FF, 0, 0ms);
+    EXPECT_TRUE(view.isStaged({0, 25}));
+    EXPECT_FALSE(view.isStaged({0, 0}));
     const QImage staged = picture(25);
-    view.setWord(0x0200'00FF, 0x0200'00FF, 0, 0ms);
+    view.setWord(0, 0x0200'00FF, 0x0200'00FF, 0, 0ms);
     EXPECT_NE(picture(25), staged);
 }
 
 TEST_F(WordViewTest, AChangedBitIsMarkedForHalfASecondEvenIfItChangedBack)
 {
-    view.setWord(0, 0, 0, 900ms);
+    view.setWord(0, 0, 0, 0, 900ms);
     const QImage quiet = picture(4);
-    view.setWord(0, 0, 0x10, 1000ms);
+    view.setWord(0, 0, 0, 0x10, 1000ms);
     EXPECT_NE(picture(4), quiet);
-    view.setWord(0, 0, 0, 1499ms);
-    EXPECT_TRUE(view.isMarked(4));
-    view.setWord(0, 0, 0, 1500ms);
-    EXPECT_FALSE(view.isMarked(4));
+    view.setWord(0, 0, 0, 0, 1499ms);
+    EXPECT_TRUE(view.isMarked({0, 4}));
+    view.setWord(0, 0, 0, 0, 1500ms);
+    EXPECT_FALSE(view.isMarked({0, 4}));
     EXPECT_EQ(picture(4), quiet);
 }
 
 TEST_F(WordViewTest, AMarkDoesNotOutliveItsBus)
 {
-    view.setWord(0, 0, 0x10, 60s);
-    view.setWord(0, 0, 0, 0ms);
-    EXPECT_FALSE(view.isMarked(4));
+    view.setWord(0, 0, 0, 0x10, 60s);
+    view.setWord(0, 0, 0, 0, 0ms);
+    EXPECT_FALSE(view.isMarked({0, 4}));
 }
 
-TEST_F(WordViewTest, StandsInTwoRowsInANarrowWindowAndInOneInAWideOne)
+TEST_F(WordViewTest, StandsInOneRowWhereItIsWideEnoughAndElseInTwo)
 {
-    window.resize(1280, 200);
-    EXPECT_EQ(view.bitRect(31).top(), view.bitRect(0).top());
-    EXPECT_LE(view.sizeHint().width(), 800);
-    window.resize(1279, 200);
-    EXPECT_LT(view.bitRect(31).top(), view.bitRect(15).top());
-    EXPECT_EQ(view.bitRect(19).left(), view.bitRect(3).left());
-    window.resize(1280, 200);
-    EXPECT_EQ(view.bitRect(31).top(), view.bitRect(0).top());
+    const int needed = view.sizeHint().width();
+    EXPECT_LE(needed, 644) << "a card of 660 pixels has room for it";
+    view.resize(needed, 200);
+    EXPECT_EQ(view.bitRect({0, 31}).top(), view.bitRect({0, 0}).top());
+    EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(18, 26));
+    view.resize(needed - 1, 200);
+    EXPECT_LT(view.bitRect({0, 31}).top(), view.bitRect({0, 15}).top());
+    EXPECT_EQ(view.bitRect({0, 19}).left(), view.bitRect({0, 3}).left());
+    EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(22, 26));
+    EXPECT_GT(view.heightForWidth(needed - 1), view.heightForWidth(needed));
 }
 
-TEST_F(WordViewTest, GroupsStandApartByEightPixels)
+TEST_F(WordViewTest, GroupsStandApart)
 {
-    for (const int first : {28, 24, 23, 19, 15, 11, 7, 3})
-        EXPECT_EQ(view.bitRect(first).left() - view.bitRect(first + 1).right() - 1, 8)
-            << "before bit " << first;
-    for (const int inside : {30, 29, 27, 26, 25, 22, 0})
-        EXPECT_EQ(view.bitRect(inside).left(), view.bitRect(inside + 1).right() + 1)
-            << "before bit " << inside;
+    const auto expectGaps = [this](int gap) {
+        for (const int first : {28, 24, 23, 19, 11, 7, 3})
+            EXPECT_EQ(view.bitRect({0, first}).left() - view.bitRect({0, first + 1}).right() - 1, gap)
+                << "before bit " << first;
+        for (const int inside : {30, 29, 27, 26, 25, 22, 0})
+            EXPECT_EQ(view.bitRect({0, inside}).left(), view.bitRect({0, inside + 1}).right() + 1)
+                << "before bit " << inside;
+    };
+    expectGaps(4);
+    view.resize(view.minimumSizeHint());
+    expectGaps(8);
 }
 
 // TR manual 2.2: status D31..D28, service number D27..D24, data D23..D0.
@@ -214,11 +267,12 @@ TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
 {
     DeviceDescription rod;
     rod.profile = Profile::la66;
-    const WordView ofRod(wordForm(MonitorKind::in32, &rod), &window);
+    WordView ofRod(wordForm(32, &rod), {inLine()}, &window);
+    ofRod.resize(ofRod.minimumSizeHint());
     const auto gapBefore = [&ofRod](int bit) {
-        return ofRod.bitRect(bit).left() - ofRod.bitRect(bit + 1).right() - 1;
+        return ofRod.bitRect({0, bit}).left() - ofRod.bitRect({0, bit + 1}).right() - 1;
     };
-    for (const int bit : {27, 23, 19, 15, 11, 7, 3})
+    for (const int bit : {27, 23, 19, 11, 7, 3})
         EXPECT_EQ(gapBefore(bit), 8) << "before bit " << bit;
     for (const int bit : {30, 29, 28, 26, 25, 24, 22, 0})
         EXPECT_EQ(gapBefore(bit), 0) << "before bit " << bit;
@@ -226,10 +280,11 @@ TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
 
 TEST_F(WordViewTest, LargeControlsMakeCellsOneAndAHalfTimesAsLarge)
 {
-    EXPECT_EQ(view.bitRect(0).size(), QSize(22, 26));
+    view.resize(view.minimumSizeHint());
+    EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(22, 26));
     applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = true});
     QCoreApplication::processEvents();
-    EXPECT_EQ(view.bitRect(0).size(), QSize(33, 39));
+    EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(33, 39));
 }
 
 class StatusTips : public QObject
@@ -248,13 +303,12 @@ TEST_F(WordViewTest, HoverAndFocusTellWhatTheBitMeans)
 {
     StatusTips tips;
     window.installEventFilter(&tips);
-    view.setBitText([](int bit) { return bit == 31 ? QStringLiteral("Start") : QString(); });
-    QTest::mouseMove(&view, view.bitRect(31).center());
+    QTest::mouseMove(&view, view.bitRect({0, 31}).center());
     EXPECT_EQ(tips.last, QStringLiteral("OUT 1.0 bit 31: Start"));
     QTest::keyClick(&view, Qt::Key_Right);
     EXPECT_EQ(tips.last, QStringLiteral("OUT 1.0 bit 30"));
 
-    const QPoint point = view.bitRect(31).center();
+    const QPoint point = view.bitRect({0, 31}).center();
     QHelpEvent help(QEvent::ToolTip, point, view.mapToGlobal(point));
     QCoreApplication::sendEvent(&view, &help);
     EXPECT_EQ(QToolTip::text(), QStringLiteral("Bit 31: Start"));
@@ -278,12 +332,12 @@ TEST_F(WordViewTest, OnlyWhatChangedIsPaintedAgain)
     QCoreApplication::processEvents();
     PaintedArea painted;
     view.installEventFilter(&painted);
-    view.setWord(0, 0, 0, 0ms);
+    view.setWord(0, 0, 0, 0, 0ms);
     QCoreApplication::processEvents();
     EXPECT_TRUE(painted.region.isEmpty());
-    view.setWord(0x8001, 0x8001, 0, 0ms);
+    view.setWord(0, 0x8001, 0x8001, 0, 0ms);
     QCoreApplication::processEvents();
-    EXPECT_EQ(painted.region, QRegion(view.bitRect(0)) + view.bitRect(15));
+    EXPECT_EQ(painted.region, QRegion(view.bitRect({0, 0})) + view.bitRect({0, 15}));
 }
 
 } // namespace

@@ -20,9 +20,6 @@ class AccessibleWord : public testing::Test
 protected:
     AccessibleWord()
     {
-        view->setPlace(QStringLiteral("OUT 1.0"));
-        view->setEditable(true);
-        view->setBitText([](int bit) { return bit == 25 ? QStringLiteral("Parameter number") : QString(); });
         window.resize(1400, 200);
         window.show();
         window.activateWindow();
@@ -42,33 +39,43 @@ protected:
     }
 
     QWidget window;
-    WordView *view = new WordView(wordForm(MonitorKind::in32, nullptr), &window);
+    WordView *view = new WordView(
+        wordForm(32, nullptr),
+        {{.caption = QStringLiteral("OUT"),
+          .place = QStringLiteral("OUT 1.0"),
+          .isEditable = true,
+          .bitText = [](int bit) { return bit == 25 ? QStringLiteral("Parameter number") : QString(); }},
+         {.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")}},
+        &window);
     QAccessibleInterface *word = nullptr;
 };
 
-TEST_F(AccessibleWord, IsAGroupOfThirtyTwoCheckBoxesHighestFirst)
+TEST_F(AccessibleWord, IsAGroupOfCheckBoxesWordByWordHighestFirst)
 {
     EXPECT_EQ(word->role(), QAccessible::Grouping);
-    EXPECT_EQ(word->text(QAccessible::Name), QStringLiteral("OUT 1.0 bits"));
-    ASSERT_EQ(word->childCount(), 32);
-    for (int i = 0; i < 32; ++i) {
+    EXPECT_EQ(word->text(QAccessible::Name), QStringLiteral("OUT 1.0, IN 1.0 bits"));
+    ASSERT_EQ(word->childCount(), 64);
+    for (int i = 0; i < 64; ++i) {
         QAccessibleInterface *bit = word->child(i);
         ASSERT_NE(bit, nullptr);
         EXPECT_EQ(bit->role(), QAccessible::CheckBox);
-        EXPECT_EQ(bit->text(QAccessible::Name), QStringLiteral("OUT 1.0 bit %1").arg(31 - i));
+        EXPECT_EQ(bit->text(QAccessible::Name),
+                  QStringLiteral("%1 1.0 bit %2")
+                      .arg(i < 32 ? QStringLiteral("OUT") : QStringLiteral("IN"))
+                      .arg(31 - i % 32));
         EXPECT_EQ(bit->parent(), word);
         EXPECT_EQ(word->indexOfChild(bit), i);
         EXPECT_EQ(word->child(i), bit) << "a new object each time";
         EXPECT_TRUE(bit->state().checkable);
         EXPECT_TRUE(bit->state().focusable);
     }
-    EXPECT_EQ(word->child(32), nullptr);
+    EXPECT_EQ(word->child(64), nullptr);
     EXPECT_EQ(word->child(-1), nullptr);
 }
 
 TEST_F(AccessibleWord, TellsWhichBitsAreSet)
 {
-    view->setWord(0x0200'00FF, 0x0200'00FF, 0, {});
+    view->setWord(0, 0x0200'00FF, 0x0200'00FF, 0, {});
     for (int i = 0; i < 32; ++i)
         EXPECT_EQ(word->child(i)->state().checked != 0, ((0x0200'00FFU >> (31 - i)) & 1) != 0)
             << "child " << i;
@@ -79,7 +86,7 @@ TEST_F(AccessibleWord, TellsMeaningAndWhatIsNotSent)
     QAccessibleInterface *bit = bitNamed(QStringLiteral("OUT 1.0 bit 25"));
     ASSERT_NE(bit, nullptr);
     EXPECT_EQ(bit->text(QAccessible::Description), QStringLiteral("Parameter number"));
-    view->setWord(0x0300'0000, 0, 0, {});
+    view->setWord(0, 0x0300'0000, 0, 0, {});
     EXPECT_EQ(bit->text(QAccessible::Description), QStringLiteral("Parameter number (not sent yet)"));
     EXPECT_EQ(bitNamed(QStringLiteral("OUT 1.0 bit 24"))->text(QAccessible::Description),
               QStringLiteral("Not sent yet"));
@@ -95,13 +102,11 @@ TEST_F(AccessibleWord, AnOutputBitHasAToggleAction)
     EXPECT_TRUE(actions->actionNames().contains(QAccessibleActionInterface::toggleAction()));
     actions->doAction(QAccessibleActionInterface::toggleAction());
     ASSERT_EQ(toggled.size(), 1);
-    EXPECT_EQ(toggled.first().first().toInt(), 25);
+    EXPECT_EQ(toggled.first().first().value<WordBit>(), (WordBit{0, 25}));
 }
 
 TEST_F(AccessibleWord, AnInputBitHasNone)
 {
-    view->setPlace(QStringLiteral("IN 1.0"));
-    view->setEditable(false);
     const QSignalSpy toggled(view, &WordView::bitToggled);
     QAccessibleInterface *bit = bitNamed(QStringLiteral("IN 1.0 bit 25"));
     ASSERT_NE(bit, nullptr);
@@ -124,7 +129,7 @@ TEST_F(AccessibleWord, FocusCanBeSetAndFound)
 
 TEST_F(AccessibleWord, ABitIsFoundByItsPlaceOnTheScreen)
 {
-    for (const int i : {0, 6, 31}) {
+    for (const int i : {0, 6, 31, 40}) {
         const QPoint center = word->child(i)->rect().center();
         EXPECT_EQ(word->childAt(center.x(), center.y()), word->child(i));
     }
