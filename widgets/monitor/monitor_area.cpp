@@ -146,7 +146,8 @@ void MonitorArea::setPinned(WordCard *card, bool pinned)
     if (pinned)
         return;
     if (card->place() == m_chosen) {
-        std::ranges::rotate(m_cards, std::ranges::find(m_cards, card));
+        const auto at = std::ranges::find(m_cards, card);
+        std::rotate(m_cards.begin(), at, at + 1);
         m_column->removeWidget(card);
         m_column->insertWidget(1, card);
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/word_card.h"
 
+#include "catalog/device_description.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
@@ -46,6 +47,7 @@ bool has(const WordChannel &channel, WordDirection direction)
 std::vector<WordView::Line> bitsOf(const std::vector<WordLine *> &lines)
 {
     std::vector<WordView::Line> bits;
+    bits.reserve(lines.size());
     for (const WordLine *line : lines)
         bits.push_back({.caption = caption(line->direction()),
                         .place = line->name(),
@@ -245,8 +247,10 @@ void WordCard::makeSender(WordSender &sender, NumberFields &numbers)
     connect(numbers.hexadecimal(), &QLineEdit::editingFinished, this, [this] { m_isTyping = false; });
     connect(&sender, &WordSender::refused, this, &WordCard::showRefusal);
     connect(&sender, &WordSender::askedFor, this, &WordCard::askBeforeSending);
-    connect(&sender, &WordSender::sent, this, [this] {
+    connect(&sender, &WordSender::sent, this, [this, &numbers] {
         m_hasSent = true;
+        if (numbers.hexadecimal()->hasFocus())
+            numbers.hexadecimal()->selectAll(); // the next word takes its place
         withdraw(Cause::refusal);
         withdraw(Cause::question);
     });

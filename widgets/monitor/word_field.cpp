@@ -7,6 +7,7 @@
 #include "widgets/look/roles.h"
 
 #include <QAction>
+#include <QFocusEvent>
 #include <QPainter>
 #include <QStyle>
 
@@ -58,6 +59,19 @@ QSize WordField::sizeHint() const
 {
     const QSize own = QLineEdit::sizeHint();
     return {fontMetrics().horizontalAdvance(m_widest) + 4 * grid::unit, own.height()};
+}
+
+void WordField::focusInEvent(QFocusEvent *event)
+{
+    QLineEdit::focusInEvent(event);
+    m_isClicked = event->reason() == Qt::MouseFocusReason;
+}
+
+void WordField::mouseReleaseEvent(QMouseEvent *event)
+{
+    QLineEdit::mouseReleaseEvent(event);
+    if (std::exchange(m_isClicked, false) && !hasSelectedText())
+        selectAll();
 }
 
 void WordField::paintEvent(QPaintEvent *event)

@@ -7,7 +7,8 @@ class QAction;
 
 namespace codewheel {
 
-// The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does.
+// The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does. A
+// click into it selects the word, as Tab does: what is typed takes its place.
 class WordField : public QLineEdit
 {
     Q_OBJECT
@@ -31,10 +32,13 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
 
 private:
     QString m_widest;
-    bool m_shows = false; // a text of the program's own
+    bool m_isClicked = false; // the click that gave it the focus has not ended
+    bool m_shows = false;     // a text of the program's own
     QString m_problem;
     QString m_toolTip;
     QAction *m_mark = nullptr;
