@@ -35,13 +35,13 @@ WordView::WordView(const WordForm &form, std::vector<Line> lines, QWidget *paren
     , m_layout(form, static_cast<int>(lines.size()), 1, {})
     , m_focused{0, form.bits - 1}
 {
+    installWordViewAccessibility(); // before anybody is told of it
     QStringList places;
     for (Line &line : lines) {
         places << line.place;
         m_words.push_back({.line = std::move(line)});
     }
     setAccessibleName(tr("%1 bits", "OUT 1.0, IN 1.0 bits").arg(places.join(QStringLiteral(", "))));
-    installWordViewAccessibility();
     setAutoFillBackground(true); // so that a bit that changes does not paint what is behind it
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
