@@ -6385,6 +6385,10 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>%1 wants nothing of its encoders: there is nothing to write.</source>
         <translation>%1 will von seinen Gebern nichts: Es gibt nichts zu schreiben.</translation>
     </message>
+    <message>
+        <source>Whether the position was set is not known: read it.</source>
+        <translation>Ob die Position gesetzt wurde, ist nicht bekannt: die Position auslesen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>

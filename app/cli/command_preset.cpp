@@ -60,6 +60,24 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     return job;
 }
 
+// All of it where it was done, else as far as something is known.
+QString whatIsKnown(const FinishedJob &job, const Reading &before, const EncoderSession &encoder)
+{
+    const Outcome &outcome = job.outcome;
+    const auto line = [&](const QString &pattern, const std::optional<std::int64_t> &position,
+                          const Reading &shown) {
+        return outcome.result || position
+                   ? sentence(pattern, {positionText(position, shown, rodScale(encoder))}) + u'\n'
+                   : QString();
+    };
+    return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
+           line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
+           (outcome.result || outcome.eepromWrites > 0 ? eepromWritesLine(outcome.eepromWrites) : QString()) +
+           (outcome.result || outcome.eepromWrites == 0 || outcome.positionAfter
+                ? QString()
+                : CommandLine::tr("Whether the position was set is not known: read it.") + u'\n');
+}
+
 Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();
@@ -78,16 +96,11 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
     addTrace(call, encoder.place(), *job.trace, answer);
+    answer.text += whatIsKnown(job, before, encoder);
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
         return answer;
     }
-    answer.text += sentence(CommandLine::tr("Position before: %1"),
-                            {positionText(job.outcome.positionBefore, before, rodScale(encoder))}) +
-                   u'\n' +
-                   sentence(CommandLine::tr("Position after:  %1"),
-                            {positionText(job.outcome.positionAfter, encoder.latest(), rodScale(encoder))}) +
-                   u'\n' + eepromWritesLine(job.outcome.eepromWrites);
     if (job.outcome.leftIn == EncoderState::error)
         answer.text += whereItWasLeft(encoder.latest()) + u'\n';
     return answer;

@@ -313,5 +313,20 @@ TEST(CliLinePreset, UnpluggedInTheMiddleItIsNotKnown)
     EXPECT_THAT(run.err, HasSubstr("05GP000003E8 was sent and before it was answered: it is not known"));
 }
 
+TEST(CliLinePreset, CutOffTellsWhatIsKnown)
+{
+    SharedLine line;
+    line.interruptAfter("05GP");
+    const CliRun cancelled = line.runLine(QStringLiteral("preset 05 1000"));
+    EXPECT_EQ(cancelled.exit, 1);
+    EXPECT_EQ(cancelled.out, "Position before: 4661\nPosition after:  1000\nEEPROM writes:   1\n");
+    EXPECT_THAT(cancelled.err, HasSubstr("The job was cancelled."));
+    line.unplugAfter("05GP");
+    const CliRun gone = line.runLine(QStringLiteral("preset 05 2000"));
+    EXPECT_EQ(gone.exit, 1);
+    EXPECT_EQ(gone.out, "Position before: 1000\nEEPROM writes:   1\n"
+                        "Whether the position was set is not known: read it.\n");
+}
+
 } // namespace
 } // namespace codewheel
