@@ -6389,6 +6389,10 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>Whether the position was set is not known: read it.</source>
         <translation>Ob die Position gesetzt wurde, ist nicht bekannt: die Position auslesen.</translation>
     </message>
+    <message>
+        <source>As an option: --beyond-eeprom-limit %1.</source>
+        <translation>Als Option: --beyond-eeprom-limit %1.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>

@@ -41,7 +41,11 @@ Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
     if (canAsk(call) &&
         isMeant(call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place}))))
         return {};
-    return refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
+    auto why = refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
+    if (!canAsk(call))
+        why.error().text +=
+            u' ' + sentence(CommandLine::tr("As an option: --beyond-eeprom-limit %1."), {place});
+    return why;
 }
 
 } // namespace
@@ -51,7 +55,8 @@ Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, int
     const EepromConcern concern = eepromConcern(encoder, writes);
     if (concern == EepromConcern::none)
         return {};
-    call.terminal.complain(eepromConcernText(encoder, writes));
+    call.terminal.complain(encoder.place().shown() + QStringLiteral(": ") +
+                           eepromConcernText(encoder, writes));
     if (concern == EepromConcern::typed)
         return askForPlace(call, encoder);
     if (asks == AsksAnyway::yes || call.arguments.has("--yes"))

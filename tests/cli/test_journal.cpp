@@ -274,6 +274,9 @@ TEST_F(CliJournal, WantsThePlaceTypedBeyondTheLimit)
     EXPECT_EQ(
         errorKey(run("write 1.0 steps=255 --yes --json --beyond-eeprom-limit 2.0 --ledger %1/ledger.sqlite")),
         "eepromLimitPassed");
+    const CliRun nobody = run("write 1.0 steps=255 --yes --ledger %1/ledger.sqlite");
+    EXPECT_THAT(nobody.err, HasSubstr("1.0: With 500 writes by this program"));
+    EXPECT_THAT(nobody.err, HasSubstr("--beyond-eeprom-limit 1.0."));
     EXPECT_EQ(run("write 1.0 steps=255 --ledger %1/ledger.sqlite", {true, "y\ny\n"}).exit, 1);
     EXPECT_EQ(counted(), 500);
     EXPECT_EQ(run("write 1.0 steps=255 --ledger %1/ledger.sqlite", {true, "1.0\ny\n"}).exit, 0);
