@@ -6393,6 +6393,10 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>As an option: --beyond-eeprom-limit %1.</source>
         <translation>Als Option: --beyond-eeprom-limit %1.</translation>
     </message>
+    <message>
+        <source>Position: it is not known whether it was set to %1.</source>
+        <translation>Position: Es ist nicht bekannt, ob sie auf %1 gesetzt wurde.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -14206,6 +14210,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Taken, but not valid until run is sent</source>
         <translation>Übernommen, aber erst nach Run gültig</translation>
+    </message>
+    <message>
+        <source>Sent: it is not known whether the encoder has it</source>
+        <translation>Gesendet: Es ist nicht bekannt, ob der Geber es hat</translation>
     </message>
 </context>
 <context>

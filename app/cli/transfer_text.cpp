@@ -19,7 +19,7 @@ namespace {
 
 constexpr NamedValue<Became> becameKeys[] = {
     {"notDone", Became::notDone},   {"written", Became::written},     {"alreadyThere", Became::alreadyThere},
-    {"restored", Became::restored}, {"confirmed", Became::confirmed},
+    {"restored", Became::restored}, {"confirmed", Became::confirmed}, {"unknown", Became::unknown},
 };
 
 const DeviceDescription *deviceAt(const Buses &buses, Place place)
@@ -105,10 +105,11 @@ QString positionLine(const EncoderAccount &encoder)
     if (!encoder.positionWanted)
         return {};
     const QString wanted = QString::number(*encoder.positionWanted);
-    return QStringLiteral("  ") +
-           (encoder.positionSet ? sentence(CommandLine::tr("Position: set to %1."), {wanted})
-                                : sentence(CommandLine::tr("Position: not set to %1."), {wanted})) +
-           u'\n';
+    const QString pattern = encoder.positionSet ? CommandLine::tr("Position: set to %1.")
+                            : encoder.positionUnknown
+                                ? CommandLine::tr("Position: it is not known whether it was set to %1.")
+                                : CommandLine::tr("Position: not set to %1.");
+    return QStringLiteral("  ") + sentence(pattern, {wanted}) + u'\n';
 }
 
 } // namespace
@@ -213,6 +214,7 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
                                    {QStringLiteral("eepromWrites"), encoder.eepromWrites},
                                    {QStringLiteral("positionWanted"), numberJson(encoder.positionWanted)},
                                    {QStringLiteral("positionSet"), encoder.positionSet},
+                                   {QStringLiteral("positionUnknown"), encoder.positionUnknown},
                                    {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
                                    {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
                                    {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}}));

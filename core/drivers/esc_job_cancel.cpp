@@ -89,7 +89,7 @@ void EscJob::stop(const Refusal &why)
     if (m_unanswered)
         m_encoder.values.countEepromWrite();
     if (isWriting || m_unanswered)
-        finish(refuse(RefusalKind::stopped, RefusalId::stoppedInWrite,
+        finish(refuse(why.kind, RefusalId::stoppedInWrite,
                       {QString::fromLatin1(isWriting ? m_steps.current().line : m_unanswered->line)}));
     else
         finish(tl::unexpected(why));

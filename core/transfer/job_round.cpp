@@ -6,10 +6,12 @@
 namespace codewheel {
 namespace {
 
-// Without its link a bus has no other encoder either.
+// Without its link a bus has no other encoder either. The write that was under way then is told by its own
+// id.
 bool losesBus(const Refusal &why)
 {
-    return why.id == RefusalId::linkFailed || why.id == RefusalId::portLost;
+    return why.id == RefusalId::linkFailed || why.id == RefusalId::portLost ||
+           (why.id == RefusalId::stoppedInWrite && why.kind == RefusalKind::link);
 }
 
 void takePositions(EncoderResult &result, const Outcome &outcome)
@@ -81,6 +83,7 @@ void JobRound::beginEncoder()
         return;
     }
     m_job = 0;
+    m_jobProgress = {};
     const Place place = m_encoders[m_index].place;
     m_encoder = m_buses.encoder(place);
     current().begun = now();
@@ -147,13 +150,17 @@ void JobRound::endEncoder(std::optional<Refusal> why)
             result.positionAfter = m_encoder->latest().position;
     }
     m_encoder = nullptr;
+    if (why && losesBus(*why))
+        result.leftIn = EncoderState::unknown;
+    result.lastJob = m_jobProgress;
     result.why = std::move(why);
     result.ended = now();
     ++m_index;
-    const bool isStopped = result.why && result.why->kind == RefusalKind::stopped;
+    const bool isLost = result.why && losesBus(*result.why);
+    const bool isStopped = result.why && result.why->kind == RefusalKind::stopped && !isLost;
     if (m_beginsNoOther || isStopped || (result.why && m_afterRefusal == AfterRefusal::stop))
         m_index = m_encoders.size();
-    else if (result.why && losesBus(*result.why))
+    else if (isLost)
         skipBus(result.place.bus);
     beginEncoder();
 }

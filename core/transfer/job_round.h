@@ -21,6 +21,7 @@ struct EncoderResult
 {
     Place place;
     std::vector<Outcome> outcomes{}; // of the jobs that were taken
+    Progress lastJob{};              // how far the last of them came
     std::optional<Refusal> why{};    // why not all was done
     EncoderState leftIn = EncoderState::notSeen;
     std::optional<std::int64_t> positionBefore{}; // steps

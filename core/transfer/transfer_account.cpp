@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "drivers/esc_fate.h"
 
 #include <algorithm>
 
@@ -56,6 +57,23 @@ bool wasPositionSet(const EncoderPlan &plan, const std::vector<Outcome> &outcome
            outcomes[static_cast<std::size_t>(index)].result.has_value();
 }
 
+// Of what the job that ended last has sent.
+bool isUnknown(const EncoderSession *encoder, std::optional<Parameter> parameter, const EncoderResult *result)
+{
+    return encoder != nullptr && result != nullptr && !result->outcomes.empty() &&
+           isFateUnknownOnEsc(*encoder, parameter, result->outcomes.back(), result->lastJob);
+}
+
+// A job on a serial line that was cancelled has read what its preset did.
+bool wasPositionReadBack(const EncoderPlan &plan, const EncoderSession *encoder, const EncoderResult *result)
+{
+    if (encoder == nullptr || result == nullptr || !result->why || result->why->id != RefusalId::cancelled ||
+        !wasSentOnEsc(result->lastJob, std::nullopt))
+        return false;
+    const auto known = encoder->known(Parameter::preset);
+    return known && known->evidence == Evidence::read && known->value == plan.position;
+}
+
 void addResult(EncoderAccount &account, const EncoderResult &result)
 {
     account.isBegun = !result.outcomes.empty();
@@ -83,15 +101,22 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
     if (result)
         addResult(account, *result);
     const std::vector<Outcome> outcomes = result ? result->outcomes : std::vector<Outcome>();
-    for (const WriteRow &row : plan.write.rows)
-        if (!row.goesAlong)
-            account.rows.push_back({.wanted = row.wanted,
-                                    .before = row.known,
-                                    .after = encoder ? encoder->known(row.wanted.parameter) : std::nullopt,
-                                    .became = becameOf(row, outcomes)});
+    for (const WriteRow &row : plan.write.rows) {
+        if (row.goesAlong)
+            continue;
+        const Parameter parameter = row.wanted.parameter;
+        const Became became = becameOf(row, outcomes);
+        const bool isOpen = became == Became::notDone && isUnknown(encoder, parameter, result);
+        account.rows.push_back({.wanted = row.wanted,
+                                .before = row.known,
+                                .after = encoder ? encoder->known(parameter) : std::nullopt,
+                                .became = isOpen ? Became::unknown : became});
+    }
     for (const TransferCamRow &row : plan.cams)
         account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
-    account.positionSet = wasPositionSet(plan, outcomes);
+    account.positionSet = wasPositionSet(plan, outcomes) || wasPositionReadBack(plan, encoder, result);
+    account.positionUnknown =
+        plan.position && !account.positionSet && isUnknown(encoder, std::nullopt, result);
     return account;
 }
 

@@ -15,6 +15,7 @@ enum class Became : std::uint8_t {
     alreadyThere, // known, or found by reading first: not written
     restored,     // written, and then the value from before again
     confirmed,    // taken, but not active: the encoder waits for run
+    unknown,      // sent, and nobody knows whether the encoder has it
     notDone,
 };
 
@@ -43,6 +44,7 @@ struct EncoderAccount
     std::vector<AccountCamRow> cams{};
     std::optional<std::int64_t> positionWanted{};
     bool positionSet = false;
+    bool positionUnknown = false; // its preset was sent, and nobody knows whether the encoder has it
     std::optional<std::int64_t> positionBefore{};
     std::optional<std::int64_t> positionAfter{};
     bool isBegun = false;         // something was sent to it

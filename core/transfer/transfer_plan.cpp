@@ -38,7 +38,7 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
     if (isOther)
         return Refusal{RefusalKind::link,
                        RefusalId::ringDiffers,
-                       {wish.place.toString(), wantedName(bus->catalog(), wish), name}};
+                       {wish.place.shown(), wantedName(bus->catalog(), wish), name}};
     if (!encoder || !encoder->can().writes)
         return Refusal{RefusalKind::notSupported, RefusalId::writingNotSupported, {name}};
     return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
 // What the encoder, or the program, is doing.
 std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSession &encoder)
 {
-    const QString place = encoder.place().toString();
+    const QString place = encoder.place().shown();
     const Reading &reading = encoder.latest();
     if (!bus.isOperating())
         return Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}};

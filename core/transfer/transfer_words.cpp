@@ -44,6 +44,8 @@ QString text(Became became)
         return TransferWords::tr("Value from before restored");
     case Became::confirmed:
         return TransferWords::tr("Taken, but not valid until run is sent");
+    case Became::unknown:
+        return TransferWords::tr("Sent: it is not known whether the encoder has it");
     case Became::notDone:
         break;
     }

@@ -204,7 +204,7 @@ TEST(EscStop, SaysWhichWriteWasUnderWay)
     bench.step();
     ASSERT_TRUE(bench.outcome);
     EXPECT_EQ(bench.outcome->result.error(),
-              (Refusal{RefusalKind::stopped, RefusalId::stoppedInWrite, {QStringLiteral("03GL00000200")}}));
+              (Refusal{RefusalKind::link, RefusalId::stoppedInWrite, {QStringLiteral("03GL00000200")}}));
     EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
     EXPECT_EQ(bench.outcome->eepromWrites, 1) << "it may have been carried out";
 }

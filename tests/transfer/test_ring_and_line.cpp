@@ -138,6 +138,37 @@ TEST_F(RingAndLine, ALineThatIsLostKeepsNoRingFromItsValues)
     EXPECT_TRUE(account.encoders[2].isDone());
 }
 
+TEST_F(RingAndLine, AWriteThatWasCutOffByItsLineIsToldSoAndKeepsNoRingFromItsValues)
+{
+    const TransferPlan plan = planTransfer(buses, {{.place = standing, .values = {{Parameter::direction, 1}}},
+                                                   {.place = baumer, .values = {{Parameter::steps, 4096}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 1000 && !round.jobProgress().hasTaken; ++i)
+        line.advance(1ms);
+    simulated->setUnplugged(true);
+    pass(20s);
+    ASSERT_FALSE(round.isRunning());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::stoppedInWrite);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::unknown);
+    EXPECT_EQ(account.encoders[0].leftIn, EncoderState::unknown);
+    EXPECT_TRUE(account.encoders[1].isDone());
+}
+
+TEST_F(RingAndLine, AlarmStopAmidAWriteOnALineBeginsNoOther)
+{
+    const TransferPlan plan = planTransfer(buses, {{.place = standing, .values = {{Parameter::direction, 1}}},
+                                                   {.place = baumer, .values = {{Parameter::steps, 4096}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 1000 && !round.jobProgress().hasTaken; ++i)
+        line.advance(1ms);
+    line.alarmStop();
+    pass(2s);
+    ASSERT_FALSE(round.isRunning());
+    EXPECT_EQ(round.results()[0].why->id, RefusalId::stoppedInWrite);
+    EXPECT_FALSE(round.results()[1].isBegun());
+}
+
 TEST_F(RingAndLine, CancelBeginsNoOtherOnAnyBus)
 {
     const TransferPlan plan = planTransfer(buses, {{.place = standing, .values = {{Parameter::direction, 1}}},

@@ -5,39 +5,14 @@
 #include "cli/keys.h"
 #include "cli/parameter_text.h"
 #include "cli/texts.h"
-#include "drivers/esc_plan.h"
-#include "drivers/values_to_write.h"
+#include "drivers/esc_fate.h"
 #include "encoder/sentence.h"
 
-#include <algorithm>
-#include <span>
-
 namespace codewheel {
-namespace {
-
-// Whether it says of a write that was sent last that its outcome is not known.
-bool leavesItOpen(const Refusal &why)
-{
-    return why.kind == RefusalKind::link || why.kind == RefusalKind::stopped || // ended where it stood
-           why.id == RefusalId::escWriteUnknown || why.id == RefusalId::escNoAnswer ||
-           why.id == RefusalId::escReadsDisagree;
-}
-
-} // namespace
-
 LineAccount::LineAccount(const EncoderSession &encoder, const ParameterValues &wanted, const FinishedJob &job)
     : WriteAccount(encoder, wanted, job.outcome)
     , m_lastStep(job.lastStep)
 {}
-
-bool LineAccount::wasSent(Parameter parameter) const
-{
-    const auto begun =
-        std::span(m_lastStep.steps)
-            .first(std::min(m_lastStep.steps.size(), static_cast<std::size_t>(m_lastStep.index) + 1));
-    return std::ranges::any_of(
-        begun, [&](const Step &step) { return writesValue(step) && step.parameter == parameter; });
-}
 
 LineAccount::Fate LineAccount::fate(const ParameterValue &value) const
 {
@@ -48,13 +23,10 @@ LineAccount::Fate LineAccount::fate(const ParameterValue &value) const
     const bool isRead = known && known->evidence == Evidence::read && known->value == value.value;
     if (valueOf(outcome.written, value.parameter))
         return isRead ? Fate::readBack : Fate::accepted;
-    if (!wasSent(value.parameter))
+    if (!wasSentOnEsc(m_lastStep, value.parameter))
         return Fate::notSent;
-    const bool isOpen = !outcome.result && leavesItOpen(outcome.result.error());
-    // Steps and range that are read do not tell whether new ones wait for their factor.
-    const bool isUntold = isOpen && outcome.result.error().id == RefusalId::escWriteUnknown &&
-                          isBoundToEscFactor(value.parameter);
-    return isUntold || (isOpen && !known) ? Fate::unknown : Fate::refused;
+    return isFateUnknownOnEsc(encoder(), value.parameter, outcome, m_lastStep) ? Fate::unknown
+                                                                               : Fate::refused;
 }
 
 QString LineAccount::fateOf(const ParameterValue &value) const

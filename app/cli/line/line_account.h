@@ -22,7 +22,6 @@ private:
 
     QString fateOf(const ParameterValue &value) const override;
     Fate fate(const ParameterValue &value) const;
-    bool wasSent(Parameter parameter) const;
 
     const Progress m_lastStep;
 };
