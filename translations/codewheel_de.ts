@@ -6394,6 +6394,10 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Als Option: --beyond-eeprom-limit %1.</translation>
     </message>
     <message>
+        <source>The search was cancelled: until then no encoder had answered.</source>
+        <translation>Die Suche wurde abgebrochen: Bis dahin hatte kein Geber geantwortet.</translation>
+    </message>
+    <message>
         <source>Position: it is not known whether it was set to %1.</source>
         <translation>Position: Es ist nicht bekannt, ob sie auf %1 gesetzt wurde.</translation>
     </message>

@@ -105,13 +105,15 @@ public:
     // Of a watch that ended, how the bus has done.
     virtual void addFigures(const Call &, const EncoderSession &, Answer &) const {}
 
+    virtual Checked<void> checkScan(const Call &) const { return {}; } // whether its options are good
     // What stands on the bus, as it is found now.
     virtual Checked<Answer> scan(const Call &call);
+    // Whether the search is over and nobody has answered: what is planned may only be switched off.
+    virtual bool hasFoundNobody() const { return false; }
     // Puts what was found into the plan, which has this bus already.
     virtual void keepFound(const Call &call, Project &project) const;
 
-protected:
-    virtual Refusal whatIsLost() const; // as its link said it, where it did
+    virtual Refusal whatIsLost() const; // why its link is gone, as that said it where it did
 
 private:
     EncoderBus &m_bus;

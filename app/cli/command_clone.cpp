@@ -37,6 +37,8 @@ Checked<void> readFirst(const Call &call, const EncoderSession &from)
     if (!allowed)
         return tl::unexpected(allowed.error());
     const FinishedRound round = runToEnd(call, *allowed, JobRound::AfterRefusal::stop);
+    if (round.wasCancelled)
+        return tl::unexpected(aboutCancelling());
     if (round.results.front().why)
         return tl::unexpected(complaintAboutJob(call, from.place(), *round.results.front().why));
     return {};

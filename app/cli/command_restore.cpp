@@ -54,6 +54,8 @@ Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession
         return all;
     const FinishedJob read =
         runToEnd(call, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
+    if (read.wasCancelled)
+        return tl::unexpected(aboutCancelling());
     if (!read.outcome.result)
         return tl::unexpected(complaintAboutJob(call, encoder.place(), read.outcome.result.error()));
     return find(encoder.place());

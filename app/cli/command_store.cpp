@@ -92,6 +92,18 @@ void showStored(const Call &call, const EncoderSession &encoder, const ProjectDe
                            {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}}));
 }
 
+// Of those that a signal kept from being read to the end.
+void leaveOut(Meant &meant, const std::vector<EncoderResult> &results)
+{
+    for (const EncoderResult &result : results) {
+        if (result.isBegun() && !result.why)
+            continue;
+        const auto left = std::ranges::find(meant.encoders, result.place, &ProjectDevice::place);
+        meant.others.emplace_back(*left, Refusal{RefusalKind::stopped, RefusalId::cancelled, {}});
+        meant.encoders.erase(left);
+    }
+}
+
 // Nothing is stored of them: what stands there now may be another.
 void showOthers(const Call &call, const Meant &meant, Answer &answer)
 {
@@ -122,11 +134,13 @@ Checked<Answer> runStore(const Call &call)
     const auto devices = devicesMeant(call, *call.named, file);
     if (!devices)
         return tl::unexpected(devices.error());
-    const Meant meant = sorted(call, *call.named, *devices);
+    Meant meant = sorted(call, *call.named, *devices);
     const auto allowed = eepromConsent(call, jobsFor(call, meant.encoders), AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
     const FinishedRound round = runToEnd(call, *allowed, JobRound::AfterRefusal::goOn);
+    if (round.wasCancelled)
+        leaveOut(meant, round.results);
     Answer answer;
     QJsonArray encoders;
     addTrace(call, round, answer);

@@ -10,31 +10,31 @@
 namespace codewheel {
 namespace {
 
-// Until it has ended; the step that was begun last.
-Progress carryOut(BusAccess &bus, const AllowedJob &allowed, Outcome &outcome)
+// Until it has ended.
+void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
 {
     EncoderSession &encoder = allowed.encoder();
-    Progress lastStep;
     const auto started = encoder.start(allowed.job());
     if (!started) {
-        outcome.result = tl::unexpected(started.error());
-        return lastStep;
+        finished.outcome.result = tl::unexpected(started.error());
+        return;
     }
     bool running = true;
     QObject scope;
     QObject::connect(&encoder, &EncoderSession::progressed, &scope,
-                     [&](const Progress &progress) { lastStep = progress; });
+                     [&](const Progress &progress) { finished.lastStep = progress; });
     QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &ended) {
         running = ended.job != *started;
-        outcome = ended;
+        finished.outcome = ended;
     });
     StopSignals stop;
     while (running) {
-        if (stop.came())
+        if (stop.came()) {
+            finished.wasCancelled = true;
             encoder.cancel(OnCancel::leaveAsIs);
+        }
         bus.advance(bus.lookInterval());
     }
-    return lastStep;
 }
 
 FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
@@ -44,7 +44,7 @@ FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
     bus.prepare(allowed.job());
     trace.begin(encoder);
     FinishedJob finished;
-    finished.lastStep = carryOut(bus, allowed, finished.outcome);
+    carryOut(bus, allowed, finished);
     bus.lookAgain(encoder);
     return finished;
 }
@@ -76,6 +76,11 @@ void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answ
 QString eepromWritesLine(int writes)
 {
     return sentence(CommandLine::tr("EEPROM writes:   %1"), argumentTexts({std::int64_t{writes}})) + u'\n';
+}
+
+Complaint aboutCancelling()
+{
+    return complaintAbout({RefusalKind::stopped, RefusalId::cancelled, {}});
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)

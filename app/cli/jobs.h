@@ -25,6 +25,7 @@ struct FinishedJob
     Outcome outcome;
     Progress lastStep; // that was begun
     std::shared_ptr<const JobTrace> trace;
+    bool wasCancelled = false; // by a signal, whatever came of it
 };
 
 // Runs a job to its end, by the clock of its bus. Ctrl+C cancels it: what was sent is waited for, and read.
@@ -36,6 +37,7 @@ Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
 QString eepromWritesLine(int writes); // "EEPROM writes:   1"
+Complaint aboutCancelling();
 // About a job that was refused, and about its link, where that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
 

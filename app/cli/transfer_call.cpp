@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace codewheel {
 namespace {
@@ -30,6 +29,27 @@ void passTime(const Call &call, Place place)
 {
     if (BusAccess *bus = call.findBus(place.bus))
         bus->advance(bus->lookInterval());
+}
+
+bool isGone(const BusAccess &bus)
+{
+    const BusState state = bus.bus().state();
+    return state == BusState::closed || state == BusState::lost;
+}
+
+// False: it was cancelled.
+bool readBefore(const Call &call, const TransferWish &wish)
+{
+    EncoderBus *bus = call.buses.busOf(wish.place);
+    EncoderSession *encoder = bus ? bus->encoder(wish.place) : nullptr;
+    if (encoder == nullptr || wish.hindrance || isGone(call.busOf(wish.place)))
+        return true;
+    if (!bus->isOperating()) {
+        bus->setOperate(true);
+        passTime(call, wish.place);
+    }
+    const auto read = call.busOf(wish.place).readBefore(call, *encoder, wish.values);
+    return read || read.error().key != aboutCancelling().key;
 }
 
 // Before anything is written to an encoder.
@@ -118,8 +138,8 @@ std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &projec
     return devices;
 }
 
-Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
-                         Checked<void> (BusAccess::*how)(const Call &, const ProjectDevice &))
+Checked<std::set<BusId>> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
+                                    Checked<void> (BusAccess::*how)(const Call &, const ProjectDevice &))
 {
     std::set<BusId> reached;
     std::map<BusId, Complaint> failed;
@@ -133,9 +153,12 @@ Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &dev
     }
     if (reached.empty() && !failed.empty())
         return tl::unexpected(failed.begin()->second);
-    for (const auto &[bus, why] : failed)
+    std::set<BusId> gone;
+    for (const auto &[bus, why] : failed) {
         call.terminal.complain(QStringLiteral("%1: %2").arg(call.findBus(bus)->name(), why.text));
-    return {};
+        gone.insert(bus);
+    }
+    return gone;
 }
 
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
@@ -153,24 +176,18 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
             return tl::unexpected(device.error());
         addOnce(devices, *device);
     }
-    return contactAll(call, devices).map([&] { return devices; });
+    return contactAll(call, devices).map([&](const std::set<BusId> &) { return devices; });
 }
 
-Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wishes)
+Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes)
 {
-    for (const TransferWish &wish : wishes) {
-        EncoderBus *bus = call.buses.busOf(wish.place);
-        EncoderSession *encoder = bus ? bus->encoder(wish.place) : nullptr;
-        if (encoder == nullptr || wish.hindrance)
-            continue;
-        if (!bus->isOperating()) {
-            bus->setOperate(true);
-            passTime(call, wish.place);
-        }
-        if (const auto read = call.busOf(wish.place).readBefore(call, *encoder, wish.values);
-            !read && !bus->isRunning())
-            return tl::unexpected(read.error());
-    }
+    StopSignals stop; // between two reads, too
+    for (const TransferWish &wish : wishes)
+        if (!readBefore(call, wish) || stop.came())
+            return tl::unexpected(aboutCancelling());
+    for (TransferWish &wish : wishes)
+        if (const BusAccess *bus = call.findBus(wish.place.bus); bus != nullptr && isGone(*bus))
+            wish.hindrance = bus->whatIsLost();
     return planTransfer(call.buses, wishes);
 }
 
@@ -188,8 +205,10 @@ FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::
     StopSignals stop;
     round.start(allowed.encoders(), afterRefusal);
     while (round.isRunning()) {
-        if (stop.came())
+        if (stop.came()) {
+            finished.wasCancelled = true;
             round.cancel(OnCancel::leaveAsIs);
+        }
         passTime(call, round.progress().place);
     }
     finished.results = round.results();

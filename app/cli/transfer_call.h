@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace codewheel {
@@ -30,10 +31,10 @@ std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &projec
 // That none of these, which the project has, is what was typed.
 Complaint noSuchDevice(const QString &typed, const std::vector<ProjectDevice> &devices);
 // So that each encoder shows where it stands, or it is known whether it is there (BusAccess::lookFor). A bus
-// that cannot be reached is told; it is refused where none can.
-Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
-                         Checked<void> (BusAccess::*how)(const Call &,
-                                                         const ProjectDevice &) = &BusAccess::contact);
+// that cannot be reached, or not to the end, is told, and given back; it is refused where none can.
+Checked<std::set<BusId>>
+contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
+           Checked<void> (BusAccess::*how)(const Call &, const ProjectDevice &) = &BusAccess::contact);
 
 // The devices of the project named in the call by place or station, from its second argument on; without any,
 // all that the link leads to; each once, and so that it shows where it stands. Refuses a place that the
@@ -54,13 +55,15 @@ struct FinishedRound
 {
     std::vector<EncoderResult> results;
     std::vector<TracedEncoder> traces{}; // with --trace
+    bool wasCancelled = false;           // by a signal, whatever came of it
 };
 FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace
 
 // What is to be written, with Operate where the link does not begin in it. An encoder that shows its position
-// while it is read is read before: what is shown is what is sent.
-Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wishes);
+// while it is read is read before: what is shown is what is sent. A signal ends it, and nothing is planned.
+// An encoder whose bus is gone has that as its hindrance.
+Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes);
 
 // Shows the plan, asks, writes, accounts. With --dry-run the plan only; with --stop the rest is not begun
 // after a refusal; with --report FILE the account is saved. `agreed` is called before anything is written;

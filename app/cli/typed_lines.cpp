@@ -11,6 +11,8 @@ namespace codewheel {
 
 std::optional<QString> TypedLines::next(const std::function<bool()> &meanwhile)
 {
+    if (isStopped())
+        return std::nullopt;
     if (m_terminal.inputDescriptor < 0)
         return fromStream();
     while (true) {
@@ -35,7 +37,7 @@ TypedLines::Input TypedLines::wait(bool isQuiet)
     constexpr int forever = -1;
     std::array<pollfd, 2> waited{{{m_terminal.inputDescriptor, POLLIN, 0}, {m_stop.descriptor(), POLLIN, 0}}};
     ::poll(waited.data(), waited.size(), isQuiet ? forever : 0);
-    if (m_stop.came())
+    if (isStopped())
         return Input::ended;
     return waited[0].revents != 0 ? take() : Input::none;
 }

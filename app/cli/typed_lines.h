@@ -23,6 +23,7 @@ public:
     // The next line; nothing at the end of the input, and once Ctrl+C was pressed. `meanwhile` is called
     // again and again until there is one, and ends the waiting with false; without it the waiting is quiet.
     std::optional<QString> next(const std::function<bool()> &meanwhile = {});
+    bool isStopped() { return m_isStopped = m_isStopped || m_stop.came(); } // by Ctrl+C
 
 private:
     enum class Input { none, some, ended };
@@ -35,6 +36,7 @@ private:
     StopSignals m_stop;
     QByteArray m_read;
     bool m_isEnded = false;
+    bool m_isStopped = false;
 };
 
 } // namespace codewheel

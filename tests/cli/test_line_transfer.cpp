@@ -174,6 +174,78 @@ TEST_F(CliLineTransfer, CtrlCEndsTheRoundAndWhatWasSentIsAccountedFor)
     EXPECT_FALSE(line.registers(0x12).countsCcw);
 }
 
+// The reading for the plan takes the signal; the call has to end by it.
+TEST_F(CliLineTransfer, CtrlCWhileItIsReadForThePlanSendsNothing)
+{
+    ASSERT_EQ(run("write 05 steps=864 --yes").exit, 0);
+    at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};
+    at(0x12).label.serialNumber = QStringLiteral("4711"); // of the one before
+    save();
+    for (const auto &[call, request] : {std::pair{"transfer @ 05 --yes --json", "05U"},
+                                        {"clone 05 03 12 --yes --json", "05U"},
+                                        {"clone 05 03 12 --yes --json", "03U"},
+                                        {"restore 05 --yes --json", "05U"},
+                                        {"replace 12 --project @ --serial 00130008 --yes --json", "12U"},
+                                        {"write 05 address=07 --yes --json", "07N"}}) {
+        line.interruptAfter(request);
+        const CliRun run = this->run(call);
+        EXPECT_EQ(run.exit, 1) << call;
+        EXPECT_EQ(errorKey(run), "cancelled") << call << request;
+    }
+    EXPECT_EQ(line.registers(0x05).stepsPerTurn, 864U);
+    EXPECT_EQ(line.registers(0x03).stepsPerTurn, 8'192U);
+    EXPECT_EQ(line.registers(0x12).stepsPerTurn, 8'192U);
+    EXPECT_FALSE(line.registers(0x05).countsCcw);
+    EXPECT_FALSE(line.registers(0x12).countsCcw);
+    EXPECT_EQ(saved(), project);
+}
+
+TEST_F(CliLineTransfer, CtrlCKeepsOfAStoreWhatWasReadToTheEnd)
+{
+    line.interruptAfter("12U");
+    const CliRun run = this->run("store @");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The job was cancelled."));
+    EXPECT_THAT(run.out, HasSubstr("esc:12: nothing was stored.\n"));
+    EXPECT_EQ(stored(0x05, Parameter::steps), 8'192);
+    EXPECT_EQ(stored(0x12, Parameter::serialNumber), std::nullopt);
+}
+
+TEST_F(CliLineTransfer, AnAdapterUnpluggedBeforeThePlanIsMadeIsTold)
+{
+    at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};
+    save();
+    line.unplugAfter("05U");
+    const CliRun run = this->run("transfer @ --yes --json");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "portLost");
+    for (const QJsonValue encoder : run.json()[u"plan"].toArray())
+        EXPECT_EQ(encoder[u"hindrance"][u"key"], QStringLiteral("portLost"));
+}
+
+TEST_F(CliLineTransfer, APositionThatWasSentAndNotAnsweredIsNotToldAsNotSet)
+{
+    line.unplugAfter("12GP");
+    const CliRun run = this->run("replace 12 --project @ --position 2000 --yes");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("Position: it is not known whether it was set to 2000.\n"));
+    line.simulated().setUnplugged(false);
+    line.interruptAfter("12GP");
+    EXPECT_THAT(this->run("replace 12 --project @ --position 3000 --yes").out,
+                HasSubstr("Position: set to 3000.\n"));
+}
+
+// It has not told where it is: that is where it is asked.
+TEST_F(CliLineTransfer, ThePlanOfASilentEncoderShowsCommandsToItsAddress)
+{
+    at(0x05).wanted = {{Parameter::direction, 1}};
+    save();
+    line.mute(0x05);
+    const CliRun dry = run("transfer @ 05 --dry-run");
+    EXPECT_THAT(dry.out, HasSubstr("05GD1\n"));
+    EXPECT_THAT(dry.out, HasSubstr("esc:05 does not answer."));
+}
+
 TEST_F(CliLineTransfer, AnAdapterUnpluggedInTheMidstIsTold)
 {
     at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};
@@ -184,6 +256,9 @@ TEST_F(CliLineTransfer, AnAdapterUnpluggedInTheMidstIsTold)
     EXPECT_EQ(errorKey(run), "stoppedInWrite");
     EXPECT_THAT(run.err, HasSubstr("first of all to esc:05."));
     EXPECT_THAT(run.err, HasSubstr("is gone"));
+    const QJsonValue first = run.json()[u"encoders"][0];
+    EXPECT_EQ(became(first, "direction"), "unknown");
+    EXPECT_EQ(first[u"leftIn"], QStringLiteral("unknown"));
     EXPECT_FALSE(run.json()[u"encoders"][1][u"begun"].toBool());
     EXPECT_FALSE(line.registers(0x12).countsCcw);
 }

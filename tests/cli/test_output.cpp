@@ -97,7 +97,9 @@ TEST(CliOutput, ThatCannotBeWrittenTellsWhatWasDoneAtTheEncoder)
         }
         const Silenced typed = startWith(QStringLiteral("terminal 05GP1000 05P --yes"), output.make);
         EXPECT_EQ(typed.exit, 1);
-        EXPECT_THAT(typed.err, HasSubstr("05GP00001000 was sent, and answered."));
+        const bool isEndedBySignal = output.make == outputToNobody; // SIGPIPE, before it is sent
+        EXPECT_THAT(typed.err, HasSubstr(isEndedBySignal ? "Nothing was written to an encoder."
+                                                         : "05GP00001000 was sent, and answered."));
         EXPECT_THAT(startWith(QStringLiteral("read 05 steps"), output.make).err,
                     HasSubstr("Nothing was written to an encoder."));
     }

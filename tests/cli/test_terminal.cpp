@@ -130,6 +130,23 @@ TEST(CliTerminal, SaysWhenTheAdapterIsUnplugged)
     EXPECT_THAT(run.err, HasSubstr("The serial port training line is gone"));
 }
 
+TEST(CliTerminal, CtrlCSendsNothingElse)
+{
+    for (const char *call : {"terminal 05GL00000005 05GL00000006 --yes --json", "terminal --yes --json"}) {
+        SharedLine line;
+        line.interruptAfter("05GL");
+        const CliRun run = line.runLine(QString::fromLatin1(call), {false, "05GL00000005\n05GL00000006\n"});
+        EXPECT_THAT(run.out, HasSubstr("05GL00000005"));
+        EXPECT_THAT(run.out, testing::Not(HasSubstr("05GL00000006"))) << call;
+        EXPECT_EQ(line.registers(0x05).lowerLimit, 5U);
+    }
+    SharedLine line;
+    line.interruptAfter("05P");
+    const CliRun run = line.runLine(QStringLiteral("terminal 05P 05N --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(lines(run).back()[u"error"][u"key"], QStringLiteral("cancelled"));
+}
+
 TEST(CliTerminal, PollsNothing)
 {
     SharedLine line;

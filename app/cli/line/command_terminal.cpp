@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
 #include "cli/line/allowed_request.h"
 #include "cli/line/device_on_line.h"
@@ -82,6 +83,7 @@ private:
     EncoderSession *identified(LineAddress address);
     void send(const AllowedRequest &request);
     bool fail(const Complaint &complaint);
+    bool cancel();
 
     const Call &m_call;
     LineAccess &m_access;
@@ -132,6 +134,13 @@ bool TypedCall::fail(const Complaint &complaint)
     return false;
 }
 
+// What was typed is not sent.
+bool TypedCall::cancel()
+{
+    m_complaint = aboutCancelling();
+    return false;
+}
+
 bool TypedCall::take(const QString &typed)
 {
     if (typed.trimmed().isEmpty())
@@ -140,6 +149,8 @@ bool TypedCall::take(const QString &typed)
     if (!request)
         return fail({ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
     const auto sendable = allowed(*request);
+    if (m_lines.isStopped())
+        return cancel();
     if (!sendable)
         return fail(sendable.error());
     send(*sendable);

@@ -120,7 +120,10 @@ Checked<void> LineAccess::open()
         return tl::unexpected(*m_link.whyNot);
     const auto opened = m_session->open(m_link.settings.serial, m_link.settings.timing,
                                         LineSession::Start::watching, LineSession::Drive::byHand);
-    return opened ? Checked<void>() : tl::unexpected(aboutOpening(opened.error()));
+    if (opened)
+        return {};
+    m_notOpened = opened.error();
+    return tl::unexpected(aboutOpening(opened.error()));
 }
 
 std::optional<NodeId> LineAccess::placeTyped(const QString &text) const
@@ -192,7 +195,7 @@ Checked<void> LineAccess::contact(const Call &call, const ProjectDevice &planned
         m_session->setSwapsWarningBytes(place, true);
     const EncoderSession *encoder = m_session->encoder(place);
     const bool isSilent = encoder != nullptr && encoder->latest().state == EncoderState::silent;
-    return there || isSilent ? Checked<void>() : tl::unexpected(there.error());
+    return there || (isSilent && isConnected()) ? Checked<void>() : tl::unexpected(there.error());
 }
 
 // Of one that shows where it stands already, no time passes.
@@ -203,6 +206,8 @@ Checked<EncoderSession *> LineAccess::inContact(EncoderSession *encoder)
     const auto state = [&] { return encoder->latest().state; };
     if (!waitUntil([&] { return state() == EncoderState::operation || state() == EncoderState::silent; },
                    longestContact))
+        return tl::unexpected(linkLost());
+    if (!isConnected())
         return tl::unexpected(linkLost());
     if (state() != EncoderState::operation)
         return tl::unexpected(noAnswerFrom(address));
@@ -298,8 +303,8 @@ QString LineAccess::strayBytesText() const
 
 Refusal LineAccess::whatIsLost() const
 {
-    return m_session->latest().whyLost.value_or(
-        Refusal{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}});
+    const Refusal gone{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}};
+    return m_session->latest().whyLost.value_or(m_notOpened.value_or(gone));
 }
 
 Complaint LineAccess::complaint(const Refusal &why) const

@@ -65,8 +65,11 @@ public:
     QStringList remarks(const Reading &reading) const override;
     QJsonObject remarksJson(const Reading &reading) const override;
     void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
+    Checked<void> checkScan(const Call &call) const override;
     Checked<Answer> scan(const Call &call) override;
+    bool hasFoundNobody() const override { return m_found.empty(); }
     void keepFound(const Call &call, Project &project) const override;
+    Refusal whatIsLost() const override;
 
     // The port for programs; "training" of the simulated line.
     QString portKey() const;
@@ -76,7 +79,6 @@ public:
 
 private:
     LineAccess(const LineLink &settings, std::unique_ptr<LineSession> session);
-    Refusal whatIsLost() const override;
     Checked<EncoderSession *> inContact(EncoderSession *encoder);
     Complaint noAnswerFrom(LineAddress address) const;
     Checked<void> determineFractionBits(Place place);
@@ -87,6 +89,7 @@ private:
     std::optional<std::vector<NodeId>> m_planned; // of the project of the call
     std::vector<FoundEncoder> m_found;            // by the search
     const SerialPortLink *m_port = nullptr;       // of the session; null: it is at none
+    std::optional<Refusal> m_notOpened;           // why
 };
 
 } // namespace codewheel

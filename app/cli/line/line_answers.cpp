@@ -159,6 +159,11 @@ void LineAccess::addFigures(const Call &call, const EncoderSession &encoder, Ans
             messageText({.id = MessageId::lowLatencyRefused, .arguments = {m_session->linkName()}}));
 }
 
+Checked<void> LineAccess::checkScan(const Call &call) const
+{
+    return checkScanOptions(call, *this);
+}
+
 Checked<Answer> LineAccess::scan(const Call &call)
 {
     auto found = scanLine(call, *this);
@@ -178,6 +183,8 @@ void LineAccess::keepFound(const Call &call, Project &project) const
     if (m_port != nullptr)
         plan.settings.port = m_port->name();
     setLinePlan(project, bus().id(), plan);
+    if (hasFoundNobody())
+        return;
     std::vector<ProjectDevice> devices;
     for (const FoundEncoder &found : m_found) {
         const Place place = bus().placeOf(found.address.node());

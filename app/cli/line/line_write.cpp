@@ -24,6 +24,8 @@ Checked<void> readWhatIsWritten(const Call &call, EncoderSession &encoder, const
         if (std::ranges::count(read.parameters, range) == 0)
             read.parameters.push_back(range);
     const FinishedJob job = runToEnd(call, {encoder, std::move(read)});
+    if (job.wasCancelled)
+        return tl::unexpected(aboutCancelling());
     if (!job.outcome.result)
         return tl::unexpected(complaintAboutJob(call, encoder.place(), job.outcome.result.error()));
     return {};

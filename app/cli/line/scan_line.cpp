@@ -2,6 +2,7 @@
 #include "cli/line/scan_line.h"
 
 #include "catalog/hex_code.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
 #include "cli/line/line_access.h"
 #include "cli/stop_signals.h"
@@ -118,19 +119,27 @@ Answer scanAnswer(const ScanEnded &ended)
         encoders.append(foundJson(one));
     Answer answer;
     answer.json = {{QStringLiteral("encoders"), encoders}, {QStringLiteral("requests"), ended.requests}};
-    answer.text = ended.found.empty()
-                      ? CommandLine::tr("No encoder answers. Check baud rate (--all-rates), wiring and "
-                                        "supply; an RS-422 encoder also needs ST (pin 7) at +UB.") +
-                            u'\n'
-                      : tableOf(ended.found);
+    if (!ended.found.empty())
+        answer.text = tableOf(ended.found);
+    else if (!ended.cancelled)
+        answer.text = CommandLine::tr("No encoder answers. Check baud rate (--all-rates), wiring and "
+                                      "supply; an RS-422 encoder also needs ST (pin 7) at +UB.") +
+                      u'\n';
     if (ended.cancelled)
-        answer.complaint =
-            Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),
-                      CommandLine::tr("The search was cancelled: what was found until then is listed.")};
+        answer.complaint = Complaint{
+            ExitCode::refused, QStringLiteral("scanCancelled"),
+            ended.found.empty()
+                ? CommandLine::tr("The search was cancelled: until then no encoder had answered.")
+                : CommandLine::tr("The search was cancelled: what was found until then is listed.")};
     return answer;
 }
 
 } // namespace
+
+Checked<void> checkScanOptions(const Call &call, const LineAccess &line)
+{
+    return wishOf(call, line).map([](const ScanWish &) {});
+}
 
 Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line, LineAddress address)
 {
@@ -140,6 +149,8 @@ Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line,
         call, line, {.baudRates = {line.link().settings.serial.baudRate}, .first = address, .last = address});
     if (!ended)
         return tl::unexpected(line.linkLost());
+    if (ended->cancelled)
+        return tl::unexpected(aboutCancelling());
     return ended->found.empty() ? std::nullopt : std::optional(ended->found.front());
 }
 

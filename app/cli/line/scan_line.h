@@ -16,6 +16,9 @@ struct ScannedLine
     std::vector<FoundEncoder> encoders;
 };
 
+// Whether the options of the call say where to look.
+Checked<void> checkScanOptions(const Call &call, const LineAccess &line);
+
 // Looks for encoders on the line, as the options of the call say. Only reads. Ctrl+C ends it, with what was
 // found so far.
 Checked<ScannedLine> scanLine(const Call &call, LineAccess &line);

@@ -30,10 +30,9 @@ public:
     Checked<Answer> scan(const Call &call) override;
     // What the project knows stays with the devices that are the same or moved.
     void keepFound(const Call &call, Project &project) const override;
-
-private:
     Refusal whatIsLost() const override;
 
+private:
     TrainingSession m_training; // none: of another owner
     RingSession &m_ring;
 };
