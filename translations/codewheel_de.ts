@@ -6390,6 +6390,14 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Ob die Position gesetzt wurde, ist nicht bekannt: die Position auslesen.</translation>
     </message>
     <message>
+        <source>%1: nobody answers there. The encoders that are planned on it stay in the project.</source>
+        <translation>%1: Dort antwortet niemand. Die Geber, die dort geplant sind, bleiben im Projekt.</translation>
+    </message>
+    <message>
+        <source>Not searched any more: the search was cancelled.</source>
+        <translation>Nicht mehr durchsucht: Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
         <source>As an option: --beyond-eeprom-limit %1.</source>
         <translation>Als Option: --beyond-eeprom-limit %1.</translation>
     </message>

@@ -3,6 +3,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -54,13 +55,36 @@ void compareBus(const Call &call, const Project &project, const BusAccess &acces
 }
 
 // What nobody looked at is not the same.
-QString notCompared(const Call &call, const Project &project)
+QStringList notCompared(const Call &call, const Project &project, const std::set<BusId> &gone)
 {
     QStringList names;
-    for (const PlannedBus &bus : project.buses)
-        if (call.buses.open(bus.id) == nullptr && !devicesOn(project, bus.id).empty())
+    for (const PlannedBus &bus : project.buses) {
+        const bool isThere = call.buses.open(bus.id) != nullptr && !gone.contains(bus.id);
+        if (!isThere && !devicesOn(project, bus.id).empty())
             names << bus.name;
-    return names.join(QStringLiteral(", "));
+    }
+    return names;
+}
+
+std::optional<Complaint> complaintAboutAll(const QString &project, int differences, const QStringList &others)
+{
+    const QString names = others.join(QStringLiteral(", "));
+    const QString left = others.isEmpty()
+                             ? QString()
+                             : sentence(CommandLine::tr("Not compared, since the link does not lead there, "
+                                                        "or it cannot be reached: %1."),
+                                        {names});
+    if (differences > 0)
+        return Complaint{ExitCode::refused,
+                         QStringLiteral("busDiffers"),
+                         (sentence(CommandLine::tr("The bus differs from %1. Lines that differ: %2."),
+                                   {project, QString::number(differences)}) +
+                          u' ' + left)
+                             .trimmed(),
+                         {project}};
+    if (!others.isEmpty())
+        return Complaint{ExitCode::refused, QStringLiteral("notAllCompared"), left, {names}};
+    return std::nullopt;
 }
 
 Checked<Answer> runCompare(const Call &call)
@@ -69,28 +93,19 @@ Checked<Answer> runCompare(const Call &call)
     const std::vector<ProjectDevice> planned = devicesOfLink(call, *call.named);
     if (planned.empty() && call.buses.open().empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
-    if (const auto looked = contactAll(call, planned, &BusAccess::lookFor); !looked)
-        return tl::unexpected(looked.error());
+    nameBuses(call, *call.named);
+    const auto gone = contactAll(call, planned, &BusAccess::lookFor);
+    if (!gone)
+        return tl::unexpected(gone.error());
     Compared all;
     for (const BusAccess *bus : call.links)
-        if (bus->bus().isOpen())
+        if (bus->bus().isOpen() && !gone->contains(bus->bus().id()))
             compareBus(call, *call.named, *bus, all);
-    Answer answer{all.text, {{QStringLiteral("lines"), all.lines}}};
-    if (const QString others = notCompared(call, *call.named); all.differences == 0 && !others.isEmpty())
-        answer.complaint =
-            Complaint{ExitCode::refused,
-                      QStringLiteral("notAllCompared"),
-                      sentence(CommandLine::tr("Not compared, since the link does not lead there, or it "
-                                               "cannot be reached: %1."),
-                               {others}),
-                      {others}};
-    if (all.differences > 0)
-        answer.complaint =
-            Complaint{ExitCode::refused,
-                      QStringLiteral("busDiffers"),
-                      sentence(CommandLine::tr("The bus differs from %1. Lines that differ: %2."),
-                               {name, QString::number(all.differences)}),
-                      {name}};
+    const QStringList others = notCompared(call, *call.named, *gone);
+    Answer answer{all.text,
+                  {{QStringLiteral("lines"), all.lines},
+                   {QStringLiteral("notCompared"), QJsonArray::fromStringList(others)}}};
+    answer.complaint = complaintAboutAll(name, all.differences, others);
     return answer;
 }
 

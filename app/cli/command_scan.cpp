@@ -83,13 +83,20 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
         return;
     const bool isProject = call.project != nullptr && areSameFile(*file, *call.arguments.value("--project"));
     const Project found = foundProject(call, buses);
+    for (const BusAccess *bus : buses)
+        if (bus->hasFoundNobody() && !devicesOn(found, bus->bus().id()).empty())
+            answer.done += sentence(CommandLine::tr("%1: nobody answers there. The encoders that are planned "
+                                                    "on it stay in the project."),
+                                    {bus->name()}) +
+                           u'\n';
     const auto saved =
         isProject ? saveProjectOver(projectMark(*call.project), found, *file) : saveProject(found, *file);
     if (!saved) {
+        answer.done.clear();
         answer.complaint = complaintAbout(saved.error());
         return;
     }
-    answer.done = sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
+    answer.done += sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
     answer.text += answer.done;
     answer.json.insert(QStringLiteral("saved"), *file);
 }
@@ -116,6 +123,12 @@ void addFound(const Call &call, const BusAccess &bus, const Answer &found, QJson
         answer.complaint = found.complaint;
 }
 
+Complaint aboutNoSearch()
+{
+    return {ExitCode::refused, QStringLiteral("notSearched"),
+            CommandLine::tr("Not searched any more: the search was cancelled.")};
+}
+
 bool wasCancelled(const Answer &answer)
 {
     return answer.complaint && answer.complaint->key == QStringLiteral("scanCancelled");
@@ -128,12 +141,17 @@ Checked<Answer> runScan(const Call &call)
         return tl::unexpected(checked.error());
     if (const auto isFree = checkProjectIsFree(call.arguments); !isFree)
         return tl::unexpected(isFree.error());
+    for (const BusAccess *bus : call.links)
+        if (const auto can = bus->checkScan(call); !can)
+            return tl::unexpected(can.error());
     Answer answer;
     QJsonArray buses;
     std::vector<BusAccess *> found;
     for (BusAccess *bus : call.links) {
-        if (wasCancelled(answer))
-            break;
+        if (wasCancelled(answer)) {
+            addFound(call, *bus, {.complaint = aboutNoSearch()}, buses, answer);
+            continue;
+        }
         const auto its = bus->scan(call);
         if (!its && call.links.size() == 1)
             return tl::unexpected(its.error());

@@ -16,15 +16,6 @@
 namespace codewheel {
 namespace {
 
-void nameBuses(const Call &call, const Project &project)
-{
-    for (BusAccess *bus : call.links)
-        if (const PlannedBus *planned = findBus(project, bus->bus().id());
-            planned != nullptr && planned->kind == bus->kind())
-            bus->setName(planned->name);
-    BusNames::tell(call);
-}
-
 // One that nobody has named has its number.
 QString nameOf(const Call &call, BusId bus)
 {
@@ -66,6 +57,15 @@ Checked<void> saveUnlessChanged(const Project &project, const QString &file, con
     if (const auto saved = saveProjectOver(mark, project, file); !saved)
         return tl::unexpected(complaintAbout(saved.error()));
     return {};
+}
+
+void nameBuses(const Call &call, const Project &project)
+{
+    for (BusAccess *bus : call.links)
+        if (const PlannedBus *planned = findBus(project, bus->bus().id());
+            planned != nullptr && planned->kind == bus->kind())
+            bus->setName(planned->name);
+    BusNames::tell(call);
 }
 
 void useProject(const Call &call, const Project &project, const QString &file)

@@ -12,6 +12,8 @@ namespace codewheel {
 // once.
 Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments);
 
+// Buses are called as the project has them.
+void nameBuses(const Call &call, const Project &project);
 // Buses and encoders are called as the project has them. Told where a bus differs from it.
 void useProject(const Call &call, const Project &project, const QString &file);
 

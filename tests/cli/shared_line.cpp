@@ -13,7 +13,6 @@
 namespace codewheel {
 namespace {
 
-// Passes all on, and lets something happen with a certain request.
 class CutLink final : public ByteLink
 {
 public:
@@ -62,13 +61,18 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     EXPECT_TRUE(link) << line.toStdString();
     StopSignals held; // so that Ctrl+C is for the command alone
     CliRun run = runWith(person, [&](const Terminal &terminal) {
-        LineAccess access(std::make_unique<CutLink>(m_line, m_cut), *link, m_catalog);
+        LineAccess access(cutLink(m_line, m_cut), *link, m_catalog);
         access.keepLedger(arguments->value("--ledger"));
         return runOn(*command, *arguments, m_catalog, {&access}, terminal);
     });
     while (held.came()) {
     }
     return run;
+}
+
+std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut)
+{
+    return std::make_unique<CutLink>(std::move(line), std::move(cut));
 }
 
 void SharedLine::interruptAfter(const QByteArray &request, int signal)

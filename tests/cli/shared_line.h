@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "esc_line/byte_link.h"
 #include "simulator/simulated_line.h"
 #include "tests/cli/cli_run.h"
 
@@ -49,5 +50,8 @@ private:
     std::shared_ptr<SimulatedLine> m_line = std::make_shared<SimulatedLine>();
     Cut m_cut;
 };
+
+// A link that passes all on, and lets something happen with a certain request.
+std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut);
 
 } // namespace codewheel

@@ -6,17 +6,18 @@
 #include "cli/line/line_access.h"
 #include "cli/link_kind.h"
 #include "cli/ring/ring_access.h"
+#include "cli/stop_signals.h"
 #include "project/bus_kind.h"
 #include "project/line_plan.h"
 #include "project/project_file.h"
-#include "simulator/simulated_line_link.h"
-#include "tests/cli/cli_run.h"
+#include "tests/cli/shared_line.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 
 #include <array>
+#include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
@@ -88,14 +89,20 @@ protected:
 
     std::unique_ptr<LineAccess> line(BusId id)
     {
-        return std::make_unique<LineAccess>(
-            std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), LineLink(), catalog, id);
+        const SharedLine::Cut its = id == firstLine ? cut : SharedLine::Cut();
+        return std::make_unique<LineAccess>(cutLink(std::make_shared<SimulatedLine>(), its), LineLink(),
+                                            catalog, id);
+    }
+    void unplugAfter(const char *request)
+    {
+        cut = {request, [](SimulatedLine &line) { line.setUnplugged(true); }};
     }
 
     const Catalog catalog = Catalog::builtIn();
     TrainingSession rings[2] = {
         openTrainingSession(catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))),
         openTrainingSession(catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2)), secondRing)};
+    SharedLine::Cut cut; // of the first line
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("cranes.codewheel"));
     Project project;
@@ -256,6 +263,69 @@ TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
     for (const BusId line : {firstLine, secondLine})
         EXPECT_EQ(devicesOn(found, line).size(), 3U);
     EXPECT_EQ(findDevice(found, {secondLine, LineAddress{0x12}.node()})->station, QStringLiteral("Top"));
+}
+
+TEST_F(CliBuses, ALineThatIsUnpluggedKeepsNoOtherFromItsValues)
+{
+    for (ProjectDevice &device : project.devices)
+        device.wanted = {{Parameter::direction, 1}};
+    const QStringList call{QStringLiteral("transfer"), file, QStringLiteral("--yes"),
+                           QStringLiteral("--json")};
+    for (const auto &[request, became] : {std::pair{"05U", "notDone"}, {"05GD", "unknown"}}) {
+        unplugAfter(request);
+        const CliRun run = this->run(call);
+        EXPECT_EQ(run.exit, 1) << request;
+        const QJsonArray encoders = run.json()[u"encoders"].toArray();
+        ASSERT_EQ(encoders.size(), 3) << run.err;
+        EXPECT_EQ(encoders[0][u"values"][0][u"became"], QString::fromLatin1(became));
+        EXPECT_EQ(encoders[1][u"values"][0][u"became"], QStringLiteral("written"));
+        EXPECT_EQ(encoders[2][u"values"][0][u"became"], QStringLiteral("written"));
+    }
+}
+
+TEST_F(CliBuses, WhatCouldNotBeAskedIsNotMissing)
+{
+    unplugAfter("05N");
+    const CliRun run = this->run({QStringLiteral("compare"), file});
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, Not(HasSubstr("missing")));
+    EXPECT_THAT(run.err, HasSubstr("Gate 1: The serial port"));
+    EXPECT_THAT(run.err, HasSubstr("Lines that differ: 14. Not compared, since the link does not lead "
+                                   "there, or it cannot be reached: Gate 1."));
+}
+
+TEST_F(CliBuses, ACancelledSearchTellsWhatWasNotSearched)
+{
+    StopSignals held; // so that Ctrl+C is for the command alone
+    cut = {"01N", [](SimulatedLine &) { std::raise(SIGINT); }};
+    const CliRun run = this->run("scan --json");
+    EXPECT_EQ(errorKey(run), "scanCancelled");
+    const QJsonArray buses = run.json()[u"buses"].toArray();
+    ASSERT_EQ(buses.size(), 4);
+    EXPECT_EQ(buses[3][u"busName"], QStringLiteral("Gate 2"));
+    EXPECT_EQ(buses[3][u"error"][u"key"], QStringLiteral("notSearched"));
+}
+
+// They may be switched off.
+TEST_F(CliBuses, OfASilentLineWhatIsPlannedStays)
+{
+    cut = {"01N", [](SimulatedLine &line) { line.setSilent(true); }};
+    const QString saved = folder.filePath(QStringLiteral("found.codewheel"));
+    const CliRun scan = run({QStringLiteral("scan"), QStringLiteral("--save"), saved});
+    EXPECT_EQ(scan.exit, 0);
+    EXPECT_THAT(scan.out, HasSubstr("Gate 1: nobody answers there. The encoders that are planned on it stay "
+                                    "in the project.\nSaved in"));
+    const Project found = *loadProject(saved);
+    ASSERT_EQ(devicesOn(found, firstLine).size(), 1U);
+    EXPECT_EQ(devicesOn(found, firstLine)[0].station, QStringLiteral("Left"));
+    EXPECT_EQ(devicesOn(found, secondLine).size(), 3U);
+}
+
+TEST_F(CliBuses, BadOptionsOfASearchAreSaidBeforeIt)
+{
+    const CliRun run = this->run("scan --first 40");
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(run.out, "");
 }
 
 // The encoders 05 of both lines tell the same serial number.

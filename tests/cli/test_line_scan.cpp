@@ -117,6 +117,16 @@ TEST(CliLineScan, CtrlCEndsItWithWhatWasFound)
     EXPECT_THAT(addressesIn(run), ElementsAre("03", "05"));
 }
 
+TEST(CliLineScan, CtrlCBeforeAnybodyAnsweredIsNoSilence)
+{
+    SharedLine line;
+    line.interruptAfter("01N");
+    const CliRun run = line.runLine(QStringLiteral("scan"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out.find("No encoder answers"), std::string::npos);
+    EXPECT_THAT(run.err, HasSubstr("until then no encoder had answered"));
+}
+
 // What was not asked any more would be gone from the project.
 TEST(CliLineScan, WhatWasCancelledIsNotSaved)
 {
