@@ -226,6 +226,20 @@ TEST_F(CliBuses, WritingGoesToTheBusThatIsNamed)
     EXPECT_EQ(writes(1), 1);
 }
 
+TEST_F(CliBuses, WhatIsTypedForAllOfALineCountsForEachThatTheProjectHas)
+{
+    const QString ledger = folder.filePath(QStringLiteral("eeprom.sqlite"));
+    run({QStringLiteral("terminal"), QStringLiteral("00GD1"), QStringLiteral("--bus"),
+         QStringLiteral("Gate 2"), QStringLiteral("--yes"), QStringLiteral("--ledger"), ledger});
+    const QJsonArray accounts =
+        runLine(QStringLiteral("ledger --json --ledger ") + ledger).json()[u"accounts"].toArray();
+    ASSERT_EQ(accounts.size(), 2);
+    for (const auto &account : accounts) {
+        EXPECT_EQ(account[u"countedBy"], QStringLiteral("serialNumber"));
+        EXPECT_EQ(account[u"writes"].toInt() + account[u"perhaps"].toInt(), 1);
+    }
+}
+
 TEST_F(CliBuses, ACommandOfOneKindAsksWhichBus)
 {
     EXPECT_EQ(errorKey(run("master --json")), "busNotUnique");

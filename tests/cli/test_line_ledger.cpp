@@ -66,6 +66,32 @@ TEST_F(CliLineLedger, CountsWhatIsTyped)
     EXPECT_EQ(accounts()[0][u"writes"], 2);
 }
 
+TEST_F(CliLineLedger, WhatIsTypedForAllCountsForTheOneThatIsThere)
+{
+    m_line.mute(0x03);
+    m_line.mute(0x12);
+    EXPECT_EQ(run("terminal 00GD1 --yes").exit, 0);
+    ASSERT_EQ(accounts().size(), 1);
+    EXPECT_EQ(accounts()[0][u"countedBy"], QStringLiteral("serialNumber"));
+    EXPECT_EQ(accounts()[0][u"writes"], 1);
+    EXPECT_EQ(run("terminal 00GD0 --yes --device few-writes").exit, 0);
+    const CliRun limited = run("terminal 00GD1 --yes --device few-writes");
+    EXPECT_EQ(limited.exit, 1);
+    EXPECT_THAT(limited.err, HasSubstr("esc:00"));
+    EXPECT_FALSE(m_line.registers(0x05).countsCcw);
+}
+
+TEST_F(CliLineLedger, WhatIsTypedForAllIsNotSentWhereNobodyKnowsWhoIsThere)
+{
+    const CliRun several = run("terminal 00GD1 --yes");
+    EXPECT_EQ(several.exit, 1);
+    EXPECT_THAT(several.err, HasSubstr("it is not known which there are. Nothing was sent."));
+    const CliRun person = run("terminal", {true, "07GD1\ny\n00GD1\ny\n00GD1\ny\n"});
+    EXPECT_FALSE(m_line.registers(0x05).countsCcw) << person.out;
+    EXPECT_THAT(run("terminal 05GD0 00GD1 --yes").err, HasSubstr("Nothing was sent."))
+        << "there may be others beside the one that was asked for";
+}
+
 TEST_F(CliLineLedger, AWriteThatMayHaveBeenDoneCounts)
 {
     m_line.unplugAfter("05GD");

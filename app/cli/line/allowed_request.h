@@ -6,6 +6,8 @@
 
 namespace codewheel {
 
+using Encoders = std::vector<const EncoderSession *>;
+
 // A typed request that may be sent as far as the EEPROM of its encoder is concerned: as AllowedJob.
 class AllowedRequest
 {
@@ -21,7 +23,7 @@ public:
     const esc::Request &request() const { return m_request; }
 
 private:
-    friend Checked<AllowedRequest> requestConsent(const Call &call, const EncoderSession *encoder,
+    friend Checked<AllowedRequest> requestConsent(const Call &call, const Encoders &encoders,
                                                   const esc::Request &request);
     explicit AllowedRequest(const esc::Request &request)
         : m_request(request)
@@ -30,15 +32,15 @@ private:
     esc::Request m_request;
 };
 
-// Of one that writes, which has been agreed to; each counts as one write. `encoder`: null where it is not
-// known whose EEPROM it is.
-inline Checked<AllowedRequest> requestConsent(const Call &call, const EncoderSession *encoder,
+// Of one that writes, which has been agreed to; it counts as one write of each of these encoders.
+inline Checked<AllowedRequest> requestConsent(const Call &call, const Encoders &encoders,
                                               const esc::Request &request)
 {
     constexpr int oneWrite = 1;
-    const auto may =
-        encoder != nullptr ? eepromConsent(call, *encoder, oneWrite, AsksAnyway::yes) : Checked<void>();
-    return may.map([&] { return AllowedRequest(request); });
+    for (const EncoderSession *encoder : encoders)
+        if (const auto may = eepromConsent(call, *encoder, oneWrite, AsksAnyway::yes); !may)
+            return tl::unexpected(may.error());
+    return AllowedRequest(request);
 }
 
 } // namespace codewheel

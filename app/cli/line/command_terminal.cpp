@@ -54,6 +54,15 @@ QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
            byteText(passed.row.bytes).leftJustified(bytesWidth) + gap + rowMeaning(passed, explain) + u'\n';
 }
 
+Complaint aboutNobodyKnown()
+{
+    return {ExitCode::refused, QStringLiteral("encodersNotKnown"),
+            CommandLine::tr("What is written to the address 00 goes into the EEPROM of every encoder of the "
+                            "line, and it is not known which there are. Nothing was sent. Write to each by "
+                            "its own address (codewheel-cli scan finds them), or name the project that has "
+                            "them with --project.")};
+}
+
 // One call on its way.
 class TypedCall
 {
@@ -80,7 +89,10 @@ private:
     bool wasSent() const { return m_answered && m_answered->result.sent > 0; }
     QString whatWasDone() const;
     bool goesOn() const { return m_call.terminal.canPrint(); } // else nobody sees what comes
-    EncoderSession *identified(LineAddress address);
+    Checked<Encoders> identified(LineAddress address);
+    Checked<void> contact(LineAddress address);
+    Checked<void> contactEverybody();
+    Checked<void> contactWhoIsAlone();
     void send(const AllowedRequest &request);
     bool fail(const Complaint &complaint);
     bool cancel();
@@ -173,7 +185,9 @@ Checked<AllowedRequest> TypedCall::allowed(const esc::Request &request)
         return *reading;
     if (const auto agreed = askToWrite(request); !agreed)
         return tl::unexpected(agreed.error());
-    return requestConsent(m_call, identified(request.to), request);
+    return identified(request.to).and_then([&](const Encoders &encoders) {
+        return requestConsent(m_call, encoders, request);
+    });
 }
 
 Checked<void> TypedCall::askToWrite(const esc::Request &request)
@@ -195,20 +209,61 @@ Checked<void> TypedCall::askToWrite(const esc::Request &request)
     return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
 }
 
-// By its serial number, which is what its EEPROM writes are counted by. At the master address nobody knows
-// whose EEPROM it is.
-EncoderSession *TypedCall::identified(LineAddress address)
+// Whose EEPROM it may be, each by its serial number, which is what its writes are counted by.
+Checked<Encoders> TypedCall::identified(LineAddress address)
 {
     constexpr Instant longestPoll = 50ms; // that is under way
-    const auto device = deviceOnLine(m_call, m_line.placeOf(address.node()));
-    if (!address.isDevice() || !device)
-        return nullptr;
     const QScopedValueRollback polling(m_isPolling, true);
     m_line.setRunning(true);
-    static_cast<void>(m_access.encoder(address, *device)); // it may be silent
+    const auto known = address.isMaster() ? contactEverybody() : contact(address);
     m_line.setRunning(false);
     m_access.advance(longestPoll);
-    return m_line.encoder(address.node());
+    if (!known)
+        return tl::unexpected(known.error());
+    Encoders encoders;
+    for (const Place place : m_line.places())
+        if (const LineAddress its = LineAddress::of(place.node);
+            its == address || its.isMaster() || address.isMaster())
+            encoders.push_back(m_line.encoder(place));
+    return encoders;
+}
+
+// It may be silent.
+Checked<void> TypedCall::contact(LineAddress address)
+{
+    const auto device = deviceOnLine(m_call, m_line.placeOf(address.node()));
+    if (address.isDevice() && device)
+        static_cast<void>(m_access.encoder(address, *device));
+    return {};
+}
+
+// At the master address: the encoders of the project; without one, who is alone there.
+Checked<void> TypedCall::contactEverybody()
+{
+    const auto planned = m_call.project != nullptr ? devicesOn(*m_call.project, m_line.id())
+                                                   : std::span<const ProjectDevice>();
+    for (const ProjectDevice &encoder : planned)
+        if (const auto there = m_access.contact(m_call, encoder); !there)
+            return there;
+    return planned.empty() ? contactWhoIsAlone() : Checked<void>();
+}
+
+// That another was asked for before does not say that it is alone.
+Checked<void> TypedCall::contactWhoIsAlone()
+{
+    const auto forgetAll = [this] {
+        for (const Place place : m_line.places())
+            static_cast<void>(m_line.remove(place));
+    };
+    forgetAll();
+    const LineAddress address = LineAddress::master();
+    const auto alone = deviceOnLine(m_call, m_line.placeOf(address.node())).and_then([&](const QString &key) {
+        return m_access.encoder(address, key);
+    });
+    if (alone)
+        return {};
+    forgetAll();
+    return tl::unexpected(m_access.isConnected() ? aboutNobodyKnown() : m_access.linkLost());
 }
 
 void TypedCall::send(const AllowedRequest &request)
