@@ -36,10 +36,14 @@ QString BusAccess::name() const
     return kind != nullptr ? kind->usualName() : QString::number(m_bus.id().number);
 }
 
-void BusAccess::keepLedger(const std::optional<QString> &file)
+void BusAccess::keepLedger(const std::optional<QString> &file, const std::vector<BusAccess *> &others)
 {
-    setLedger(std::make_unique<LedgerKeeper>(m_bus, file ? DatabasePlace::file(*file)
-                                                         : ledgerPlace(m_bus, userJournalFolder())));
+    const DatabasePlace place = file ? DatabasePlace::file(*file) : ledgerPlace(m_bus, userJournalFolder());
+    const auto other = std::ranges::find_if(others, [&](const BusAccess *bus) {
+        return bus->ledger() != nullptr && bus->ledger()->place() == place;
+    });
+    setLedger(other == others.end() ? std::make_unique<LedgerKeeper>(m_bus, place)
+                                    : std::make_unique<LedgerKeeper>(m_bus, *(*other)->ledger()));
 }
 
 void BusAccess::setLedger(std::unique_ptr<LedgerKeeper> ledger)

@@ -42,8 +42,9 @@ public:
     QString name() const;
     void setName(const QString &name) { m_name = name; }
 
-    // Counts EEPROM writes from now on: in the file, else where those of this bus are counted.
-    void keepLedger(const std::optional<QString> &file);
+    // Counts EEPROM writes from now on: in the file, else where those of this bus are counted; together with
+    // those of the others that are counted there.
+    void keepLedger(const std::optional<QString> &file, const std::vector<BusAccess *> &others = {});
     void setLedger(std::unique_ptr<LedgerKeeper> ledger);
     LedgerKeeper *ledger() const { return m_ledger.get(); } // null: none is kept
 

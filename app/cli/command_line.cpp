@@ -170,11 +170,11 @@ int runOnLinks(const Subcommand &command, const Arguments &arguments, const Proj
     std::vector<BusAccess *> accesses;
     for (const auto &link : *links) {
         if (opens)
-            link->keepLedger(arguments.value("--ledger"));
+            link->keepLedger(arguments.value("--ledger"), accesses);
         accesses.push_back(link.get());
     }
     if (opens)
-        complainAboutLedger(*accesses.front()->ledger(), terminal);
+        complainAboutLedgers(accesses, terminal);
     return runCommand(command, arguments, project, catalog, accesses, terminal);
 }
 

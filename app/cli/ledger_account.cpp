@@ -38,12 +38,15 @@ std::optional<Complaint> LedgerAccount::complaint() const
                      {}};
 }
 
-void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal)
+void complainAboutLedgers(const std::vector<BusAccess *> &links, const Terminal &terminal)
 {
-    if (const QString warning = nothingIsKept(); !warning.isEmpty())
+    if (const QString warning = nothingIsKept(); !warning.isEmpty()) {
         terminal.complain(warning);
-    else if (ledger.problem())
-        terminal.complain(messageText(*ledger.problem()));
+        return;
+    }
+    for (const BusAccess *link : links)
+        if (const auto &problem = link->ledger()->problem())
+            terminal.complain(messageText(*problem));
 }
 
 } // namespace codewheel

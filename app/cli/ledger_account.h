@@ -26,7 +26,7 @@ private:
     QObject m_scope;
 };
 
-// What was wrong with the file when it was opened.
-void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal);
+// What was wrong with their files when they were opened.
+void complainAboutLedgers(const std::vector<BusAccess *> &links, const Terminal &terminal);
 
 } // namespace codewheel

@@ -22,16 +22,18 @@ QString withoutLinks(const QString &file)
 LedgerKeeper::LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
+    , m_book(std::make_shared<SafeLedger>(place))
 {
-    open(place);
-    connect(&bus, &EncoderBus::nodesChanged, this, &LedgerKeeper::watchDevices);
-    connect(&bus, &EncoderBus::structureChanged, this, &LedgerKeeper::doubtUnassigned);
-    connect(&bus, &EncoderBus::named, this, &LedgerKeeper::watchNamed);
-    connect(&bus, &EncoderBus::moved, this, &LedgerKeeper::move);
-    connect(&bus, &EncoderBus::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
-    connect(&bus, &EncoderBus::writeAboutToBeSent, this, &LedgerKeeper::beginTyped);
-    connect(&bus, &EncoderBus::typedWriteEnded, this, &LedgerKeeper::settleTyped);
-    watchDevices();
+    listenToBook();
+    watchBus();
+}
+
+LedgerKeeper::LedgerKeeper(EncoderBus &bus, const LedgerKeeper &other, QObject *parent)
+    : QObject(parent)
+    , m_bus(bus)
+    , m_book(other.m_book)
+{
+    watchBus();
 }
 
 LedgerKeeper::~LedgerKeeper()
@@ -42,15 +44,28 @@ LedgerKeeper::~LedgerKeeper()
 }
 
 // What was said while it was opened is for who asks for problem(): nobody listens yet.
-void LedgerKeeper::open(const DatabasePlace &place)
+void LedgerKeeper::listenToBook()
 {
-    m_book = std::make_unique<SafeLedger>(place);
     m_problem = m_book->problem();
-    m_book->onProblem([this] {
-        m_problem = m_book->problem();
-        m_problem->at = m_bus.now();
-        Q_EMIT messaged(*m_problem);
+    m_book->onProblem([keeper = QPointer(this)] {
+        if (keeper == nullptr)
+            return;
+        keeper->m_problem = keeper->m_book->problem();
+        keeper->m_problem->at = keeper->m_bus.now();
+        Q_EMIT keeper->messaged(*keeper->m_problem);
     });
+}
+
+void LedgerKeeper::watchBus()
+{
+    connect(&m_bus, &EncoderBus::nodesChanged, this, &LedgerKeeper::watchDevices);
+    connect(&m_bus, &EncoderBus::structureChanged, this, &LedgerKeeper::doubtUnassigned);
+    connect(&m_bus, &EncoderBus::named, this, &LedgerKeeper::watchNamed);
+    connect(&m_bus, &EncoderBus::moved, this, &LedgerKeeper::move);
+    connect(&m_bus, &EncoderBus::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
+    connect(&m_bus, &EncoderBus::writeAboutToBeSent, this, &LedgerKeeper::beginTyped);
+    connect(&m_bus, &EncoderBus::typedWriteEnded, this, &LedgerKeeper::settleTyped);
+    watchDevices();
 }
 
 void LedgerKeeper::setProject(const QString &file)

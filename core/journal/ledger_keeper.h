@@ -36,6 +36,8 @@ public:
     // The bus outlives the keeper, or is closed before. Where the file cannot be used it goes on
     // (SafeLedger), and problem() says so.
     LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent = nullptr);
+    // In the same file as another one, which tells what becomes of it.
+    LedgerKeeper(EncoderBus &bus, const LedgerKeeper &other, QObject *parent = nullptr);
     ~LedgerKeeper() override;
 
     // What places count for: the file of the project; empty: none. Links to a file are that file.
@@ -53,6 +55,7 @@ public:
     bool hasUncounted() const { return m_book->hasUncounted(); }
 
     const EncoderBus &bus() const { return m_bus; }
+    const DatabasePlace &place() const { return m_book->place(); }
     // Null where Qt's driver for SQLite is missing.
     const Ledger *ledger() const { return m_book->ledger(); }
     EncoderIdentity identity(Place place) const;
@@ -84,7 +87,8 @@ private:
         std::vector<qint64> unassigned{}; // entries of an encoder whose serial number was not told
     };
 
-    void open(const DatabasePlace &place);
+    void listenToBook();
+    void watchBus();
     void watchDevices();
     void watch(Place place);
     void watchNamed(Place place);
@@ -116,7 +120,7 @@ private:
     bool standsStill(Place place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
-    std::unique_ptr<SafeLedger> m_book;
+    std::shared_ptr<SafeLedger> m_book; // of all that keep the same file together
     std::optional<Message> m_problem;
     QString m_project;
     std::map<Place, QString> m_labels;

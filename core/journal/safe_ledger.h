@@ -19,6 +19,8 @@ class SafeLedger
 public:
     explicit SafeLedger(const DatabasePlace &place);
 
+    const DatabasePlace &place() const { return m_place; }
+
     // Null where Qt's driver for SQLite is missing: then nothing is entered.
     const Ledger *ledger() const { return m_ledger ? &*m_ledger : nullptr; }
 

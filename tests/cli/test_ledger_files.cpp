@@ -80,6 +80,21 @@ TEST_F(CliLedgerFiles, WhatCannotBeCarriedIsTold)
     EXPECT_EQ(run("ledger export %1/counts.json --yes --ledger %1/ledger.sqlite").exit, 0);
 }
 
+// The line is the second bus of the call.
+TEST_F(CliLedgerFiles, WhatIsNotEnteredWaitsInTheFileThatIsTold)
+{
+    EXPECT_EQ(run("write 05 steps=864 --yes --ledger %1/ledger.sqlite").exit, 0);
+    setVersion(9);
+    const CliRun write = run("write 05 steps=1000 --yes --ledger %1/ledger.sqlite");
+    EXPECT_EQ(write.exit, 1);
+    const QStringList waiting =
+        QDir(folder.path()).entryList({QStringLiteral("*.waiting-*")}, QDir::Files | QDir::Hidden);
+    ASSERT_EQ(waiting.size(), 1);
+    EXPECT_THAT(write.err,
+                HasSubstr("kept in " + path(waiting.front().toLatin1().constData()).toStdString()));
+    EXPECT_EQ(QString::fromStdString(write.err).count(QStringLiteral("kept in")), 1);
+}
+
 TEST_F(CliLedgerFiles, WhatIsWrittenButNotEnteredIsToldAndEnteredLater)
 {
     EXPECT_EQ(run("write 1.0 steps=255 --yes --ledger %1/ledger.sqlite").exit, 0);
