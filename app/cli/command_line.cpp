@@ -50,9 +50,9 @@ int asTold(int exit, const QString &done, const Terminal &terminal)
 {
     if (terminal.canPrint())
         return exit;
-    terminal.complain(sentence(CommandLine::tr("Standard output cannot be written: %1. %2"),
-                               {terminal.whyNotPrinted(), done})
-                          .trimmed());
+    const QString why =
+        sentence(CommandLine::tr("Standard output cannot be written: %1."), {terminal.whyNotPrinted()});
+    terminal.complain(done.isEmpty() ? why : why + u' ' + done);
     return exit == static_cast<int>(ExitCode::done) ? static_cast<int>(ExitCode::refused) : exit;
 }
 

@@ -94,6 +94,7 @@ TEST(CliOutput, ThatCannotBeWrittenTellsWhatWasDoneAtTheEncoder)
             EXPECT_THAT(run.err, HasSubstr("This was done:")) << line;
             EXPECT_THAT(run.err, testing::ContainsRegex("steps  = (255|864)  written")) << line;
             EXPECT_THAT(run.err, HasSubstr("EEPROM writes:   ")) << line;
+            EXPECT_THAT(run.err, testing::Not(HasSubstr("\\u000A"))) << line;
         }
         const Silenced typed = startWith(QStringLiteral("terminal 05GP1000 05P --yes"), output.make);
         EXPECT_EQ(typed.exit, 1);
