@@ -178,6 +178,9 @@ Checked<Answer> runDevices(const Call &call)
         return labelAnswer(call.catalog, *label);
     if (file)
         return checkAnswer(*file);
+    if (const auto bus = call.arguments.value("--bus"))
+        if (const auto its = busNamed(call, *bus); !its)
+            return tl::unexpected(its.error());
     if (call.arguments.rest.isEmpty())
         return listOf(call.catalog);
     const auto device = deviceNamed(call.catalog, call.arguments.rest.front());

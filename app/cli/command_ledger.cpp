@@ -82,6 +82,22 @@ Checked<std::optional<Ledger>> existingLedger(const QString &file)
     return std::move(*ledger);
 }
 
+// By its file, or, of a serial number, by the device that the project has there.
+bool isOfProject(const Call &call, const Ledger::Account &account)
+{
+    if (call.project == nullptr)
+        return false;
+    const QString file = QFileInfo(*call.arguments.value("--project")).canonicalFilePath();
+    if (account.count.by == CountedBy::place)
+        return account.identity == EncoderIdentity{CountedBy::place, {}, {}, file, account.place}.key();
+    const ProjectDevice *device = findDevice(*call.project, account.place);
+    if (device == nullptr || device->participant.deviceKey != account.device)
+        return false;
+    const QString label = device->label.serialNumber;
+    const QString number = account.identity.section(u'/', -1);
+    return label.isEmpty() || label == number || label.toLongLong(nullptr, 16) == number.toLongLong();
+}
+
 Checked<Answer> listAccounts(const Call &call)
 {
     const QString file = fileMeant(call);
@@ -100,7 +116,8 @@ Checked<Answer> listAccounts(const Call &call)
     QJsonArray json;
     for (const Ledger::Account &account : accounts) {
         const QDateTime since = account.count.since.toLocalTime();
-        table.add({QLocale().toString(since.date(), QLocale::ShortFormat), account.place.shown(),
+        table.add({QLocale().toString(since.date(), QLocale::ShortFormat),
+                   BusNames::apart(call, account.place, isOfProject(call, account)),
                    QString::number(account.count.writes), QString::number(account.count.perhaps),
                    countedByName(account.count.by), account.identity});
         json.append(toJson(account));

@@ -12,6 +12,7 @@
 #include "journal/message_writer.h"
 #include "journal_files.h"
 #include "project/file_replacement.h"
+#include "project/project.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -63,22 +64,49 @@ Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
     return at.toMSecsSinceEpoch();
 }
 
+// By its name in the project, else by its number. Nothing: it is none.
+std::optional<BusId> busTyped(const Call &call, const QString &typed)
+{
+    if (call.project != nullptr)
+        for (const PlannedBus &planned : call.project->buses)
+            if (planned.name == typed)
+                return planned.id;
+    const int number = typed.toInt();
+    return number > 0 ? std::optional(BusId{number}) : std::nullopt;
+}
+
+tl::unexpected<Complaint> unknownBus(const Call &call, const QString &typed)
+{
+    if (call.project == nullptr)
+        return badInput(QStringLiteral("badBus"),
+                        CommandLine::tr("\"%1\" is no bus. Write its number, or its name with --project."),
+                        {typed});
+    return badInput(QStringLiteral("badBus"),
+                    CommandLine::tr("\"%1\" is no bus of the project. Its buses are: %2."),
+                    {typed, listed(call.project->buses, &PlannedBus::name)});
+}
+
+// As it is listed: "1.0", "Crane 2/1.0", "4/03".
+std::optional<Place> placeTyped(const Call &call, const QString &typed)
+{
+    const qsizetype slash = typed.lastIndexOf(u'/');
+    if (slash < 0)
+        return Place::parse(typed);
+    const auto bus = busTyped(call, typed.first(slash));
+    const auto place = Place::parse(typed.sliced(slash + 1));
+    return bus && place ? std::optional(Place{*bus, place->node}) : Place::parse(typed);
+}
+
 Checked<MessageFilter::Where> busFrom(const Call &call, const QString &bus)
 {
     if (call.arguments.has("--place"))
         return badInput(
             QStringLiteral("badOption"),
             CommandLine::tr("Give --place or --bus, not both. A place on another bus is written as 3/1.0."));
-    int number = bus.toInt();
-    if (call.project != nullptr)
-        for (const PlannedBus &planned : call.project->buses)
-            if (planned.name == bus)
-                number = planned.id.number;
-    if (number <= 0)
-        return badInput(QStringLiteral("badBus"),
-                        CommandLine::tr("\"%1\" is no bus. Write its number, or its name with --project."),
-                        {bus});
-    return MessageFilter::Where{.all = false, .at = Place{{number}, {}}};
+    const auto id = busTyped(call, bus);
+    if (!id)
+        return unknownBus(call, bus);
+    return MessageFilter::Where{.all = false, .at = Place{*id, {}}};
 }
 
 Checked<MessageFilter::Where> placeFrom(const Call &call)
@@ -88,10 +116,12 @@ Checked<MessageFilter::Where> placeFrom(const Call &call)
     const auto text = call.arguments.value("--place");
     if (!text)
         return MessageFilter::Where{};
-    const auto number = Place::parse(*text);
+    const auto number = placeTyped(call, *text);
     if (!number && *text != QStringLiteral("bus"))
         return badInput(QStringLiteral("badPlace"),
-                        CommandLine::tr("\"%1\" is no place. Write it as 1.0, or bus."), {*text});
+                        CommandLine::tr("\"%1\" is no place. Write it as 1.0, with its bus as 3/1.0, or with "
+                                        "the name of the bus and --project; or write bus."),
+                        {*text});
     return MessageFilter::Where{.all = false, .at = number};
 }
 
@@ -160,6 +190,12 @@ QJsonObject toJson(const StoredMessage &message)
              message.refusal.isEmpty() ? QJsonValue() : QJsonValue(parsed(message.refusal).object())}};
 }
 
+QString shownPlaceOf(const Call &call, const StoredMessage &message)
+{
+    return message.place && !message.place->isEmpty() ? BusNames::apart(call, *message.place)
+                                                      : placeName(message.place);
+}
+
 Answer listedMessages(const Call &call, const std::vector<StoredMessage> &messages)
 {
     std::set<Place> places;
@@ -170,7 +206,7 @@ Answer listedMessages(const Call &call, const std::vector<StoredMessage> &messag
     TextTable table;
     QJsonArray json;
     for (const StoredMessage &message : messages) {
-        table.add({messageTime(message.at), severityName(message.severity), placeName(message.place),
+        table.add({messageTime(message.at), severityName(message.severity), shownPlaceOf(call, message),
                    messageText(message)});
         json.append(toJson(message));
     }

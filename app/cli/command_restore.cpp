@@ -132,7 +132,7 @@ Answer listedValues(const Call &call, const EncoderSession &encoder, const std::
     for (const ValuesBefore &before : all) {
         QStringList cells{localTime(before, now), assignments(encoder.device(), before.values)};
         if (isOfSeveralBuses)
-            cells.insert(1, before.writtenAt.shown());
+            cells.insert(1, BusNames::apart(call, before.writtenAt));
         table.add(cells);
         json.append(placeJson(call, before.writtenAt,
                               {{QStringLiteral("at"), before.at.toUTC().toString(Qt::ISODateWithMs)},

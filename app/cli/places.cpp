@@ -127,11 +127,11 @@ tl::unexpected<Complaint> notThere(const Call &call, const std::vector<BusAccess
             {typed, busKind(kind->bus())->title(), buses.front()->somePlaces()});
     if (kind != nullptr && buses.size() < call.links.size()) // of the bus that was named
         return tl::unexpected(buses.front()->notAPlace(typed));
-    if (hasProject)
+    const auto meant = std::ranges::find_if(buses, [&](const BusAccess *bus) { return bus->isMeant(typed); });
+    if (hasProject && meant == buses.end())
         return badInput(QStringLiteral("unknownStation"),
                         CommandLine::tr("\"%1\" is neither a device number nor a station of the project."),
                         {typed});
-    const auto meant = std::ranges::find_if(buses, [&](const BusAccess *bus) { return bus->isMeant(typed); });
     return tl::unexpected((meant == buses.end() ? buses.front() : *meant)->notAPlace(typed));
 }
 
@@ -156,22 +156,6 @@ tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
                     {name, listed(call.links, &BusAccess::name)});
 }
 
-// By its name, else by its number.
-Checked<BusAccess *> findBus(const Call &call, const QString &name)
-{
-    const auto found = std::ranges::find(call.links, name, &BusAccess::name);
-    const int number = name.toInt();
-    BusAccess *numbered = QString::number(number) == name ? call.findBus({number}) : nullptr;
-    BusAccess *named = found == call.links.end() ? numbered : *found;
-    if (named == nullptr)
-        return noSuchBus(call, name);
-    if (numbered == nullptr || numbered == named)
-        return named;
-    return badInput(QStringLiteral("busNotUnique"),
-                    CommandLine::tr("\"%1\" is the name of one bus and the number of another. Rename it."),
-                    {name});
-}
-
 // Of these buses of one kind the one that the option names.
 Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &buses, const Option &option)
 {
@@ -182,7 +166,7 @@ Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &bus
         return badInput(QStringLiteral("busNotUnique"),
                         CommandLine::tr("The link leads to several buses. Name one with %1: %2."),
                         {QString::fromLatin1(option.name), listed(buses, &BusAccess::name)});
-    auto bus = findBus(call, *name);
+    auto bus = busNamed(call, *name);
     if (!bus || std::ranges::count(buses, *bus) > 0)
         return bus;
     return badInput(QStringLiteral("noSuchBus"),
@@ -218,13 +202,28 @@ Checked<EncoderSession *> encoderMeant(const Call &call, const QString &typed, b
 
 } // namespace
 
+Checked<BusAccess *> busNamed(const Call &call, const QString &name)
+{
+    const auto found = std::ranges::find(call.links, name, &BusAccess::name);
+    const int number = name.toInt();
+    BusAccess *numbered = QString::number(number) == name ? call.findBus({number}) : nullptr;
+    BusAccess *named = found == call.links.end() ? numbered : *found;
+    if (named == nullptr)
+        return noSuchBus(call, name);
+    if (numbered == nullptr || numbered == named)
+        return named;
+    return badInput(QStringLiteral("busNotUnique"),
+                    CommandLine::tr("\"%1\" is the name of one bus and the number of another. Rename it."),
+                    {name});
+}
+
 // A text that is a station as it stands, and a place behind the name of a bus too, is neither.
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed)
 {
     const qsizetype slash = typed.indexOf(u'/');
     if (slash < 0)
         return placeOn(call, call.links, project, typed);
-    auto onBus = findBus(call, typed.first(slash)).and_then([&](BusAccess *bus) {
+    auto onBus = busNamed(call, typed.first(slash)).and_then([&](BusAccess *bus) {
         return placeOn(call, {bus}, project, typed.sliced(slash + 1));
     });
     std::vector<Place> stations = placesAt(project, typed, {});

@@ -23,6 +23,9 @@ inline constexpr Option deviceOption{
 // station of the same text, and that before a short form ("05").
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed);
 
+// The bus of the call that has this name, else this number.
+Checked<BusAccess *> busNamed(const Call &call, const QString &name);
+
 // "bus", its number, "busName" and "place", of what is told to programs.
 QJsonObject placeJson(const Call &call, Place place, QJsonObject more = {});
 void addPlace(QJsonObject &json, const Call &call, Place place);

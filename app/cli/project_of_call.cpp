@@ -3,6 +3,7 @@
 
 #include "bus/encoder_bus.h"
 #include "cli/bus_access.h"
+#include "cli/link_kind.h"
 #include "cli/texts.h"
 #include "encoder/bus_names.h"
 #include "journal/ledger_keeper.h"
@@ -16,13 +17,26 @@
 namespace codewheel {
 namespace {
 
-// One that nobody has named has its number.
-QString nameOf(const Call &call, BusId bus)
+// Of the call, else of its project; nothing: nobody has named it.
+std::optional<NamedBus> namedBus(const Call &call, BusId bus)
 {
     if (const BusAccess *access = call.findBus(bus))
-        return access->name();
+        return NamedBus{bus, access->kind(), access->name()};
     const PlannedBus *planned = call.project != nullptr ? findBus(*call.project, bus) : nullptr;
-    return planned != nullptr ? planned->name : QString::number(bus.number);
+    return planned != nullptr ? std::optional(NamedBus{bus, planned->kind, planned->name}) : std::nullopt;
+}
+
+QString nameOf(const Call &call, BusId bus)
+{
+    const auto named = namedBus(call, bus);
+    return named ? named->name : QString::number(bus.number);
+}
+
+bool canHave(const NamedBus &bus, NodeId node)
+{
+    const auto kinds = linkKinds();
+    const auto kind = std::ranges::find(kinds, bus.kind, &LinkKind::bus);
+    return kind == kinds.end() || (*kind)->isPlace(node.toString());
 }
 
 // Places of the same form may be the same on two buses.
@@ -105,19 +119,29 @@ void BusNames::tell(const Call &call)
 
 void BusNames::tellApart(const Call &call, const std::set<Place> &places)
 {
-    std::map<BusId, NamedBus> buses;
+    std::map<std::pair<BusId, QString>, NamedBus> forms; // of places on a bus
+    std::map<BusId, QString> names;
     for (const Place &place : places) {
-        NamedBus &bus = buses[place.bus];
-        bus.id = place.bus;
-        bus.name = nameOf(call, place.bus);
-        if (!place.isEmpty())
-            bus.kind = formOf(place.node);
+        const QString name = names[place.bus] = nameOf(call, place.bus);
+        if (place.isEmpty())
+            continue;
+        const QString form = formOf(place.node);
+        forms[{place.bus, form}] = {place.bus, form, name};
     }
     std::vector<NamedBus> named;
-    named.reserve(buses.size());
-    for (const auto &[id, bus] : buses)
+    named.reserve(forms.size());
+    for (const auto &[key, bus] : forms)
         named.push_back(bus);
-    setBusNames(namesOfSeveral(named), named.size() > 1 ? namesOf(named) : std::map<BusId, QString>());
+    setBusNames(namesOfSeveral(named), names.size() > 1 ? names : std::map<BusId, QString>());
+}
+
+QString BusNames::apart(const Call &call, Place place, bool isOfProject)
+{
+    const QString shown = place.shown();
+    const auto bus = namedBus(call, place.bus);
+    if (shown == place.toString() || !bus || (isOfProject && canHave(*bus, place.node)))
+        return shown;
+    return QStringLiteral("%1/%2").arg(place.bus.number).arg(place.toString());
 }
 
 } // namespace codewheel

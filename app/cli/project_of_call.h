@@ -17,6 +17,9 @@ void nameBuses(const Call &call, const Project &project);
 // Buses and encoders are called as the project has them. Told where a bus differs from it.
 void useProject(const Call &call, const Project &project, const QString &file);
 
+// Buses are called as the project has them.
+void nameBuses(const Call &call, const Project &project);
+
 // Over the file, unless it was changed since it had this mark.
 Checked<void> saveUnlessChanged(const Project &project, const QString &file, const QByteArray &mark);
 
@@ -33,6 +36,9 @@ public:
     // Of a list: each place with its bus, where those of the same form are on several, and each bus itself;
     // a bus that nobody has named has its number.
     static void tellApart(const Call &call, const std::set<Place> &places);
+    // Such a place; by the number of its bus where the project has another kind of bus by this number, or
+    // where the place is one of another project.
+    static QString apart(const Call &call, Place place, bool isOfProject = true);
 };
 
 } // namespace codewheel
