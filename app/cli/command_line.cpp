@@ -154,6 +154,19 @@ Checked<void> startFaultPlan(const Call &call)
     return ringOfFaults(call).and_then([&](BusAccess *ring) { return ring->followFaultPlan(*file); });
 }
 
+// At a port that the project gives to no bus.
+void noteForeignBuses(const Call &call, const Project *project)
+{
+    if (project == nullptr || !needsBus(call.command, call.arguments))
+        return;
+    for (const BusAccess *link : call.links)
+        if (findBus(*project, link->bus().id()) == nullptr && !link->bus().isSimulated())
+            call.terminal.complain(
+                sentence(CommandLine::tr("No bus of the project is at %1: what the project says of its "
+                                         "encoders does not count for it."),
+                         {call.arguments.value("--link").value_or(QString())}));
+}
+
 int runOnLinks(const Subcommand &command, const Arguments &arguments, const Project *project,
                const std::vector<MakeLink> &make, const Terminal &terminal)
 {
@@ -230,8 +243,11 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Proj
     const BusNames names(call);
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));
+    else if (call.named != nullptr)
+        nameBuses(call, *call.named);
     if (const auto follows = startFaultPlan(call); !follows)
         return fail(follows.error(), name, asJson, {}, terminal);
+    noteForeignBuses(call, project);
     const LedgerAccount account(links, terminal);
     auto answer = command.run(call);
     if (!answer)

@@ -10,8 +10,6 @@
 #include "simulator/simulated_line_link.h"
 #include "widgets/project/project_document.h"
 
-#include <QFileInfo>
-
 #include <chrono>
 #include <utility>
 
@@ -25,13 +23,6 @@ const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
 Instant steadyTime()
 {
     return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
-}
-
-// Whatever links lead to it.
-bool isSamePort(const QString &path, const QString &other)
-{
-    const QString canonical = QFileInfo(path).canonicalFilePath();
-    return path == other || (!canonical.isEmpty() && canonical == QFileInfo(other).canonicalFilePath());
 }
 
 EscSettings escSettingsOf(const LineSettings &wish)

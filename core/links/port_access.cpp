@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 
 #include <array>
 #include <cerrno>
@@ -42,6 +43,15 @@ bool isNoPort(const QString &path)
 QString portPath(const QString &port)
 {
     return port.contains(u'/') ? port : QStringLiteral("/dev/") + port;
+}
+
+bool isSamePort(const QString &one, const QString &other)
+{
+    if (one.isEmpty() || other.isEmpty())
+        return false;
+    const QString path = QFileInfo(portPath(one)).canonicalFilePath();
+    return portPath(one) == portPath(other) ||
+           (!path.isEmpty() && path == QFileInfo(portPath(other)).canonicalFilePath());
 }
 
 RefusalId portRefusalOf(int errorNumber)

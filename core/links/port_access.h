@@ -8,6 +8,9 @@ namespace codewheel {
 // "/dev/ttyUSB0" for "ttyUSB0"; a path stays as it is.
 QString portPath(const QString &port);
 
+// Whether both lead to the same port, as its by-id link and its name do.
+bool isSamePort(const QString &one, const QString &other);
+
 // What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
 // for all others.
 RefusalId portRefusalOf(int errorNumber);

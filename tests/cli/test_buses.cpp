@@ -368,6 +368,12 @@ TEST_F(CliBuses, WhatIsListedOfSeveralBusesIsToldWithItsBus)
     EXPECT_THAT(unnamed, HasSubstr("  4/esc:12  "));
     EXPECT_THAT(run({QStringLiteral("ledger"), QStringLiteral("--ledger"), ledger}).out,
                 HasSubstr("  Gate 2/esc:12  "));
+    // In another project the numbers may be those of other buses.
+    std::swap(project.buses[2].id, project.buses[3].id);
+    project.devices.clear();
+    const std::string other = run({QStringLiteral("ledger"), QStringLiteral("--ledger"), ledger}).out;
+    EXPECT_THAT(other, HasSubstr("  4/esc:12  "));
+    EXPECT_THAT(other, Not(HasSubstr("Crane 2")));
 }
 
 TEST_F(CliBuses, AFaultPlanIsForOneRing)
@@ -468,6 +474,8 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(errorKey(run), "portNotFound");
     EXPECT_TRUE(QFile::exists(report));
+    const std::string compared = runLine(QStringLiteral("compare %1 --link project").arg(file)).err;
+    EXPECT_THAT(compared, HasSubstr("Gate: There is no serial port /dev/none"));
 }
 
 // A bus of the call is a bus of the project of its kind, and by its port.

@@ -33,7 +33,7 @@ std::optional<BusId> lineAtPort(const Project *project, const QString &port)
 {
     const std::vector<BusId> lines = project != nullptr ? linesOf(*project) : std::vector<BusId>();
     for (const BusId line : lines)
-        if (portPath(linePlan(*project, line)->settings.port) == portPath(port))
+        if (isSamePort(linePlan(*project, line)->settings.port, port))
             return line;
     const bool isPort = port != QStringLiteral("training");
     return lines.size() > 1 && isPort
