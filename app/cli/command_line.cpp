@@ -125,15 +125,20 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
 
 using Links = std::vector<std::unique_ptr<BusAccess>>;
 
-Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog)
+// One that cannot be made is left out, and told.
+Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog, const Terminal &terminal)
 {
     Links links;
-    for (const MakeLink &one : make) {
-        auto link = one(catalog);
-        if (!link)
-            return tl::unexpected(link.error());
-        links.push_back(*std::move(link));
-    }
+    std::vector<Complaint> leftOut;
+    for (const MakeLink &one : make)
+        if (auto link = one(catalog))
+            links.push_back(*std::move(link));
+        else
+            leftOut.push_back(link.error());
+    if (links.empty() && !leftOut.empty())
+        return tl::unexpected(leftOut.front());
+    for (const Complaint &why : leftOut)
+        terminal.complain(why.text);
     return links;
 }
 
@@ -175,7 +180,7 @@ int runOnLinks(const Subcommand &command, const Arguments &arguments, const Proj
         terminal.complain(
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
     const bool opens = needsBus(command, arguments);
-    auto links = opens || command.needsLinks ? makeLinks(make, catalog) : Links();
+    auto links = opens || command.needsLinks ? makeLinks(make, catalog, terminal) : Links();
     if (const auto checked = links && opens ? checkCommand(command, *links) : Checked<void>(); !checked)
         links = tl::unexpected(checked.error());
     if (!links)
