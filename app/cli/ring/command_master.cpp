@@ -42,6 +42,7 @@ struct Action
 {
     std::function<void(RingSession &)> carryOut;
     std::function<QString(const RingSession &)> question{}; // none: nothing has to be asked
+    bool isForAllRings = false;                             // unless one is named
 };
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
@@ -102,7 +103,7 @@ Checked<Action> actionOf(const QStringList &words)
     if (name == QStringLiteral("stop"))
         return Action{[](RingSession &bus) { bus.setRunning(false); }};
     if (name == QStringLiteral("alarm-stop"))
-        return Action{&RingSession::alarmStop};
+        return Action{.carryOut = &RingSession::alarmStop, .isForAllRings = true};
     if (name == QStringLiteral("read-in"))
         return asking(&RingSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
     if (name == QStringLiteral("confirm"))
@@ -175,6 +176,50 @@ Checked<Told> carryOutAction(const Call &call, RingSession &bus, int after, cons
     return told;
 }
 
+Checked<std::vector<BusAccess *>> ringsMeant(const Call &call, const Action &action)
+{
+    const QString kind = QString::fromLatin1(interbusKind);
+    if (const auto rings = busesOf(call, kind);
+        action.isForAllRings && !call.arguments.has("--bus") && rings.size() > 1)
+        return rings;
+    return busMeant(call, kind).map([](BusAccess *ring) { return std::vector{ring}; });
+}
+
+Checked<Answer> answerOf(const Call &call, const BusAccess &access, int after, const Action &action)
+{
+    RingSession &ring = static_cast<const RingAccess &>(access).ring(); // of its kind
+    const auto told = carryOutAction(call, ring, after, action);
+    if (!told)
+        return tl::unexpected(told.error());
+    Answer answer{messageLines(told->messages) + u'\n' + masterLines(ring),
+                  {{QStringLiteral("master"), masterJson(ring)},
+                   {QStringLiteral("messages"), messagesJson(told->messages)}}};
+    addBus(answer.json, access);
+    if (told->refusal)
+        answer.complaint = complaintAbout(*told->refusal);
+    return answer;
+}
+
+// Each with its heading. What one ring refuses keeps none of the others from it.
+Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, int after,
+                            const Action &action)
+{
+    Answer all;
+    QJsonArray buses;
+    for (const BusAccess *ring : rings) {
+        const auto its = answerOf(call, *ring, after, action);
+        if (!all.complaint)
+            all.complaint = its ? its->complaint : std::optional(its.error());
+        if (!its)
+            continue;
+        all.text += (all.text.isEmpty() ? QString() : QStringLiteral("\n")) + ring->name() +
+                    QStringLiteral(":\n") + its->text;
+        buses.append(its->json);
+    }
+    all.json.insert(QStringLiteral("buses"), buses);
+    return all;
+}
+
 Checked<Answer> runMaster(const Call &call)
 {
     const auto action = actionOf(call.arguments.rest);
@@ -183,20 +228,10 @@ Checked<Answer> runMaster(const Call &call)
     const auto after = call.arguments.number("--after", 0, 0, longestTrial);
     if (!after)
         return tl::unexpected(after.error());
-    const auto access = busMeant(call, QString::fromLatin1(interbusKind));
-    if (!access)
-        return tl::unexpected(access.error());
-    RingSession &ring = static_cast<RingAccess &>(**access).ring(); // of its kind
-    const auto told = carryOutAction(call, ring, *after, *action);
-    if (!told)
-        return tl::unexpected(told.error());
-    Answer answer{messageLines(told->messages) + u'\n' + masterLines(ring),
-                  {{QStringLiteral("master"), masterJson(ring)},
-                   {QStringLiteral("messages"), messagesJson(told->messages)}}};
-    addBus(answer.json, **access);
-    if (told->refusal)
-        answer.complaint = complaintAbout(*told->refusal);
-    return answer;
+    return ringsMeant(call, *action).and_then([&](const std::vector<BusAccess *> &rings) {
+        return rings.size() == 1 ? answerOf(call, *rings.front(), *after, *action)
+                                 : answerOfAll(call, rings, *after, *action);
+    });
 }
 
 } // namespace
