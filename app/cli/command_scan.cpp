@@ -76,6 +76,20 @@ bool areSameFile(const QString &one, const QString &other)
     return !path.isEmpty() && path == QFileInfo(other).canonicalFilePath();
 }
 
+// That a bus of the link is none of the project is not to be seen else.
+QString newBuses(const Call &call, const Project &found)
+{
+    QStringList names;
+    if (call.project != nullptr)
+        for (const PlannedBus &bus : found.buses)
+            if (findBus(*call.project, bus.id) == nullptr)
+                names << bus.name;
+    return names.isEmpty() ? QString()
+                           : sentence(CommandLine::tr("Saved as a new bus, beside those of the project: %1."),
+                                      {names.join(QStringLiteral(", "))}) +
+                                 u'\n';
+}
+
 void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &answer)
 {
     const auto file = call.arguments.value("--save");
@@ -96,7 +110,7 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
         answer.complaint = complaintAbout(saved.error());
         return;
     }
-    answer.done += sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
+    answer.done += sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n' + newBuses(call, found);
     answer.text += answer.done;
     answer.json.insert(QStringLiteral("saved"), *file);
 }
