@@ -11,6 +11,7 @@
 #include "cli/transfer_call.h"
 #include "cli/transfer_text.h"
 #include "encoder/hex.h"
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
@@ -123,6 +124,21 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
     return {};
 }
 
+// The encoder tells another one than was typed.
+Checked<void> checkSerial(const Call &call, Place place, const Replacement &now)
+{
+    const auto other = call.buses.busOf(place)->isOther(place, now.device->key, now.serialNumber);
+    if (!other || other->id != RefusalId::serialDiffers)
+        return {};
+    return tl::unexpected(Complaint{
+        ExitCode::refused, refusalKey(other->id),
+        sentence(CommandLine::tr("The encoder at %1 tells the serial number %3, and --serial is %2. Nothing "
+                                 "was written, and the project is as it was: correct --serial, or leave it "
+                                 "out."),
+                 argumentTexts(other->arguments)),
+        other->arguments});
+}
+
 void showDifferences(const Call &call, const ProjectDevice &planned, const Replacement &now)
 {
     if (call.arguments.has("--json"))
@@ -169,6 +185,8 @@ Checked<Answer> runReplace(const Call &call)
         return tl::unexpected(complaintAbout(named.error()));
     if (const auto there = contactAll(call, {*planned}); !there)
         return tl::unexpected(there.error());
+    if (const auto checked = checkSerial(call, place, *now); !checked)
+        return tl::unexpected(checked.error());
     showDifferences(call, *planned, *now);
     const auto toWrite = plan(call, {wishToReplace(*planned, *now, *position, places)});
     if (!toWrite)

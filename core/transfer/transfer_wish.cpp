@@ -70,10 +70,10 @@ TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, b
 {
     TransferWish wish{.place = to.place()};
     if (!takeTheSame(from.device(), to.device()))
-        wish.hindrance = Refusal{RefusalKind::badInput,
-                                 RefusalId::encodersDiffer,
-                                 {from.place().toString(), from.device().fullName(), to.place().toString(),
-                                  to.device().fullName()}};
+        wish.hindrance = Refusal{
+            RefusalKind::badInput,
+            RefusalId::encodersDiffer,
+            {from.place().shown(), from.device().fullName(), to.place().shown(), to.device().fullName()}};
     for (const Known &known : allKnown(from))
         if (const ParameterValue value{known.parameter, known.value};
             isSetting(&to.device(), value) && value.parameter != Parameter::zeroOffset)

@@ -63,7 +63,8 @@ Complaint aboutStrayBytes(LineAddress address, int baudRate, std::uint64_t bytes
         ExitCode::refused,
         QStringLiteral("noAnswerAmongBytes"),
         sentence(CommandLine::tr("No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until "
-                                 "now. Either another baud rate or format is needed (codewheel-cli scan "
+                                 "now. Either the answers come late (time-out=500 behind the port waits "
+                                 "longer), or another baud rate or format is needed (codewheel-cli scan "
                                  "--all-rates tries the rates), or the wiring is wrong or disturbed (A and "
                                  "B exchanged, no termination), or a device on the line speaks another "
                                  "protocol."),
@@ -71,9 +72,14 @@ Complaint aboutStrayBytes(LineAddress address, int baudRate, std::uint64_t bytes
         {address.node().toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)}};
 }
 
-Complaint aboutOpening(const Refusal &why)
+// `alsoOf`: another bus of the project at this port; empty: there is none.
+Complaint aboutOpening(const Refusal &why, const QString &alsoOf)
 {
     Complaint complaint = complaintAbout(why);
+    if (why.id == RefusalId::portInUse && !alsoOf.isEmpty())
+        complaint.text = sentence(CommandLine::tr("%1 is in use: the project gives it to the bus \"%2\" too. "
+                                                  "A port is for one bus. Choose another one for it."),
+                                  {argumentText(why.arguments.front()), alsoOf});
     if (why.id == RefusalId::portNotFound)
         complaint.text += u' ' + presentPortsText();
     return complaint;
@@ -123,7 +129,7 @@ Checked<void> LineAccess::open()
     if (opened)
         return {};
     m_notOpened = opened.error();
-    return tl::unexpected(aboutOpening(opened.error()));
+    return tl::unexpected(aboutOpening(opened.error(), m_link.alsoOf));
 }
 
 std::optional<NodeId> LineAccess::placeTyped(const QString &text) const
@@ -295,7 +301,8 @@ QString LineAccess::strayBytesText() const
     if (bytes == 0)
         return {};
     return sentence(
-        CommandLine::tr("Bytes come that are no answers: %1 until now. The baud rate or the format "
+        CommandLine::tr("Bytes come that are no answers: %1 until now. The answers may come late "
+                        "(time-out=500 behind the port waits longer), the baud rate or the format "
                         "may be another one, the wiring wrong or disturbed, or a device on the "
                         "line speaks another protocol."),
         {QString::number(bytes)});
@@ -310,9 +317,10 @@ Refusal LineAccess::whatIsLost() const
 Complaint LineAccess::complaint(const Refusal &why) const
 {
     Complaint told = complaintAbout(why);
+    const bool isSilence = why.id == RefusalId::escNoAnswer;
     if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
-        told.text.prepend(lost.text + u' ');
-    if (why.id == RefusalId::escNoAnswer)
+        told.text = isSilence ? lost.text : lost.text + u' ' + told.text; // nothing else was wrong
+    else if (isSilence)
         if (const QString stray = strayBytesText(); !stray.isEmpty())
             told.text += u' ' + stray;
     return told;

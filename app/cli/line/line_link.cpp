@@ -5,6 +5,7 @@
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "esc_line/line_limits.h"
+#include "links/port_access.h"
 #include "links/serial_ports.h"
 
 #include <QStringList>
@@ -145,6 +146,15 @@ std::set<LineAddress> swappingOf(const Project *project, BusId line)
     return swapping;
 }
 
+QString otherAtPort(const Project &project, BusId line, const QString &port)
+{
+    for (const PlannedBus &bus : project.buses)
+        if (bus.id != line && bus.kind == QLatin1String(escKind) &&
+            isSamePort(linePlan(project, bus.id)->settings.port, port))
+            return bus.name;
+    return {};
+}
+
 Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line)
 {
     if (port.isEmpty())
@@ -182,7 +192,8 @@ Checked<LineLink> lineOf(const Project &project, BusId line, const QStringList &
                         .adapter = planned.adapter,
                         .whyNot = planned.settings.port.isEmpty()
                                       ? std::optional(noPort(findBus(project, line)->name))
-                                      : std::nullopt};
+                                      : std::nullopt,
+                        .alsoOf = otherAtPort(project, line, planned.settings.port)};
     return withSettings(link, settings);
 }
 

@@ -19,6 +19,7 @@ struct LineLink
     bool asksForFractionBits = false;  // of the scaling factor, from the encoder
     LineAdapter adapter{};             // that the port belongs to; nothing: whichever is there
     std::optional<Complaint> whyNot{}; // it cannot be opened
+    QString alsoOf{};                  // another bus of the project that has the same port
 
     bool isSimulated() const { return settings.port.isEmpty(); }
     EscSettings driver() const;

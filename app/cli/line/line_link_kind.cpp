@@ -56,7 +56,8 @@ public:
     QStringList schemes() const override { return {QStringLiteral("esc")}; }
     QString help() const override
     {
-        return CommandLine::tr("esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600");
+        return CommandLine::tr("esc:training, the simulated line alone; esc:PORT, a serial line with Kübler "
+                               "encoders, as esc:ttyUSB0,baud=9600");
     }
     bool isPlace(const QString &typed) const override { return addressTyped(typed).has_value(); }
     Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const override;
