@@ -108,7 +108,9 @@ void addComparison(ReportSection &section, const ReportInput &input, const Catal
         return;
     }
     if (compared.differences() == 0)
-        section.blocks.emplace_back(ReportTexts::tr("The connected bus is as configured."));
+        section.blocks.emplace_back(compared.lines.size() > 1
+                                        ? ReportTexts::tr("The connected buses are as configured.")
+                                        : ReportTexts::tr("The connected bus is as configured."));
     else
         section.blocks.emplace_back(tableOf(compared));
     if (!compared.notCompared.isEmpty())

@@ -121,7 +121,12 @@ ReportSection cycleTime(const Project &project, BusId ring)
         sentence(ReportTexts::tr("Bytes of process data: %1, remote bus devices: %2, km of cable: %3."),
                  {numberText(load.dataBytes), numberText(load.remoteBusDevices),
                   QLocale().toString(load.cableKilometres, 'f', 3)});
-    return {.heading = ReportTexts::tr("Approximate cycle time"), .blocks = {std::move(table), from}};
+    const bool isOnly =
+        std::ranges::count(project.buses, findBus(project, ring)->kind, &PlannedBus::kind) == 1;
+    const QString heading =
+        isOnly ? ReportTexts::tr("Approximate cycle time")
+               : sentence(ReportTexts::tr("Approximate cycle time of %1"), {findBus(project, ring)->name});
+    return {.heading = heading, .blocks = {std::move(table), from}};
 }
 
 } // namespace codewheel::report_sections

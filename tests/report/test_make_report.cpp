@@ -218,6 +218,13 @@ TEST(CommissioningReport, CycleTimeIsToldByBothFormulas)
         ElementsAre("500 kBd | about 0.463 ms | about 1.007 ms", "2 MBd | about 0.266 ms | about 0.777 ms"));
 }
 
+TEST(CommissioningReport, CycleTimesOfSeveralRingsHaveTheirNames)
+{
+    const Report report = reportOf(twoRings());
+    for (const char *heading : {"Approximate cycle time of Crane 1", "Approximate cycle time of Crane 2"})
+        EXPECT_EQ(rowsOf(sectionOf(report, heading)).size(), 2U);
+}
+
 TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
 {
     ReportInput input = exampleInput();
