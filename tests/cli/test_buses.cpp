@@ -11,6 +11,9 @@
 #include "project/line_plan.h"
 #include "project/project_file.h"
 #include "tests/cli/shared_line.h"
+#include "project/ring_plan.h"
+#include "simulator/simulated_line_link.h"
+#include "tests/cli/cli_run.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -259,6 +262,45 @@ TEST_F(CliBuses, ACommandOfOneKindAsksWhichBus)
     EXPECT_EQ(wrong.exit, 2) << "a line has no master";
 }
 
+TEST_F(CliBuses, AnAlarmStopIsForAllRingsWhereNoneIsNamed)
+{
+    const CliRun stop = run("master alarm-stop --json");
+    EXPECT_EQ(stop.exit, 0);
+    ASSERT_EQ(stop.json()[u"buses"].toArray().size(), 2);
+    EXPECT_EQ(stop.json()[u"buses"][1][u"busName"], QStringLiteral("Crane 2"));
+    for (const TrainingSession &ring : rings)
+        EXPECT_FALSE(ring.bus->isRunning());
+    EXPECT_THAT(run("master alarm-stop").out, HasSubstr("Crane 2:\n"));
+}
+
+TEST_F(CliBuses, ABusWhoseLinkIsNotKnownIsLeftOut)
+{
+    RingPlan plan;
+    plan.link.kind = QStringLiteral("profi");
+    setRingPlan(project, secondRing, plan);
+    project.buses.erase(project.buses.begin() + 1);
+    ASSERT_TRUE(saveProject(project, file));
+    const QString at = QStringLiteral(" --link project --project ") + file;
+    const CliRun other = runLine(QStringLiteral("read 1.0 steps") + at);
+    EXPECT_EQ(other.exit, 0) << other.err;
+    EXPECT_THAT(other.err, HasSubstr("The project links \"Crane 2\" by \"profi\""));
+    EXPECT_EQ(runLine(QStringLiteral("read 3/2.0 steps") + at).exit, 2);
+    project.buses = {project.buses[1]};
+    project.devices.clear();
+    ASSERT_TRUE(saveProject(project, file));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --json") + at)), "noSuchLink");
+}
+
+TEST_F(CliBuses, ScanSaysWhichBusesAreNew)
+{
+    project.buses = {planned(firstRing, "interbus", "Crane 1"), planned(secondRing, "esc", "Gate 1"),
+                     planned(secondLine, "esc", "Gate 2")};
+    project.devices.clear();
+    ASSERT_TRUE(saveProject(project, file));
+    EXPECT_THAT(runLine(QStringLiteral("scan --yes --project %1 --save %1").arg(file)).out,
+                HasSubstr("Saved as a new bus, beside those of the project: "));
+}
+
 TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
 {
     const QString saved = folder.filePath(QStringLiteral("found.codewheel"));
@@ -474,6 +516,10 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(errorKey(run), "portNotFound");
     EXPECT_TRUE(QFile::exists(report));
+    ProjectDevice hoist;
+    hoist.standAt({firstRing, NodeId("1.0")});
+    project.devices.insert(project.devices.begin(), hoist);
+    ASSERT_TRUE(saveProject(project, file));
     const std::string compared = runLine(QStringLiteral("compare %1 --link project").arg(file)).err;
     EXPECT_THAT(compared, HasSubstr("Gate: There is no serial port /dev/none"));
 }

@@ -4,6 +4,8 @@
 #include "journal/ledger.h"
 #include "journal/message_store.h"
 #include "journal_files.h"
+#include "project/bus_kind.h"
+#include "project/project_file.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/no_room.h"
 #include "tests/support/places.h"
@@ -142,6 +144,29 @@ TEST_F(CliMessages, TellTheBus)
               2);
     EXPECT_EQ(errorKey(run("messages --json --file %1/messages.sqlite --bus Crane")), "badBus");
     EXPECT_EQ(errorKey(run("messages --json --file %1/messages.sqlite --bus 3 --place 1.0")), "badOption");
+}
+
+TEST_F(CliMessages, APlaceIsTakenAsItIsListed)
+{
+    {
+        MessageStore store({.file = path("messages.sqlite")});
+        store.add({.place = Place{BusId{4}, NodeId("esc:03")}, .id = MessageId::valuesForgotten},
+                  QDateTime(QDate(2026, 3, 1), QTime(13, 0)));
+    }
+    Project project;
+    project.buses = {{BusId{4}, QStringLiteral("esc"), QStringLiteral("Gate"), {}}};
+    project.buses.front().settings = busKind(QStringLiteral("esc"))->usual();
+    ASSERT_TRUE(saveProject(project, path("gate.codewheel")));
+    for (const char *place : {"4/03", "4/esc:03", "Gate/03", "Gate/esc:03"}) {
+        const CliRun one = run((std::string("messages --json --file %1/messages.sqlite --project "
+                                            "%1/gate.codewheel --place ") +
+                                place)
+                                   .c_str());
+        EXPECT_EQ(one.json()[u"messages"].toArray().size(), 1) << place;
+    }
+    EXPECT_NE(run("messages --project %1/gate.codewheel --bus Nix").err.find("Its buses are: Gate."),
+              std::string::npos);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("devices --json --bus Nix"))), "unknownBus");
 }
 
 TEST_F(CliMessages, NoneThatFitsIsTold)

@@ -154,6 +154,83 @@ TEST(CliLineProgram, AProjectLeadsToAllItsLines)
     EXPECT_EQ(call("read Line/05 steps").out, "steps  = 8192\n");
 }
 
+// A project with two lines at these ports; each has the encoder 03, at the station "Left" or "Right".
+QString savedLines(const QTemporaryDir &folder, const QString &left, const QString &right)
+{
+    Project project;
+    project.buses.clear();
+    for (const auto &[number, port, name] : {std::tuple{2, left, "Left"}, std::tuple{4, right, "Right"}}) {
+        LinePlan plan;
+        plan.settings.port = port;
+        project.buses.push_back({{number}, QStringLiteral("esc"), QString::fromLatin1(name), KindData(plan)});
+        ProjectDevice device;
+        device.standAt({{number}, LineAddress{3}.node()});
+        device.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        device.station = QString::fromLatin1(name);
+        project.devices.push_back(device);
+    }
+    const QString file = folder.filePath(QStringLiteral("lines.codewheel"));
+    EXPECT_TRUE(saveProject(project, file));
+    return file;
+}
+
+TEST(CliLineProgram, APortIsThatOfTheProjectByAnyOfItsNames)
+{
+    const Port port = peer();
+    const QTemporaryDir folder;
+    const QString byId = folder.filePath(QStringLiteral("usb-FTDI"));
+    ASSERT_TRUE(QFile::link(port.link().sliced(4), byId));
+    const QString project = savedLines(folder, byId, folder.filePath(QStringLiteral("none")));
+    const CliRun same =
+        Call(QStringLiteral("read Left serial-number --json --project ") + project, port.link()).end();
+    EXPECT_EQ(same.exit, 0) << same.err;
+    EXPECT_EQ(same.json()[u"busName"], QStringLiteral("Left"));
+    EXPECT_EQ(same.err, "");
+    const Port other = peer();
+    const CliRun foreign =
+        Call(QStringLiteral("read 03 serial-number --project ") + project, other.link()).end();
+    EXPECT_EQ(foreign.exit, 0);
+    EXPECT_THAT(foreign.err, HasSubstr("No bus of the project is at " + other.link().toStdString()));
+}
+
+TEST(CliLineProgram, TwoBusesAtOnePortAreToldAsSuch)
+{
+    const Port port = peer();
+    const QTemporaryDir folder;
+    const QString path = port.link().sliced(4);
+    const CliRun scan = Call(QStringLiteral("scan --last 03 --project ") + savedLines(folder, path, path),
+                             QStringLiteral("project"))
+                            .end();
+    EXPECT_EQ(scan.exit, 1);
+    EXPECT_THAT(scan.out, HasSubstr("is in use: the project gives it to the bus \"Left\" too."));
+    EXPECT_THAT(scan.out + scan.err, testing::Not(HasSubstr("another program")));
+}
+
+TEST(CliLineProgram, ASerialNumberThatWasTypedWrongIsToldAsSuch)
+{
+    const Port port = peer();
+    const QTemporaryDir folder;
+    const QString project =
+        savedLines(folder, port.link().sliced(4), folder.filePath(QStringLiteral("none")));
+    const CliRun run =
+        Call(QStringLiteral("replace Left --serial 99 --yes --project ") + project, port.link()).end();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("correct --serial"));
+    EXPECT_EQ(run.out, "");
+}
+
+TEST(CliLineProgram, OfAnEncoderThatAnswersLateTheTimeOutIsTold)
+{
+    const Port port = peer(QStringLiteral("--delay 130"));
+    const CliRun run = call("read 05 serial-number", port);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("time-out=500"));
+    EXPECT_EQ(Call(QStringLiteral("read 05 serial-number"), port.link() + QStringLiteral(",time-out=500"))
+                  .end()
+                  .exit,
+              0);
+}
+
 TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)
 {
     const Port port = peer(QStringLiteral("--garbage 3 --echo"));

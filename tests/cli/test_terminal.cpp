@@ -145,6 +145,15 @@ TEST(CliTerminal, CtrlCSendsNothingElse)
     const CliRun run = line.runLine(QStringLiteral("terminal 05P 05N --json"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(lines(run).back()[u"error"][u"key"], QStringLiteral("cancelled"));
+TEST(CliTerminal, SaysNothingOfTheWiringWhenTheAdapterIsUnplugged)
+{
+    SharedLine line;
+    line.unplugAfter("05GP");
+    const CliRun run = line.runLine(QStringLiteral("terminal 05GP1000 --yes"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The serial port training line is gone"));
+    EXPECT_THAT(run.err, HasSubstr("Whether it was carried out is not known"));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("baud rate")));
 }
 
 TEST(CliTerminal, PollsNothing)
