@@ -5302,10 +5302,6 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
         <translation>&quot;%1&quot; ist keine Zeit. Als 2026-03-01 oder 2026-03-01T14:02 schreiben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no place. Write it as 1.0, or bus.</source>
-        <translation>&quot;%1&quot; ist kein Platz. Als 1.0 oder bus schreiben.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no severity. There are: information, attention, fault.</source>
         <translation>&quot;%1&quot; ist keine Stufe. Es gibt: information, attention, fault.</translation>
     </message>
@@ -6077,10 +6073,6 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
         <translation>Das wurde erledigt:</translation>
     </message>
     <message>
-        <source>Standard output cannot be written: %1. %2</source>
-        <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1. %2</translation>
-    </message>
-    <message>
         <source>%1 was sent, and answered.</source>
         <translation>%1 wurde gesendet und beantwortet.</translation>
     </message>
@@ -6091,14 +6083,6 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
     <message>
         <source>Nothing was sent: what would be sent could not be shown.</source>
         <translation>Nichts wurde gesendet: Was gesendet würde, konnte nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until now. Either another baud rate or format is needed (codewheel-cli scan --all-rates tries the rates), or the wiring is wrong or disturbed (A and B exchanged, no termination), or a device on the line speaks another protocol.</source>
-        <translation>Von %1 kommt mit %2 Bd keine Antwort, aber es kommen Bytes, die keine Antworten sind: bisher %3. Entweder ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Raten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
-    </message>
-    <message>
-        <source>Bytes come that are no answers: %1 until now. The baud rate or the format may be another one, the wiring wrong or disturbed, or a device on the line speaks another protocol.</source>
-        <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Baudrate oder Format sind vielleicht andere, die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
     </message>
     <message>
         <source>export: replace the file if it is there</source>
@@ -6163,38 +6147,8 @@ als PROJECT~ erhalten.</translation>
         <translation>der Weg zu den Gebern: training (ohne Angabe), die simulierten Busse; project, alle Busse des Projekts; oder SCHEMA:WO mit Einstellungen dahinter, wie in esc:ttyUSB0,baud=9600</translation>
     </message>
     <message>
-        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
-two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses have it,
-BUS/PLACE names one, BUS being its name in the project, else Ring or Line. Numbers are decimal
-unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
-
-Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
-still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
-6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
-encoders 03, 05 and 12. What one call wrote, the next one does not find.
-
-Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
-codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
-zwei Hexziffern: 12, oder esc:12; oder seine Station im Projekt. Wo mehrere Busse ihn haben, nennt
-BUS/PLATZ einen davon; BUS ist sein Name im Projekt, sonst Ring oder Line. Zahlen sind dezimal,
-außer sie sind 0x.. oder ..h geschrieben; ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
-
-Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
-2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
-6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
-Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
-
-Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
-codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
-    </message>
-    <message>
         <source>the addresses of encoders as two hexadecimal digits, as 05</source>
         <translation>die Adressen von Gebern als zwei Hexziffern, etwa 05</translation>
-    </message>
-    <message>
-        <source>esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600</source>
-        <translation>esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0,baud=9600</translation>
     </message>
     <message>
         <source>training, the simulated buses</source>
@@ -6408,6 +6362,81 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Position: it is not known whether it was set to %1.</source>
         <translation>Position: Es ist nicht bekannt, ob sie auf %1 gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>The project has the bus &quot;%1&quot;, but the link does not lead to it. The buses of the link are: %2. --link project leads to all of the project.</source>
+        <translation>Das Projekt hat den Bus &quot;%1&quot;, aber --link führt nicht zu ihm. Die Busse dort sind: %2. --link project führt zu allen des Projekts.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: %1.</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>No bus of the project is at %1: what the project says of its encoders does not count for it.</source>
+        <translation>Kein Bus des Projekts ist an %1: Was das Projekt von seinen Gebern sagt, gilt dort nicht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no bus of the project. Its buses are: %2.</source>
+        <translation>&quot;%1&quot; ist kein Bus des Projekts. Seine Busse sind: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place. Write it as 1.0, with its bus as 3/1.0, or with the name of the bus and --project; or write bus.</source>
+        <translation>&quot;%1&quot; ist kein Platz. Als 1.0 schreiben, mit seinem Bus als 3/1.0 oder mit dem Namen des Busses und --project; oder bus.</translation>
+    </message>
+    <message>
+        <source>The encoder at %1 tells the serial number %3, and --serial is %2. Nothing was written, and the project is as it was: correct --serial, or leave it out.</source>
+        <translation>Der Geber bei %1 nennt die Seriennummer %3, und --serial ist %2. Nichts wurde geschrieben, und das Projekt ist, wie es war: --serial berichtigen oder weglassen.</translation>
+    </message>
+    <message>
+        <source>Saved as a new bus, beside those of the project: %1.</source>
+        <translation>Als neuer Bus gespeichert, neben denen des Projekts: %1.</translation>
+    </message>
+    <message>
+        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
+two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses have it,
+BUS/PLACE names one, BUS being its name in the project, else Ring or Line, or its number. Numbers
+are decimal unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
+
+Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
+still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
+6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
+encoders 03, 05 and 12. What one call wrote, the next one does not find.
+
+Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
+codewheel-cli COMMAND --help explains a command.</source>
+        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
+zwei Hexziffern: 12, oder esc:12; oder seine Station im Projekt. Wo mehrere Busse ihn haben, nennt
+BUS/PLATZ einen davon; BUS ist sein Name im Projekt, sonst Ring oder Line, oder seine Nummer. Zahlen
+sind dezimal, außer sie sind 0x.. oder ..h geschrieben; ein WORT ist immer hexadezimal, wie die
+Handbücher es drucken.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
+2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
+6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
+Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
+
+Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
+codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
+    </message>
+    <message>
+        <source>What is written to the address 00 goes into the EEPROM of every encoder of the line, and it is not known which there are. Nothing was sent. Write to each by its own address (codewheel-cli scan finds them), or name the project that has them with --project.</source>
+        <translation>Was an die Adresse 00 geschrieben wird, geht in das EEPROM jedes Gebers der Leitung, und es ist nicht bekannt, welche da sind. Nichts wurde gesendet. Jedem unter seiner eigenen Adresse schreiben (codewheel-cli scan findet sie), oder mit --project das Projekt nennen, das sie hat.</translation>
+    </message>
+    <message>
+        <source>No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until now. Either the answers come late (time-out=500 behind the port waits longer), or another baud rate or format is needed (codewheel-cli scan --all-rates tries the rates), or the wiring is wrong or disturbed (A and B exchanged, no termination), or a device on the line speaks another protocol.</source>
+        <translation>Von %1 kommt bei %2 Bd keine Antwort, aber Bytes, die keine Antworten sind: bisher %3. Entweder kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), oder es ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Raten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: the project gives it to the bus &quot;%2&quot; too. A port is for one bus. Choose another one for it.</source>
+        <translation>%1 ist belegt: Das Projekt gibt diesen Anschluss auch dem Bus &quot;%2&quot;. Ein Anschluss ist für einen Bus. Für ihn einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Bytes come that are no answers: %1 until now. The answers may come late (time-out=500 behind the port waits longer), the baud rate or the format may be another one, the wiring wrong or disturbed, or a device on the line speaks another protocol.</source>
+        <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Vielleicht kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), Baudrate oder Format sind andere, die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+    </message>
+    <message>
+        <source>esc:training, the simulated line alone; esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600</source>
+        <translation>esc:training, die simulierte Leitung allein; esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0,baud=9600</translation>
     </message>
 </context>
 <context>
@@ -11718,6 +11747,14 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>Cam program %1: inverted cams 7 to 0</source>
         <translation>Nockenprogramm %1: invertierte Nocken 7 bis 0</translation>
+    </message>
+    <message>
+        <source>The connected buses are as configured.</source>
+        <translation>Die angeschlossenen Busse sind wie projektiert.</translation>
+    </message>
+    <message>
+        <source>Approximate cycle time of %1</source>
+        <translation>Ungefähre Zykluszeit von %1</translation>
     </message>
 </context>
 <context>

@@ -149,8 +149,20 @@ Checked<Place> placeOn(const Call &call, const std::vector<BusAccess *> &buses, 
     return notThere(call, buses, project != nullptr, typed);
 }
 
+bool isInProject(const Call &call, const QString &name)
+{
+    return call.project != nullptr && std::ranges::count(call.project->buses, name, &PlannedBus::name) > 0;
+}
+
 tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
 {
+    if (isInProject(call, name))
+        return badInput(
+            QStringLiteral("unknownBus"),
+            CommandLine::tr("The project has the bus \"%1\", but the link does not lead to it. The "
+                            "buses of the link are: %2. --link project leads to all of the "
+                            "project."),
+            {name, listed(call.links, &BusAccess::name)});
     return badInput(QStringLiteral("unknownBus"),
                     CommandLine::tr("The link leads to no bus \"%1\". The buses are: %2."),
                     {name, listed(call.links, &BusAccess::name)});

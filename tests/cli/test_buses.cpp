@@ -284,7 +284,15 @@ TEST_F(CliBuses, ABusWhoseLinkIsNotKnownIsLeftOut)
     const CliRun other = runLine(QStringLiteral("read 1.0 steps") + at);
     EXPECT_EQ(other.exit, 0) << other.err;
     EXPECT_THAT(other.err, HasSubstr("The project links \"Crane 2\" by \"profi\""));
-    EXPECT_EQ(runLine(QStringLiteral("read 3/2.0 steps") + at).exit, 2);
+    const CliRun itself = runWith({}, [&](const Terminal &terminal) {
+        return runCommandLine({QStringLiteral("read"), QStringLiteral("Crane 2/2.0"),
+                               QStringLiteral("--link"), QStringLiteral("project"),
+                               QStringLiteral("--project"), file},
+                              terminal);
+    });
+    EXPECT_EQ(itself.exit, 2);
+    EXPECT_THAT(itself.err,
+                HasSubstr("The project has the bus \"Crane 2\", but the link does not lead to it."));
     project.buses = {project.buses[1]};
     project.devices.clear();
     ASSERT_TRUE(saveProject(project, file));

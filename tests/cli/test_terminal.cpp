@@ -145,6 +145,8 @@ TEST(CliTerminal, CtrlCSendsNothingElse)
     const CliRun run = line.runLine(QStringLiteral("terminal 05P 05N --json"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(lines(run).back()[u"error"][u"key"], QStringLiteral("cancelled"));
+}
+
 TEST(CliTerminal, SaysNothingOfTheWiringWhenTheAdapterIsUnplugged)
 {
     SharedLine line;
