@@ -76,7 +76,6 @@ void Program::startBus()
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
     m_plant->openTraining();
-    m_messages->setClock(*m_plant->buses().open().front());
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,

@@ -46,6 +46,7 @@ std::optional<Pacing> RingAtWork::pacing() const
 
 Result<void> RingAtWork::open(std::optional<Pacing> pacing)
 {
+    bus()->setTime(surroundings().clock());
     return bus()->open(RingSession::Start::operating, std::move(pacing));
 }
 
@@ -65,8 +66,10 @@ void RingAtWork::tellPlan()
 
 void RingAtWork::start()
 {
-    if (surroundings().byThread)
-        bus()->startThread(busPeriod);
+    if (!surroundings().byThread)
+        return;
+    bus()->setTime(surroundings().clock());
+    bus()->startThread(busPeriod);
 }
 
 } // namespace codewheel

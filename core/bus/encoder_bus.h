@@ -86,6 +86,8 @@ public:
 
     virtual Instant now() const = 0; // of the newest snapshot
     QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
+    // A simulated clock stands still until the bus is opened: it is `time` now.
+    void setTime(const QDateTime &time) { m_wallTime.goOn(time, now()); }
 
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
     virtual void pump() = 0;

@@ -25,6 +25,12 @@ public:
 
     // The computer slept so long, just before `at`.
     void slept(std::chrono::milliseconds duration, Instant at) { m_sleeps.push_back({at, duration}); }
+    // Its clock stood still while it was closed: at `at` it is `now`. The times of a bus never go back.
+    void goOn(const QDateTime &now, Instant at)
+    {
+        if (const std::chrono::milliseconds missed(dateTime(at).msecsTo(now)); missed.count() > 0)
+            slept(missed, at);
+    }
 
     QDateTime dateTime(Instant at) const
     {

@@ -140,6 +140,22 @@ TEST_F(RunningProgram, EveryBusIsOpenedByItsThread)
     EXPECT_TRUE(isOpen(firstRing));
 }
 
+TEST_F(RunningProgram, ABusThatWasNotConnectedForAWhileHasTheTimeOfTheDay)
+{
+    const auto isRight = [this] {
+        return bus().dateTime(bus().now()).msecsTo(QDateTime::currentDateTime()) < 1'000;
+    };
+    EXPECT_TRUE(waitFor(isRight));
+    const auto &actions = *program.window()->findChild<RingActions *>();
+    actions.disconnectBus->trigger();
+    ASSERT_TRUE(waitFor([this] { return !bus().isOpen(); }));
+    QTest::qWait(2'000);
+    EXPECT_FALSE(isRight()) << "its clock stands still";
+    actions.connectBus->trigger();
+    ASSERT_TRUE(waitFor([this] { return bus().isOpen(); }));
+    EXPECT_TRUE(QTest::qWaitFor(isRight, 10'000));
+}
+
 TEST(ProgramStart, OpensTheFileItIsGiven)
 {
     const QTemporaryDir folder;

@@ -155,5 +155,18 @@ TEST(WallTime, GoesOnWhileTheComputerSleeps)
     EXPECT_EQ(time.dateTime(21s), begin.addSecs(3 * 3600 + 21));
 }
 
+TEST(WallTime, IsThatOfTheDayWhenABusIsOpenedAgain)
+{
+    const QDateTime begin(QDate(2026, 11, 23), QTime(2, 0), Qt::UTC);
+    WallTime time(begin);
+    time.goOn(begin.addSecs(71), 0s);
+    EXPECT_EQ(time.dateTime(1s), begin.addSecs(72));
+    time.goOn(begin.addSecs(600), 10s);
+    EXPECT_EQ(time.dateTime(9s), begin.addSecs(80));
+    EXPECT_EQ(time.dateTime(11s), begin.addSecs(601));
+    time.goOn(begin, 12s);
+    EXPECT_EQ(time.dateTime(12s), begin.addSecs(602)) << "it does not go back";
+}
+
 } // namespace
 } // namespace codewheel

@@ -27,11 +27,11 @@ public:
     // The store outlives the model.
     explicit MessageModel(MessageStore &store, QObject *parent = nullptr);
 
-    // Takes the date and time of this bus from now on, for what is added without any.
+    // Takes the date and time of this bus from now on, for what is added without any: where time is virtual.
     void setClock(EncoderBus &bus);
     // Shown as soon as the store has it.
     void add(const Message &message, const QDateTime &at);
-    // Something that happens now: stamped with the time of the bus, where there is one.
+    // Something that happens now.
     void addNow(Message message);
 
     // Looks for what fits in the background, newest first; ends the search before.
