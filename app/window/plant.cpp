@@ -4,6 +4,7 @@
 #include "app/window/window_kinds.h"
 #include "encoder/bus_names.h"
 #include "project/bus_kind.h"
+#include "project/bus_plans.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -34,10 +35,25 @@ std::vector<BusAtWork *> Plant::all() const
 
 QString Plant::nameOf(BusId bus) const
 {
-    if (const PlannedBus *planned = findBus(m_surroundings.project.project(), bus))
-        return planned->name;
-    const BusAtWork *its = find(bus);
-    return its != nullptr ? busKind(its->kind())->usualName() : QString();
+    const auto called = m_called.find(bus);
+    return called == m_called.end() ? QString() : called->second;
+}
+
+// One that the project does not plan any more keeps its name, unless another has it by now.
+void Plant::callBuses()
+{
+    const Names before = std::exchange(m_called, {});
+    for (const PlannedBus &planned : m_surroundings.project.project().buses)
+        m_called[planned.id] = planned.name;
+    const auto isTaken = [this](const QString &name) {
+        return std::ranges::find(m_called, name, &Names::value_type::second) != m_called.end();
+    };
+    for (const auto &bus : m_buses) {
+        const auto last = before.find(bus->id());
+        const QString name = last == before.end() ? busKind(bus->kind())->usualName() : last->second;
+        if (!m_called.contains(bus->id()))
+            m_called[bus->id()] = freeName(name, isTaken);
+    }
 }
 
 BusAtWork *Plant::find(BusId bus) const
@@ -107,6 +123,7 @@ void Plant::removeUnneeded()
         if (!isNeeded(*bus)) {
             m_sessions.remove(bus->bus());
             Q_EMIT aboutToRemove(bus);
+            m_called.erase(bus->id());
             std::erase_if(m_buses, [bus](const auto &its) { return its.get() == bus; });
         }
 }
@@ -126,6 +143,7 @@ void Plant::followProject()
 // Places of a kind of bus that there are several of are told with the names of their buses.
 void Plant::nameBuses()
 {
+    callBuses();
     const Project &project = m_surroundings.project.project();
     std::vector<NamedBus> all;
     std::vector<NamedBus> withPlaces;

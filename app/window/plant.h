@@ -21,7 +21,7 @@ public:
 
     const Catalog &catalog() const { return m_surroundings.catalog; }
     std::vector<BusAtWork *> all() const; // by number
-    QString nameOf(BusId bus) const;      // as the project calls it, or as its kind is called
+    QString nameOf(BusId bus) const;      // as the project calls it, or called it last
     BusAtWork *find(BusId bus) const;     // null: there is none
     // Their sessions, whichever they have.
     Buses &buses() { return m_sessions; }
@@ -50,12 +50,14 @@ private:
     void make(const QString &kind, BusId id);
     void add(std::unique_ptr<BusAtWork> bus);
     void followProject();
+    void callBuses();
     void nameBuses();
     bool isNeeded(const BusAtWork &bus) const;
     void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;
     using Names = std::map<BusId, QString>;
+    Names m_called;                  // each in its own way
     std::pair<Names, Names> m_names; // of those whose places others may have as well, and of all
     Buses m_sessions;
     const LastPositions m_positions{m_sessions};

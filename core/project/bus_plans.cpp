@@ -10,17 +10,6 @@
 namespace codewheel {
 namespace {
 
-QString freeName(const Project &project, const QString &name)
-{
-    const auto isTaken = [&](const QString &its) {
-        return std::ranges::find(project.buses, its, &PlannedBus::name) != project.buses.end();
-    };
-    QString free = name;
-    for (int number = 2; isTaken(free); ++number)
-        free = QStringLiteral("%1 %2").arg(name).arg(number);
-    return free;
-}
-
 int behindTrainingBuses()
 {
     int last = 0;
@@ -41,14 +30,25 @@ int firstToTry(const Project &project)
 
 } // namespace
 
+QString freeName(const QString &name, const std::function<bool(const QString &)> &isTaken)
+{
+    QString free = name;
+    for (int number = 2; isTaken(free); ++number)
+        free = QStringLiteral("%1 %2").arg(name).arg(number);
+    return free;
+}
+
 PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
 {
     if (PlannedBus *planned = findBus(project, bus))
         return *planned;
+    const auto isTaken = [&](const QString &its) {
+        return std::ranges::find(project.buses, its, &PlannedBus::name) != project.buses.end();
+    };
     const auto behind = std::ranges::upper_bound(project.buses, bus, {}, &PlannedBus::id);
     return *project.buses.insert(behind, {.id = bus,
                                           .kind = kind.key(),
-                                          .name = freeName(project, kind.usualName()),
+                                          .name = freeName(kind.usualName(), isTaken),
                                           .settings = kind.usual()});
 }
 

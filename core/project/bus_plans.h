@@ -11,6 +11,8 @@ class BusKind;
 
 inline constexpr std::size_t mostBuses = 100; // of a project
 
+// This one, or with a number behind it.
+QString freeName(const QString &name, const std::function<bool(const QString &)> &isTaken);
 // The bus of this number; without one a new bus of this kind, with a name that no other has.
 PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind);
 
