@@ -106,7 +106,8 @@ void WindowActions::makeBusMenu()
     const auto section = [this, menu](Section which) { m_sections[which] = {menu, menu->addSeparator()}; };
     section(Section::connections);
     auto *mode = new QActionGroup(this);
-    watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is sent"));
+    watch =
+        described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is written"));
     watch->setIcon(lineIcon(Icon::watch));
     operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::SHIFT | Qt::Key_W,
                         tr("Operate: writing is allowed"));

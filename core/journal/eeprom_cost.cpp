@@ -181,6 +181,9 @@ QString eepromCountBrief(const EepromCount &count)
     QString number = QString::number(count.writes);
     if (count.perhaps > 0)
         number += QStringLiteral("-%1").arg(count.atMost());
+    if (number == QStringLiteral("1"))
+        return count.since.isValid() ? Eeprom::tr("1 write from here since %1").arg(dateText(count.since))
+                                     : Eeprom::tr("1 write from here");
     return count.since.isValid()
                ? Eeprom::tr("%1 writes from here since %2").arg(number, dateText(count.since))
                : Eeprom::tr("%1 writes from here").arg(number);

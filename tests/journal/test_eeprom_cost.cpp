@@ -179,6 +179,7 @@ TEST_F(EepromCost, SaysWhoseWritesAndByWhat)
                        "began before it was ended), counted by the serial number 4711 the encoder told."));
     EXPECT_EQ(eepromCountBrief(count), QStringLiteral("12-16 writes from here since 1 Mar 2026"));
     EXPECT_EQ(eepromCountBrief({.writes = 3}), QStringLiteral("3 writes from here"));
+    EXPECT_EQ(eepromCountBrief({.writes = 1}), QStringLiteral("1 write from here"));
 }
 
 } // namespace

@@ -52,7 +52,9 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     case EncoderState::error:
         return {errorNote(device, reading), Role::fault};
     case EncoderState::silent:
-        return {DialNote::tr("The encoder does not answer: the last position is shown."), Role::fault};
+        return {reading.position ? DialNote::tr("The encoder does not answer: the last position is shown.")
+                                 : DialNote::tr("The encoder does not answer: no position is known."),
+                Role::fault};
     case EncoderState::unknown:
         return {unknownNote(device, reading)};
     case EncoderState::notSeen:
