@@ -26,6 +26,16 @@ void BusViews::setCurrent(bool isCurrent)
     showCurrent();
 }
 
+void BusViews::setCalled(const QString &called, bool isDoubtful)
+{
+    if (m_called == called && m_isDoubtful == isDoubtful)
+        return;
+    m_called = called;
+    m_isDoubtful = isDoubtful;
+    if (m_isCurrent) // else it has nothing to say
+        showCurrent();
+}
+
 void BusViews::tellTraining(Place place, const QString &what, MessageId id)
 {
     Q_EMIT told({.place = place, .severity = Severity::information, .id = id, .arguments = {what}});

@@ -56,6 +56,9 @@ public:
     bool owns(const QWidget *page) const;
     // This bus is meant by actions, docks and status line, or another one is.
     void setCurrent(bool isCurrent);
+    // How its actions call it; empty: nobody can take another bus for it. `isDoubtful`: it is one of several,
+    // and none of them is chosen, so no action connects or changes it.
+    void setCalled(const QString &called, bool isDoubtful);
     // The device that is chosen in the window, if it is one of this bus.
     virtual void setChosen(std::optional<Place>) {}
     virtual void open() = 0; // its row was opened
@@ -71,7 +74,9 @@ Q_SIGNALS:
 
 protected:
     bool isCurrent() const { return m_isCurrent; }
-    virtual void showCurrent() = 0; // isCurrent() is another
+    const QString &called() const { return m_called; }
+    bool isMeant() const { return m_isCurrent && !m_isDoubtful; } // by actions that change it
+    virtual void showCurrent() = 0;                               // one of these is another
     // Actions mean the bus of its kind that is chosen, or was chosen last.
     template <typename What>
     void onAction(QAction *action, What what)
@@ -94,6 +99,8 @@ protected:
 private:
     std::vector<QWidget *> m_own;
     bool m_isCurrent = false;
+    bool m_isDoubtful = false;
+    QString m_called;
 };
 
 } // namespace codewheel

@@ -15,6 +15,23 @@ inline QAction *described(QAction *action, const QKeySequence &key, const QStrin
     return action;
 }
 
+// Which bus it means: behind its text, before what it does; empty: there is no doubt. As it was described.
+inline void tellBus(QAction *action, const QString &bus)
+{
+    static constexpr const char *plain = "textWithoutBus";
+    static constexpr const char *plainTip = "tipWithoutBus";
+    if (!action->property(plain).isValid()) {
+        action->setProperty(plain, action->text());
+        action->setProperty(plainTip, action->statusTip());
+    }
+    const QString text = action->property(plain).toString();
+    const QString tip = action->property(plainTip).toString();
+    action->setText(bus.isEmpty() ? text
+                                  : QStringLiteral("%1 (%2)").arg(
+                                        text, QString(bus).replace(u'&', QStringLiteral("&&"))));
+    described(action, action->shortcut(), bus.isEmpty() ? tip : QStringLiteral("%1: %2").arg(bus, tip));
+}
+
 inline QAction *checkable(QAction *action)
 {
     action->setCheckable(true);

@@ -8,6 +8,8 @@
 
 #include <QScopedValueRollback>
 
+#include <algorithm>
+
 namespace codewheel {
 
 DeviceChoice::DeviceChoice(const Buses &buses, const Catalog &catalog, const ProjectDocument &project,
@@ -48,12 +50,16 @@ void DeviceChoice::keep(std::optional<Place> before)
     choose(before && m_buses.isConnected(*before) ? before : otherwise());
 }
 
-// What the panel of the bus structure has chosen, or the first device there is.
+// What the panel of the bus structure has chosen, or the first device of the bus, or the first there is.
 std::optional<Place> DeviceChoice::otherwise() const
 {
     if (const auto current = m_tree.current())
         return current;
     const std::vector<Place> places = m_buses.places();
+    const auto near = m_tree.row() ? m_tree.row() : m_place;
+    const auto onBus = near ? std::ranges::find(places, near->bus, &Place::bus) : places.end();
+    if (onBus != places.end())
+        return *onBus;
     return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
@@ -70,7 +76,7 @@ ShownEncoder DeviceChoice::find() const
 // The panel of the bus structure may have been made anew, and numbers follow from the places.
 void DeviceChoice::followPlan()
 {
-    if (m_place && m_buses.isConnected(*m_place)) {
+    if (m_place && m_buses.isConnected(*m_place) && m_tree.row()) {
         show();
         return;
     }

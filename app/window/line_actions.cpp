@@ -43,6 +43,12 @@ LineActions::LineActions(WindowActions &window)
     showChosen({});
 }
 
+void LineActions::tellBus(const QString &bus)
+{
+    for (QAction *action : {settings, search, terminal, figures, training, disconnectLine})
+        codewheel::tellBus(action, bus);
+}
+
 void LineActions::showChosen(Chosen chosen)
 {
     const QString others = tr("For encoders on the serial line");

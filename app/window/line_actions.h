@@ -27,6 +27,7 @@ public:
         bool isSwapped = false;
     };
     void showChosen(Chosen chosen);
+    void tellBus(const QString &bus); // which line they mean; empty: the chosen one
 
     QMenu *menu;
     QAction *settings;

@@ -138,8 +138,10 @@ void LineViews::showStatus()
 
 void LineViews::tellActions()
 {
-    m_actions.disconnectLine->setEnabled(isCurrent() && (m_line.session() != nullptr || m_line.isOpening()));
-    m_actions.training->setEnabled(isCurrent() && m_line.training() == nullptr);
+    if (isCurrent())
+        m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu says that it is the line
+    m_actions.disconnectLine->setEnabled(isMeant() && (m_line.session() != nullptr || m_line.isOpening()));
+    m_actions.training->setEnabled(isMeant() && m_line.training() == nullptr);
     showChosen();
 }
 
@@ -280,7 +282,8 @@ void LineViews::showOpened()
     m_form->setProblem({});
     m_form->tellBaudRate({});
     keepPort(m_opened);
-    open();
+    if (isCurrent())
+        open();
 }
 
 void LineViews::showRefused(const Refusal &why)

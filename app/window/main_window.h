@@ -103,12 +103,23 @@ private:
     void connectViewActions();
     void connectViews();
     void connectBuses(); // main_window_buses.cpp
-    void addViews(const BusAtWork &bus, BusViews &views);
+    void addViews(BusAtWork &bus, BusViews &views);
     void addBus(BusAtWork *bus);
     void removeBus(BusAtWork *bus);
     void takeBus(BusAtWork &bus);
     void leaveBus(BusAtWork &bus);
     void showWhetherOpen(BusAtWork &bus);
+    void showPanel(BusId bus, const Panel &panel);
+    // The row that is chosen, and the device that the panels show: where the row is that of a bus, the one
+    // from before.
+    struct Chosen
+    {
+        std::optional<Place> row;
+        std::optional<Place> shown;
+    };
+    Chosen chosen() const;
+    void chooseAgain(const Chosen &before, const BusAtWork &changed);
+    void followRow();
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
     void tellWhose();
@@ -131,7 +142,8 @@ private:
     std::map<BusId, BusViews *> m_views;
     std::set<BusId> m_shown;           // in the bus structure, as connected
     QHash<QString, BusId> m_currentOf; // by kind: which one its actions and docks mean
-    BusId m_chosenBus = firstRing;
+    BusId m_chosenBus = firstRing;     // that of the chosen row
+    Chosen m_beforeChange;             // of a bus, which has the same rows again perhaps
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;
     Leaving *m_leaving;

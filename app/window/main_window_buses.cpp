@@ -25,6 +25,7 @@ void MainWindow::connectBuses()
     connect(m_structure, &StructureView::busChosen, this, &MainWindow::chooseBus);
     connect(m_structure, &StructureView::chosen, this, &MainWindow::chooseBusOf);
     connect(m_editor, &StructureEditor::busChosen, m_structure, qOverload<BusId>(&StructureView::choose));
+    connect(&m_project, &ProjectDocument::changed, this, &MainWindow::followRow);
     connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
         if (BusViews *views = viewsOf(bus))
             views->open();
@@ -45,14 +46,22 @@ void MainWindow::addBus(BusAtWork *bus)
                                         {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice,
                                          *m_status, *m_device, *m_editor},
                                         this));
-    connect(bus, &BusAtWork::aboutToChange, this, [this, bus] { leaveBus(*bus); });
-    connect(bus, &BusAtWork::changed, this, [this, bus] { takeBus(*bus); });
+    connect(bus, &BusAtWork::aboutToChange, this, [this, bus] {
+        m_beforeChange = chosen();
+        leaveBus(*bus);
+    });
+    connect(bus, &BusAtWork::changed, this, [this, bus] {
+        takeBus(*bus);
+        chooseAgain(m_beforeChange, *bus);
+    });
     takeBus(*bus);
     if (!m_currentOf.contains(bus->kind()))
         setCurrent(*bus);
+    if (bus->id() == m_chosenBus)
+        chooseBus(m_chosenBus);
 }
 
-void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
+void MainWindow::addViews(BusAtWork &bus, BusViews &views)
 {
     const BusId id = bus.id();
     m_views[id] = &views;
@@ -62,13 +71,19 @@ void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
         message.place = Place{id, message.place ? message.place->node : NodeId()};
         tell(message);
     });
-    connect(&views, &BusViews::panelRequested, this, [this, id](const Panel &panel) {
-        chooseBus(id);
-        m_panels.show(panel);
-    });
+    connect(&views, &BusViews::panelRequested, this,
+            [this, id](const Panel &panel) { showPanel(id, panel); });
     connect(
-        &views, &BusViews::devicesChanged, this, [this] { m_choice->keep(m_choice->place()); },
+        &views, &BusViews::devicesChanged, this, [this, &bus] { chooseAgain(chosen(), bus); },
         Qt::QueuedConnection); // when all views have the new ones
+}
+
+// The panel of its kind may show another bus of it.
+void MainWindow::showPanel(BusId bus, const Panel &panel)
+{
+    if (m_currentOf.value(m_plant->find(bus)->kind()) != bus)
+        m_structure->choose(bus);
+    m_panels.show(panel);
 }
 
 void MainWindow::removeBus(BusAtWork *bus)
@@ -86,7 +101,7 @@ void MainWindow::removeBus(BusAtWork *bus)
     for (BusAtWork *other : m_plant->all())
         if (other != bus && other->kind() == bus->kind() && !m_currentOf.contains(bus->kind()))
             setCurrent(*other);
-    if (m_chosenBus == id)
+    if (m_chosenBus == id && id != firstRing) // another takes its place
         chooseBus(firstRing);
 }
 
@@ -101,35 +116,57 @@ void MainWindow::takeBus(BusAtWork &bus)
 
 void MainWindow::leaveBus(BusAtWork &bus)
 {
-    const auto chosen = m_choice->place();
+    const Chosen before = chosen();
     m_structure->removeBus(bus.id());
     m_shown.erase(bus.id());
     if (EncoderBus *its = bus.bus())
         its->disconnect(this);
-    if (chosen)
-        m_choice->choose(chosen);
+    chooseAgain(before, bus);
 }
 
 void MainWindow::showWhetherOpen(BusAtWork &bus)
 {
     if (bus.isOpen() == m_shown.contains(bus.id()))
         return;
-    // The row of a bus may be chosen; the panels show a device of another one then.
-    const auto place = m_choice->place();
-    const bool isPlaceChosen = place && place->bus == m_chosenBus;
-    const BusId chosen = m_chosenBus;
+    const Chosen before = chosen();
     if (bus.isOpen()) {
         m_shown.insert(bus.id());
         m_structure->addBus(*bus.bus());
-        if (isPlaceChosen || chosen != bus.id())
-            m_choice->keep(place);
     } else {
         m_shown.erase(bus.id());
         m_structure->removeBus(bus.id());
-        m_choice->choose(place);
     }
-    if (!isPlaceChosen && m_chosenBus != chosen)
-        m_structure->choose(chosen);
+    chooseAgain(before, bus);
+}
+
+MainWindow::Chosen MainWindow::chosen() const
+{
+    return {m_structure->row(), m_choice->place()};
+}
+
+// As far as it is still there. What its own bus has not any more gives way, to others on that bus if it can.
+void MainWindow::chooseAgain(const Chosen &before, const BusAtWork &changed)
+{
+    if (before.shown && before.shown->bus == changed.id() && changed.isOpen())
+        m_choice->keep(before.shown);
+    else
+        m_choice->choose(before.shown);
+    const auto row = m_structure->row();
+    if (before.row && m_structure->has(*before.row))
+        m_structure->chooseRow(*before.row);
+    else if (before.row && !(row && row->bus == before.row->bus) && m_structure->has({before.row->bus}))
+        m_structure->choose(before.row->bus);
+    followRow();
+}
+
+// Row and chosen bus are the same, whatever the rows have become.
+void MainWindow::followRow()
+{
+    if (!m_structure->row() && !m_choice->place())
+        m_structure->choose(m_chosenBus);
+    const auto row = m_structure->row();
+    if (row && row->bus != m_chosenBus)
+        chooseBus(row->bus);
 }
 
 // The actions of its kind, and the status line, mean this bus from now on.
@@ -173,6 +210,9 @@ void MainWindow::tellWhose()
         if (views->owns(m_pages->currentWidget()))
             ofPage = nameAmongOthers(bus);
         const bool isCurrent = bus == m_currentOf.value(m_plant->find(bus)->kind());
+        const bool isOneOfSeveral = !nameAmongOthers(bus).isEmpty();
+        const bool isPlain = bus == m_chosenBus && !isOneOfSeveral;
+        views->setCalled(isPlain ? QString() : m_plant->nameOf(bus), bus != m_chosenBus && isOneOfSeveral);
         for (const auto &[panel, page] : views->pages())
             if (panel == &panel::training ? bus == m_chosenBus : isCurrent)
                 m_panels.tellWhose(*panel, nameAmongOthers(bus));

@@ -35,6 +35,12 @@ void RingActions::disable()
     showSegment(false, false);
 }
 
+void RingActions::tellBus(const QString &bus)
+{
+    for (QAction *action : {connectBus, disconnectBus, readIn, confirmDiagnostics})
+        codewheel::tellBus(action, bus);
+}
+
 void RingActions::showSegment(bool hasMaster, bool isChosen)
 {
     described(switchSegment, Qt::SHIFT | Qt::Key_F9,

@@ -17,7 +17,8 @@ class RingActions : public QObject
 public:
     explicit RingActions(WindowActions &window);
 
-    void disable(); // there is no ring they could mean
+    void disable();                   // there is no ring they could mean
+    void tellBus(const QString &bus); // which ring they mean; empty: the chosen one
     // Whether the master can be asked, and the chosen device has a segment.
     void showSegment(bool hasMaster, bool isChosen);
 

@@ -128,10 +128,11 @@ void RingViews::showState()
     const RingSession &bus = *m_ring.bus();
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
-    m_actions.connectBus->setEnabled(isClosed);
-    m_actions.disconnectBus->setEnabled(!isClosed);
-    m_actions.readIn->setEnabled(hasMaster && !bus.isReadingIn());
-    m_actions.confirmDiagnostics->setEnabled(hasMaster);
+    m_actions.tellBus(called());
+    m_actions.connectBus->setEnabled(isMeant() && isClosed);
+    m_actions.disconnectBus->setEnabled(isMeant() && !isClosed);
+    m_actions.readIn->setEnabled(isMeant() && hasMaster && !bus.isReadingIn());
+    m_actions.confirmDiagnostics->setEnabled(isMeant() && hasMaster);
     m_actions.showSegment(hasMaster, chosenSegment().has_value());
     showStatus();
 }

@@ -33,9 +33,9 @@ protected:
     // In Operate, as the parameter panel writes it.
     void write(Place number, Parameter parameter, std::int64_t value)
     {
+        window().findChild<StructureView *>()->choose(number);
         actions().operate->trigger();
         ASSERT_TRUE(comes([&] { return line().isOperating(); }));
-        window().findChild<StructureView *>()->choose(number);
         window().findChild<WantedValues *>()->set(number, parameter, value);
         advance(50);
         auto &panel = *window().findChild<ParameterPanel *>();

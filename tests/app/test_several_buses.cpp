@@ -30,6 +30,8 @@
 #include <QTableView>
 #include <QTreeView>
 
+#include <set>
+
 namespace codewheel {
 namespace {
 
@@ -54,7 +56,58 @@ protected:
             *window().findChild<StructureView *>()->findChild<QTreeView *>()->model());
         return model.indexOf(bus).siblingAtColumn(column).data().toString();
     }
+    StructureView &tree() { return *window().findChild<StructureView *>(); }
+    // What the actions of the window and the highlighted row mean is the same bus.
+    void expectStopMeans(BusId bus)
+    {
+        ASSERT_TRUE(tree().row());
+        EXPECT_EQ(tree().row()->bus, bus);
+        const auto running = [this] {
+            std::set<BusId> buses;
+            for (const EncoderBus *each : shown->buses().open())
+                if (each->isRunning())
+                    buses.insert(each->id());
+            return buses;
+        };
+        auto left = running();
+        left.erase(bus);
+        actions().stop->trigger();
+        advance(100);
+        EXPECT_TRUE(QTest::qWaitFor([&] {
+            advance(33);
+            return running() == left;
+        }));
+    }
     EncoderBus &busAt(BusId bus) { return *shown->plant().find(bus)->bus(); }
+
+    // Its form is open then.
+    void planLine(BusId line, const QString &path)
+    {
+        if (findBus(shown->project().project(), line) == nullptr)
+            plan(line, u"esc");
+        Project after = shown->project().project();
+        LinePlan settings;
+        settings.settings.port = path;
+        setLinePlan(after, line, settings);
+        shown->project().edit(std::move(after), {});
+        choose(line);
+        lineActions().settings->trigger();
+    }
+    void connectInForm(BusId line, const QString &path)
+    {
+        LineSettings settings;
+        settings.port = path;
+        for (auto *form : window().findChildren<LineSettingsForm *>())
+            if (form->isVisible()) {
+                form->setSettings(settings);
+                for (auto *button : form->findChildren<QPushButton *>())
+                    if (button->text().remove(u'&') == QStringLiteral("Connect"))
+                        button->click();
+            }
+        const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !its->isOpening(); }));
+        advance(50);
+    }
 
     void openSecondRing()
     {
@@ -277,6 +330,11 @@ TEST_F(SeveralBuses, ARingThatIsNotPlannedAnyMoreStaysUntilItIsDisconnected)
     shown->project().edit(std::move(after), {});
     ASSERT_NE(shown->plant().find(secondRing), nullptr);
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
+    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"))
+        << "as before";
+    plan(BusId{7}, u"interbus");
+    EXPECT_EQ(cell(BusId{7}, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
+    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2 2: Master"));
     choose(secondRing);
     ringActions().disconnectBus->trigger();
     advance(50);
@@ -288,25 +346,9 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
 {
     PtyPair one;
     PtyPair two;
-    plan(secondLine, u"esc");
     const auto connectLine = [&](BusId line, const QString &path) {
-        Project after = shown->project().project();
-        LinePlan settings;
-        settings.settings.port = path;
-        setLinePlan(after, line, settings);
-        shown->project().edit(std::move(after), {});
-        choose(line);
-        lineActions().settings->trigger();
-        for (auto *form : window().findChildren<LineSettingsForm *>())
-            if (form->isVisible()) {
-                form->setSettings(settings.settings);
-                for (auto *button : form->findChildren<QPushButton *>())
-                    if (button->text().remove(u'&') == QStringLiteral("Connect"))
-                        button->click();
-            }
-        const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !its->isOpening(); }));
-        advance(50);
+        planLine(line, path);
+        connectInForm(line, path);
     };
     connectLine(firstLine, one.path());
     connectLine(secondLine, two.path());
@@ -324,8 +366,133 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
     EXPECT_TRUE(shown->plant().find(secondLine)->isOpen()) << "it is another one";
 }
 
+TEST_F(SeveralBuses, TheChosenRowIsTheBusThatIsMeantWhateverIsConnected)
+{
+    const PtyPair port;
+    openSecondRing();
+    choose(farFraba);
+    planLine(secondLine, port.path());
+    connectInForm(secondLine, port.path());
+    EXPECT_EQ(tree().currentBus(), secondLine) << "it stays chosen";
+    expectStopMeans(secondLine);
+
+    choose(farFraba);
+    lineActions().disconnectLine->trigger();
+    EXPECT_EQ(tree().current(), farFraba);
+    choose(secondRing);
+    ringActions().disconnectBus->trigger();
+    advance(50);
+    EXPECT_EQ(tree().currentBus(), secondRing);
+    EXPECT_FALSE(actions().stop->isEnabled());
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_EQ(tree().currentBus(), secondRing);
+    expectStopMeans(secondRing);
+}
+
+TEST_F(SeveralBuses, ALineConnectedInItsFormLeavesTheChosenEncoderOfAnother)
+{
+    constexpr BusId thirdLine{5};
+    const Place planned{thirdLine, LineAddress{7}.node()};
+    const PtyPair port;
+    plan(secondRing, u"interbus");
+    plan(secondLine, u"esc");
+    plan(thirdLine, u"esc");
+    Project after = shown->project().project();
+    setDevicesOn(after, thirdLine, {test::plannedEncoder(planned)});
+    shown->project().edit(std::move(after), {});
+    planLine(secondLine, port.path());
+    choose(planned);
+    connectInForm(secondLine, port.path());
+    ASSERT_TRUE(shown->plant().find(secondLine)->isOpen());
+    EXPECT_EQ(tree().current(), planned);
+    EXPECT_FALSE(actions().stop->isEnabled()) << "its line is not connected";
+    choose(secondLine);
+    expectStopMeans(secondLine);
+}
+
+TEST_F(SeveralBuses, TheRowOfABusThatIsRemovedGivesWayToAnotherThatIsMeant)
+{
+    plan(secondRing, u"interbus");
+    choose(test::fraba);
+    choose(secondRing);
+    Project after = shown->project().project();
+    removeBus(after, secondRing);
+    shown->project().edit(std::move(after), {});
+    EXPECT_EQ(tree().current(), test::fraba) << "which the panels show";
+    expectStopMeans(firstRing);
+}
+
+TEST_F(SeveralBuses, ActionsOfAKindSayWhichBusTheyMean)
+{
+    const QAction &disconnect = *ringActions().disconnectBus;
+    const auto text = [](const QAction &action) { return action.text().remove(u'&').toStdString(); };
+    EXPECT_EQ(text(disconnect), "Disconnect") << "the ring is chosen";
+    choose(firstLine);
+    EXPECT_EQ(text(disconnect), "Disconnect (Ring)");
+    EXPECT_TRUE(disconnect.toolTip().startsWith(QStringLiteral("Ring: Leaves")));
+    EXPECT_TRUE(disconnect.isEnabled()) << "there is one ring";
+
+    openSecondRing();
+    choose(firstLine);
+    EXPECT_EQ(text(disconnect), "Disconnect (Ring 2)");
+    for (const QAction *action : {ringActions().connectBus, ringActions().disconnectBus, ringActions().readIn,
+                                  ringActions().confirmDiagnostics})
+        EXPECT_FALSE(action->isEnabled()) << "none of the rings is chosen";
+    ringActions().disconnectBus->trigger();
+    EXPECT_TRUE(busAt(secondRing).isOpen());
+    choose(test::fraba);
+    EXPECT_EQ(text(disconnect), "Disconnect (Ring)");
+    EXPECT_TRUE(disconnect.isEnabled());
+
+    plan(secondLine, u"esc");
+    choose(firstLine);
+    EXPECT_EQ(text(*lineActions().terminal), "Terminal (Line 2)") << "Line is that of the project";
+    EXPECT_TRUE(lineActions().disconnectLine->isEnabled());
+    choose(test::fraba);
+    EXPECT_EQ(text(*lineActions().terminal), "Terminal (Line 2)");
+    EXPECT_FALSE(lineActions().disconnectLine->isEnabled());
+}
+
+TEST_F(SeveralBuses, AnEncoderThatIsSetUpIsNamedWhateverRowIsChosen)
+{
+    openSecondRing();
+    choose(farFraba);
+    choose(firstLine);
+    const auto *whose = window().findChild<QLabel *>(QStringLiteral("whose"));
+    EXPECT_TRUE(whose->isVisible());
+    EXPECT_TRUE(whose->text().startsWith(QStringLiteral("Ring 2/1.0  "))) << whose->text().toStdString();
+}
+
+TEST_F(SeveralBuses, PanelsSayThatAPlannedEncoderIsNotConnected)
+{
+    openSecondRing();
+    choose(farFraba);
+    ringActions().disconnectBus->trigger();
+    advance(50);
+    EXPECT_EQ(tree().current(), farFraba);
+    for (const QString &dock :
+         {QStringLiteral("dialDock"), QStringLiteral("traceDock"), QStringLiteral("sequenceDock")}) {
+        const auto labels = window().findChild<QDockWidget *>(dock)->findChildren<QLabel *>();
+        EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel *label) {
+            return label->text().startsWith(QStringLiteral("Ring 2/1.0 is not connected"));
+        })) << dock.toStdString();
+    }
+}
+
+TEST_F(SeveralBuses, TheStateOfARingHasItsName)
+{
+    const auto state = [this] {
+        return window().statusBar()->findChildren<RoleLabel *>().front()->word().toStdString();
+    };
+    EXPECT_EQ(state(), "RUN");
+    openSecondRing();
+    EXPECT_EQ(state(), "Ring 2: RUN");
+}
+
 TEST_F(SeveralBuses, ARingAddedOnThePageOfTheProjectIsSeenInTheTree)
 {
+    choose(test::baumer);
     actions().projectPage->trigger();
     auto *buses = window().findChild<QTableView *>(QStringLiteral("projectBuses"));
     ASSERT_TRUE(buses->isVisible());
@@ -339,6 +506,7 @@ TEST_F(SeveralBuses, ARingAddedOnThePageOfTheProjectIsSeenInTheTree)
     EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("offline"));
     ASSERT_NE(shown->plant().find(secondRing), nullptr);
+    EXPECT_EQ(tree().current(), test::baumer) << "it stays chosen";
 
     QTest::keyClick(buses, Qt::Key_F2);
     auto *name = buses->viewport()->findChild<QLineEdit *>();

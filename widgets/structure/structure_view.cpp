@@ -90,11 +90,8 @@ StructureView::StructureView(QWidget *parent)
             Q_EMIT namingRequested(*number);
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::showWhetherEmpty);
-    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_busBefore = currentBus(); });
-    connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
-        if (m_busBefore)
-            choose(*m_busBefore); // whoever asks chooses a device again
-    });
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_rowBefore = row(); });
+    connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::restoreRow);
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
     connect(m_model, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) {
         if (first.column() != StructureModel::positionColumn) // it has room for any
@@ -123,24 +120,34 @@ int StructureView::narrowestName() const
            m_tree->fontMetrics().horizontalAdvance(QStringLiteral("10.10 ..."));
 }
 
+int StructureView::narrowestState() const
+{
+    return grid::smallIcon + 2 * grid::margin +
+           m_tree->fontMetrics().horizontalAdvance(QStringLiteral("m..."));
+}
+
 void StructureView::measureColumns()
 {
     for (int column = 0; column < StructureModel::columns; ++column)
         m_tree->resizeColumnToContents(column);
     m_tree->setColumnWidth(StructureModel::positionColumn, widestPosition());
     m_widestName = m_tree->columnWidth(StructureModel::deviceColumn);
+    m_widestState = m_tree->columnWidth(StructureModel::stateColumn);
     placeColumns();
 }
 
 // The state is seen before the whole name is, and the number before a long state; the tooltip has all of it.
 void StructureView::placeColumns()
 {
-    int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
+    const int all = m_tree->viewport()->width();
+    int left = all - m_widestState;
     const int beside = left - m_tree->columnWidth(StructureModel::positionColumn);
     if (beside >= std::min(m_widestName, roomForNames())) // the position is seen too where there is room
         left = beside;
-    m_tree->setColumnWidth(StructureModel::deviceColumn,
-                           std::min(m_widestName, std::max(left, narrowestName())));
+    const int name = std::min(m_widestName, std::max(left, narrowestName()));
+    m_tree->setColumnWidth(StructureModel::deviceColumn, name);
+    m_tree->setColumnWidth(StructureModel::stateColumn,
+                           std::min(m_widestState, std::max(all - name, narrowestState()))); // elided
 }
 
 void StructureView::resizeEvent(QResizeEvent *event)
@@ -163,25 +170,28 @@ void StructureView::showTitles()
 
 void StructureView::addBus(EncoderBus &bus)
 {
-    const auto before = current();
+    const auto before = row();
     m_model->addBus(bus);
     bus.disconnect(this);
     connect(&bus, &EncoderBus::nodesChanged, this, &StructureView::askForMake);
     const std::vector<Place> places = bus.places();
-    if (before && m_model->indexOf(*before).isValid())
-        choose(*before);
-    else if (!places.empty())
+    if (!places.empty() && !(before && has(*before)))
         choose(places.front());
     askForMake();
 }
 
 void StructureView::removeBus(BusId bus)
 {
-    const auto before = current();
     m_model->removeBus(bus);
-    if (before && m_model->indexOf(*before).isValid())
-        choose(*before);
     askForMake();
+}
+
+// Nobody has chosen anything.
+void StructureView::restoreRow()
+{
+    const QSignalBlocker silent(this);
+    if (m_rowBefore && has(*m_rowBefore))
+        chooseRow(*m_rowBefore);
 }
 
 std::optional<BusId> StructureView::currentBus() const
@@ -190,9 +200,28 @@ std::optional<BusId> StructureView::currentBus() const
     return m_model->placeAt(index) ? std::nullopt : m_model->busAt(index);
 }
 
+std::optional<Place> StructureView::row() const
+{
+    const auto bus = currentBus();
+    return bus ? std::optional(Place{*bus}) : current();
+}
+
+bool StructureView::has(Place row) const
+{
+    return (row.isEmpty() ? m_model->indexOf(row.bus) : m_model->indexOf(row)).isValid();
+}
+
 void StructureView::choose(BusId bus)
 {
     m_tree->setCurrentIndex(m_model->indexOf(bus));
+}
+
+void StructureView::chooseRow(Place row)
+{
+    if (row.isEmpty())
+        choose(row.bus);
+    else
+        choose(row);
 }
 
 void StructureView::setProject(const ProjectDocument &project, const Catalog &catalog)

@@ -37,8 +37,12 @@ public:
     void showTitles(); // buses are told apart by other names than before
     std::optional<Place> current() const;
     std::optional<BusId> currentBus() const; // the row of the bus itself
+    // The row that is chosen: of a device, or, without a node, of a bus.
+    std::optional<Place> row() const;
+    bool has(Place row) const;
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
+    void chooseRow(Place row);
 
 Q_SIGNALS:
     void chosen(codewheel::Place place);
@@ -57,11 +61,13 @@ protected:
 
 private:
     int narrowestName() const;
+    int narrowestState() const;
     int widestPosition() const;
     int roomForNames() const;
     void measureColumns();
     void placeColumns();
     void showWhetherEmpty();
+    void restoreRow();
     void askForMake();
 
     StructureModel *m_model;
@@ -69,8 +75,9 @@ private:
     EmptyState *m_empty;
     InlineMessage *m_question;
     QTimer m_measuring;
-    std::optional<BusId> m_busBefore; // that was chosen before the rows were made anew
+    std::optional<Place> m_rowBefore; // that was chosen before the rows were made anew
     int m_widestName = 0;             // px
+    int m_widestState = 0;            // px
     int m_levels = 0;                 // of the tree, the master one of them
 };
 
