@@ -22,6 +22,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
+#include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -114,6 +115,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
+    connect(m_buses, &Buses::changed, m_messages, &MessagesView::showPlaces);
+    connect(m_buses, &Buses::changed, m_parameters, &ParameterPanel::showWhose);
     connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::tellWhose);
     showBusState();
     m_structure->setFocus();
@@ -153,9 +156,10 @@ void MainWindow::showChosen()
     const ShownEncoder &encoder = m_choice->encoder();
     EncoderSession *connected = encoder.session();
     m_parameters->setEncoder(encoder);
-    m_dial->setEncoder(connected);
-    m_trace->setEncoder(connected);
-    m_sequence->setEncoder(connected);
+    const auto offline = connected == nullptr && encoder.isThere() ? m_choice->place() : std::nullopt;
+    m_dial->setEncoder(connected, offline);
+    m_trace->setEncoder(connected, offline);
+    m_sequence->setEncoder(connected, offline);
     m_status->setEncoder(connected);
     m_wizard->setEncoder(connected);
     m_cams->setEncoder(encoder);
@@ -165,7 +169,7 @@ void MainWindow::showChosen()
     m_transfer->setEncoder(encoder);
     const auto place = m_choice->place();
     m_monitors->follow(place);
-    if (place)
+    if (place && !m_structure->currentBus())
         chooseBusOf(*place);
     for (const auto &[bus, views] : m_views)
         views->setChosen(place && place->bus == bus ? place : std::nullopt);

@@ -51,7 +51,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_always{m_state, m_mode, m_writes}
 {
     m_state->setToolTip(tr("State of the bus"));
-    m_mode->setToolTip(tr("Watch: nothing is sent. Operate: writing is allowed."));
+    m_mode->setToolTip(tr("Watch: nothing is written. Operate: writing is allowed."));
     bar.setSizeGripEnabled(false);
     bar.setMinimumWidth(narrowest);
     bar.installEventFilter(this);

@@ -16,11 +16,11 @@ namespace codewheel {
 DialPanel::DialPanel(QWidget *parent)
     : QWidget(parent)
     , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::encoder, {}, {}, this))
     , m_shaft(new ShaftDial(this))
     , m_rod(new RodDial(this))
 {
-    m_pages->addWidget(new EmptyState(Icon::encoder, tr("No encoder is chosen."),
-                                      tr("Choose one in the bus structure."), this));
+    m_pages->addWidget(m_empty);
     m_pages->addWidget(m_shaft);
     m_pages->addWidget(m_rod);
     auto *layout = new QVBoxLayout(this);
@@ -28,13 +28,18 @@ DialPanel::DialPanel(QWidget *parent)
     layout->addWidget(m_pages);
 }
 
-void DialPanel::setEncoder(EncoderSession *encoder)
+void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline)
 {
     const bool isRod = encoder != nullptr && encoder->device().profile == Profile::la66;
     m_shaft->setEncoder(isRod ? nullptr : encoder);
     m_rod->setEncoder(isRod ? encoder : nullptr);
+    if (offline)
+        m_empty->setTexts(tr("%1 is not connected.").arg(offline->shown()),
+                          tr("Its position is shown once its bus is connected."));
+    else
+        m_empty->setTexts(tr("No encoder is chosen."), tr("Choose one in the bus structure."));
     if (encoder == nullptr)
-        m_pages->setCurrentIndex(0);
+        m_pages->setCurrentWidget(m_empty);
     else
         m_pages->setCurrentWidget(isRod ? static_cast<QWidget *>(m_rod) : m_shaft);
 }

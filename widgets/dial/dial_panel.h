@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
+
 #include <QWidget>
+
+#include <optional>
 
 class QStackedWidget;
 
 namespace codewheel {
 
+class EmptyState;
 class EncoderSession;
 class RodDial;
 class ShaftDial;
@@ -19,10 +24,12 @@ class DialPanel : public QWidget
 public:
     explicit DialPanel(QWidget *parent = nullptr);
 
-    void setEncoder(codewheel::EncoderSession *encoder); // null: an empty state
+    // Null: an empty state, which tells whether one is chosen that is not connected.
+    void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
 private:
     QStackedWidget *m_pages;
+    EmptyState *m_empty;
     ShaftDial *m_shaft;
     RodDial *m_rod;
 };

@@ -29,6 +29,7 @@ namespace {
 
 constexpr std::size_t largestCopy = 100'000; // rows
 constexpr qint64 longExport = 20'000;        // messages; half a second and more
+constexpr int longestPlace = 24;             // characters; longer ones are elided
 
 } // namespace
 
@@ -168,15 +169,30 @@ void MessagesView::setColumnWidths()
         severity = std::max(severity, texts.horizontalAdvance(severityName(each)));
     m_table->setColumnWidth(MessageModel::timeColumn, numbers.horizontalAdvance(widestTime) + gap);
     m_table->setColumnWidth(MessageModel::severityColumn, severity + grid::smallIcon + gap);
-    m_table->setColumnWidth(MessageModel::placeColumn,
-                            numbers.horizontalAdvance(QStringLiteral("10.10")) + gap);
+    showPlaces();
     m_table->verticalHeader()->setDefaultSectionSize(std::max(grid::smallIcon, numbers.height()) +
                                                      grid::unit);
 }
 
+// As wide as they are called, so that one is told from another.
+void MessagesView::showPlaces()
+{
+    const std::vector<Place> places = m_messages.places();
+    const QFontMetrics numbers(numberFont());
+    int widest = numbers.horizontalAdvance(QStringLiteral("10.10"));
+    for (const Place place : places)
+        widest = std::max(widest, numbers.horizontalAdvance(placeName(place)));
+    const int most = numbers.horizontalAdvance(QString(longestPlace, u'0'));
+    const int width = std::min(widest, most) + 2 * grid::margin;
+    if (m_table->columnWidth(MessageModel::placeColumn) != width)
+        m_table->setColumnWidth(MessageModel::placeColumn, width);
+    m_filters->setPlaces(places);
+    m_table->viewport()->update();
+}
+
 void MessagesView::updateContent()
 {
-    m_filters->setPlaces(m_messages.places());
+    showPlaces();
     const bool none = m_messages.isEmpty();
     const bool noneShown = m_messages.rowCount() == 0;
     m_table->setVisible(!noneShown);

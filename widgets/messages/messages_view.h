@@ -29,6 +29,9 @@ public:
     explicit MessagesView(MessageModel &messages, QWidget *parent = nullptr);
     ~MessagesView() override;
 
+    // The buses are called otherwise than before, or there are others.
+    void showPlaces();
+
     // Asks for a file and writes the rows shown to it, as CSV or HTML.
     void exportRows();
     void

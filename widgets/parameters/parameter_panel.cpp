@@ -38,6 +38,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     , m_wanted(wanted)
     , m_model(new ParameterModel(wanted, this))
     , m_functions(new EncoderFunctions(this))
+    , m_whose(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::parameters, {}, {}, this))
     , m_review(new WriteReview(this))
@@ -46,7 +47,10 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_tablePage);
     m_pages->addWidget(m_review);
-    layOutColumn(this, {m_pages});
+    m_whose->setTextFormat(Qt::PlainText);
+    m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name does not widen the panel
+    m_whose->setObjectName(QStringLiteral("whose"));
+    layOutColumn(this, {m_whose, {m_pages, 1}});
     connectParts();
     setEncoder({});
 }
@@ -153,6 +157,7 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
     m_functions->setEncoder(session());
     const bool hasParameters = encoder.isThere() && !encoder.device().parameters.empty();
     m_pages->setCurrentWidget(hasParameters ? m_tablePage : m_empty);
+    showWhose();
     if (session() != nullptr)
         connectSession(*session());
     if (!hasParameters) {
@@ -167,6 +172,15 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
 QList<QAction *> ParameterPanel::functionActions() const
 {
     return m_functions->actions();
+}
+
+void ParameterPanel::showWhose()
+{
+    m_whose->setVisible(m_encoder.isThere());
+    if (!m_encoder.isThere())
+        return;
+    m_whose->setText(QStringLiteral("%1  %2").arg(m_encoder.place().shown(), m_encoder.device().fullName()));
+    m_whose->setToolTip(m_whose->text());
 }
 
 void ParameterPanel::showWhyEmpty()

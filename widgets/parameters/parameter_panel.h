@@ -40,6 +40,8 @@ public:
     // Modes, FRABA preset, reset: in the menu here, and for that of the window.
     QList<QAction *> functionActions() const;
 
+    void showWhose(); // its bus is called otherwise than before
+
 Q_SIGNALS:
     void wizardRequested();
     void refusalShown(); // of one of the function actions
@@ -80,6 +82,7 @@ private:
 
     ParameterModel *m_model;
     EncoderFunctions *m_functions;
+    QLabel *m_whose;         // the encoder that is set up here
     QStackedWidget *m_pages; // empty, table, review
     EmptyState *m_empty;
     QWidget *m_tablePage = nullptr;

@@ -164,12 +164,12 @@ void SequenceView::makeSending()
     connect(m_job, &SequenceJob::ended, this, &SequenceView::showEnd);
 }
 
-void SequenceView::setEncoder(EncoderSession *encoder)
+void SequenceView::setEncoder(EncoderSession *encoder, std::optional<Place> offline)
 {
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
-    showWhyEmpty(encoder);
+    showWhyEmpty(encoder, offline);
     const bool takesWords = encoder && encoder->device().hasWords();
     m_pages->setCurrentIndex(takesWords || m_job->isRunning() ? 1 : 0);
     if (!m_job->isRunning())
@@ -186,12 +186,15 @@ void SequenceView::setEncoder(EncoderSession *encoder)
     showWhatIsPossible();
 }
 
-void SequenceView::showWhyEmpty(const EncoderSession *encoder)
+void SequenceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline)
 {
     const bool onLine = encoder && !encoder->device().hasWords();
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It takes requests instead of words. Type them in the terminal."));
+    else if (offline)
+        m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
+                          tr("Words can be sent to it once its bus is connected."));
     else
         m_empty->setTexts(tr("No encoder is selected"),
                           tr("A sequence is a list of words that are sent to an encoder one after the other. "

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
 #include "project/word_list.h"
 #include "widgets/look/roles.h"
 #include "widgets/sequence/sequence_job.h"
 
 #include <QPointer>
 #include <QWidget>
+
+#include <optional>
 
 class QAction;
 class QLabel;
@@ -32,7 +35,8 @@ public:
     explicit SequenceView(QWidget *parent = nullptr);
     ~SequenceView() override;
 
-    void setEncoder(codewheel::EncoderSession *encoder);
+    // Null: an empty state, which tells whether one is chosen that is not connected.
+    void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
     WordList list() const;
     void setList(const WordList &list);
@@ -64,7 +68,7 @@ private:
     void showEnd(const Outcome &outcome, int words);
     void showWhatIsPossible();
     void explainWords();
-    void showWhyEmpty(const EncoderSession *encoder);
+    void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);
     int selectedRow() const; // -1: none
     void say(Role role, const QString &sentence);
 

@@ -55,7 +55,7 @@ TraceView::TraceView(Buses &buses, QWidget *parent)
     m_pages->addWidget(m_empty);
     m_pages->addWidget(page);
     connect(m_empty, &EmptyState::actionTriggered, this, &TraceView::terminalRequested);
-    showWhyEmpty(nullptr);
+    showWhyEmpty(nullptr, {});
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
@@ -162,21 +162,24 @@ void TraceView::add(const TrafficRow &row)
     }
 }
 
-void TraceView::setEncoder(EncoderSession *encoder)
+void TraceView::setEncoder(EncoderSession *encoder, std::optional<Place> offline)
 {
     watchEncoders();
     m_shown = encoder && encoder->device().hasWords() ? model(encoder->place()) : nullptr;
     m_message->withdraw();
     showModel();
-    showWhyEmpty(encoder);
+    showWhyEmpty(encoder, offline);
 }
 
-void TraceView::showWhyEmpty(const EncoderSession *encoder)
+void TraceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline)
 {
     const bool onLine = encoder && !encoder->device().hasWords();
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It has no words. What passes on its line stands in the terminal."));
+    else if (offline)
+        m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
+                          tr("What passes is shown once its bus is connected."));
     else
         m_empty->setTexts(
             tr("No encoder is selected"),

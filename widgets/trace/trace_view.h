@@ -3,10 +3,12 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "encoder/place.h"
 
 #include <QWidget>
 
 #include <map>
+#include <optional>
 
 class QAction;
 class QLabel;
@@ -30,7 +32,8 @@ public:
     explicit TraceView(Buses &buses, QWidget *parent = nullptr);
     ~TraceView() override;
 
-    void setEncoder(codewheel::EncoderSession *encoder);
+    // Null: an empty state, which tells whether one is chosen that is not connected.
+    void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
     bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
     TrafficModel *model(Place number) const;            // null: nothing was collected for it
 
@@ -57,7 +60,7 @@ private:
     void add(const TrafficRow &row);
     void makeTable();
     void makeTools();
-    void showWhyEmpty(const EncoderSession *encoder);
+    void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);
     void showModel();
     void makeRoom(int first, int last); // for these rows
     void fitMeaning();
