@@ -472,6 +472,10 @@
         <comment>a sentence</comment>
         <translation>Nicht aktuell: %1</translation>
     </message>
+    <message>
+        <source>The encoder does not answer: no position is known.</source>
+        <translation>Der Geber antwortet nicht: Es ist keine Position bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>EscBit</name>
@@ -7059,6 +7063,14 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>Choose one in the bus structure.</source>
         <translation>Einen im Busaufbau wählen.</translation>
     </message>
+    <message>
+        <source>%1 is not connected.</source>
+        <translation>%1 ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Its position is shown once its bus is connected.</source>
+        <translation>Die Position wird angezeigt, sobald der Bus verbunden ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DirectionPage</name>
@@ -7219,6 +7231,14 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>With %1 writes by this program and %2 more, the EEPROM is beyond the %3 that the manual guarantees at most. The encoder may lose its values at any time: replace it soon.</source>
         <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren ist das EEPROM über die %3 hinaus, die das Handbuch höchstens zusichert. Der Geber kann seine Werte jederzeit verlieren: bald ersetzen.</translation>
+    </message>
+    <message>
+        <source>1 write from here since %1</source>
+        <translation>1-mal von hier geschrieben seit %1</translation>
+    </message>
+    <message>
+        <source>1 write from here</source>
+        <translation>1-mal von hier geschrieben</translation>
     </message>
 </context>
 <context>
@@ -12928,6 +12948,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Open the terminal</source>
         <translation>Terminal öffnen</translation>
     </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Words can be sent to it once its bus is connected.</source>
+        <translation>Wörter lassen sich senden, sobald der Bus verbunden ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>
@@ -13106,10 +13134,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Gebers seit dem Programmstart</translation>
     </message>
     <message>
-        <source>Watch: nothing is sent. Operate: writing is allowed.</source>
-        <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
-    </message>
-    <message>
         <source>%1 %2: %3</source>
         <comment>place, make: writes</comment>
         <translation>%1 %2: %3</translation>
@@ -13117,6 +13141,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>State of the bus</source>
         <translation>Zustand des Busses</translation>
+    </message>
+    <message>
+        <source>Watch: nothing is written. Operate: writing is allowed.</source>
+        <translation>Beobachten: Nichts wird geschrieben. Bedienen: Schreiben ist erlaubt.</translation>
     </message>
 </context>
 <context>
@@ -13504,6 +13532,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Show the rows again that Clear removed</source>
         <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>What passes is shown once its bus is connected.</source>
+        <translation>Was gesendet und empfangen wird, erscheint hier, sobald der Bus verbunden ist.</translation>
     </message>
 </context>
 <context>
@@ -14384,10 +14420,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Be&amp;obachten</translation>
     </message>
     <message>
-        <source>Watch: nothing is sent</source>
-        <translation>Beobachten: Nichts wird gesendet</translation>
-    </message>
-    <message>
         <source>&amp;Operate</source>
         <translation>Be&amp;dienen</translation>
     </message>
@@ -14706,6 +14738,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Keeps the monitor of the chosen device when another one is chosen</source>
         <translation>Behält den Monitor des gewählten Geräts, wenn ein anderes gewählt wird</translation>
+    </message>
+    <message>
+        <source>Watch: nothing is written</source>
+        <translation>Beobachten: Nichts wird geschrieben</translation>
     </message>
 </context>
 <context>
