@@ -176,8 +176,9 @@ QList<QAction *> ParameterPanel::functionActions() const
 
 void ParameterPanel::showWhose()
 {
-    m_whose->setVisible(m_encoder.isThere());
-    if (!m_encoder.isThere())
+    const bool hasParameters = m_encoder.isThere() && !m_encoder.device().parameters.empty();
+    m_whose->setVisible(hasParameters); // else the sentence on the page names it
+    if (!hasParameters)
         return;
     m_whose->setText(QStringLiteral("%1  %2").arg(m_encoder.place().shown(), m_encoder.device().fullName()));
     m_whose->setToolTip(m_whose->text());
