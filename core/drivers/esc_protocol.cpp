@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_protocol.h"
 
+#include "drivers/esc_fate.h"
 #include "drivers/esc_plan.h"
 #include "drivers/esc_values.h"
 #include "drivers/planned_by.h"
@@ -19,6 +20,16 @@ public:
                                       const PlanBasis &basis) const override;
     QString requestText(const QByteArray &line) const override;
     QString presetCommand() const override { return QStringLiteral("GP"); }
+
+    bool wasSent(const Progress &job, std::optional<Parameter> parameter) const override
+    {
+        return wasSentOnEsc(job, parameter);
+    }
+    bool isFateUnknown(const EncoderSession &encoder, std::optional<Parameter> parameter,
+                       const Outcome &outcome, const Progress &job) const override
+    {
+        return isFateUnknownOnEsc(encoder, parameter, outcome, job);
+    }
 
     ParameterDescription narrowed(const DeviceDescription &device, Parameter parameter,
                                   const ParameterValues &known,
@@ -49,12 +60,14 @@ private:
     }
 };
 
-// The encoder is where it is known to be, else at the master address.
+// The encoder is where it is known to be, else where it is asked for; without a place, at the master address.
 Result<std::vector<Step>> EscProtocol::planned(const DeviceDescription &device, const Job &job,
                                                const PlanBasis &basis) const
 {
     const ParameterValues values = valuesOf(basis.known);
-    const auto address = valueOf(values, Parameter::lineAddress).value_or(LineAddress::master().value);
+    const LineAddress asked = LineAddress::of(basis.node);
+    const LineAddress usual = asked.isDevice() ? asked : LineAddress::master();
+    const auto address = valueOf(values, Parameter::lineAddress).value_or(usual.value);
     const EscSettings settings{.fractionBits = fractionBitsOf(basis.options)};
     const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, settings, values);
     return plannedBy(plan, job, [&] { return plan.stepsFor(job); });

@@ -17,6 +17,7 @@ struct PlanBasis
     std::vector<KnownCams> cams{};
     Word out = 0; // stands in OUT
     std::optional<ValueOptions> options{};
+    NodeId node{}; // where it stands
 };
 
 // What the protocol of an encoder makes of jobs and values before anything is sent. One object for each; as
@@ -34,6 +35,19 @@ public:
     virtual QString requestText(const QByteArray &line) const { return QString::fromLatin1(line); }
     // The command that sets the position to a value it brings along.
     virtual QString presetCommand() const { return {}; }
+
+    // Whether a job that came this far has sent this value; without one, the position. No: nobody can tell.
+    virtual bool wasSent(const Progress & /*job*/, std::optional<Parameter> /*parameter*/) const
+    {
+        return false;
+    }
+    // Whether nobody knows if the encoder has what this job sent, and did not tell as written: the job ended
+    // before that was looked at.
+    virtual bool isFateUnknown(const EncoderSession & /*encoder*/, std::optional<Parameter> /*parameter*/,
+                               const Outcome & /*outcome*/, const Progress & /*job*/) const
+    {
+        return false;
+    }
 
     // The description with the range that the encoder's own values and the options leave.
     virtual ParameterDescription narrowed(const DeviceDescription &device, Parameter parameter,

@@ -4,7 +4,6 @@
 #include "catalog/preset_storage.h"
 #include "drivers/k3_mode.h"
 #include "drivers/protocol.h"
-#include "encoder/line_address.h"
 #include "words/la66_word.h"
 
 #include <algorithm>
@@ -41,9 +40,6 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 std::vector<Known> knownNow(const EncoderSession &encoder)
 {
     std::vector<Known> known = allKnown(encoder);
-    const LineAddress asked = LineAddress::of(encoder.place().node);
-    if (asked.isDevice() && !encoder.known(Parameter::lineAddress)) // it has not answered yet
-        known.push_back({Parameter::lineAddress, asked.value, Evidence::told, encoder.latest().at});
     if (!encoder.device().mayHaveModes())
         return known;
     std::erase_if(known, [](const Known &one) { return one.parameter == Parameter::startUpMode; });
@@ -134,7 +130,8 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
 Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
 {
     std::vector<Step> all;
-    PlanBasis basis{knownNow(encoder), allKnownCams(encoder), out, encoder.valueOptions()};
+    PlanBasis basis{knownNow(encoder), allKnownCams(encoder), out, encoder.valueOptions(),
+                    encoder.place().node};
     for (const Job &job : jobs) {
         auto steps = plannedSteps(encoder.device(), job, basis);
         if (!steps)

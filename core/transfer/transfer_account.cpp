@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "drivers/esc_fate.h"
+#include "drivers/protocol.h"
 
 #include <algorithm>
 
@@ -61,14 +61,15 @@ bool wasPositionSet(const EncoderPlan &plan, const std::vector<Outcome> &outcome
 bool isUnknown(const EncoderSession *encoder, std::optional<Parameter> parameter, const EncoderResult *result)
 {
     return encoder != nullptr && result != nullptr && !result->outcomes.empty() &&
-           isFateUnknownOnEsc(*encoder, parameter, result->outcomes.back(), result->lastJob);
+           protocolOf(encoder->device())
+               .isFateUnknown(*encoder, parameter, result->outcomes.back(), result->lastJob);
 }
 
-// A job on a serial line that was cancelled has read what its preset did.
+// A job that was cancelled has read what its preset did.
 bool wasPositionReadBack(const EncoderPlan &plan, const EncoderSession *encoder, const EncoderResult *result)
 {
     if (encoder == nullptr || result == nullptr || !result->why || result->why->id != RefusalId::cancelled ||
-        !wasSentOnEsc(result->lastJob, std::nullopt))
+        !protocolOf(encoder->device()).wasSent(result->lastJob, std::nullopt))
         return false;
     const auto known = encoder->known(Parameter::preset);
     return known && known->evidence == Evidence::read && known->value == plan.position;

@@ -10,10 +10,10 @@
 #include "project/bus_kind.h"
 #include "project/line_plan.h"
 #include "project/project_file.h"
-#include "tests/cli/shared_line.h"
 #include "project/ring_plan.h"
 #include "simulator/simulated_line_link.h"
 #include "tests/cli/cli_run.h"
+#include "tests/cli/shared_line.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -7,8 +7,8 @@ class QAction;
 
 namespace codewheel {
 
-// The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does. A
-// click into it selects the word, as Tab does: what is typed takes its place.
+// The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does.
+// A click into it selects the word, as Tab does: what is typed takes its place.
 class WordField : public QLineEdit
 {
     Q_OBJECT
