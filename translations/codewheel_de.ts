@@ -9403,6 +9403,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Connecting ...</source>
         <translation>Verbindet ...</translation>
     </message>
+    <message>
+        <source>&amp;Keep in project</source>
+        <translation>Ins Pro&amp;jekt</translation>
+    </message>
+    <message>
+        <source>Plans port and settings in the project. Nothing is opened (Alt+K)</source>
+        <translation>Plant Anschluss und Einstellungen im Projekt. Nichts wird geöffnet (Alt+J)</translation>
+    </message>
+    <message>
+        <source>Port and settings are in the project.</source>
+        <translation>Anschluss und Einstellungen stehen im Projekt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineStatus</name>

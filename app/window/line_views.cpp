@@ -83,6 +83,8 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
     connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
+    connect(m_form, &LineSettingsForm::keepWanted, this,
+            [this](const LineSettings &wish, bool isPicked) { keepPort(wanted(wish, isPicked)); });
     connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
     connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
@@ -219,6 +221,7 @@ void LineViews::setLine(LineSession *line)
     m_search->setLine(line);
     m_comparison->setBus(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
+    m_form->setCanKeep(line == nullptr);
     showStatus();
     showActions();
 }
@@ -255,15 +258,20 @@ void LineViews::listPorts()
     m_form->setPorts(ports.rows, ports.trouble);
 }
 
+LinePlan LineViews::wanted(const LineSettings &wish, bool isPicked) const
+{
+    LinePlan wanted = m_keeper->line();
+    if (isPicked || wanted.settings.port != wish.port)
+        wanted.adapter = {}; // whichever is there
+    wanted.settings = wish;
+    return wanted;
+}
+
 void LineViews::connectPort(const LineSettings &wish, bool isPicked)
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
-        LinePlan wanted = m_keeper->line();
-        if (isPicked || wanted.settings.port != wish.port)
-            wanted.adapter = {}; // whichever is there
-        wanted.settings = wish;
-        m_opened = wanted;
-        m_line.openPort(wanted);
+        m_opened = wanted(wish, isPicked);
+        m_line.openPort(m_opened);
     });
 }
 

@@ -62,6 +62,7 @@ private:
     void swapWarningBytes(bool on);
     void setLine(LineSession *line); // null: it is about to go
     void listPorts();
+    LinePlan wanted(const LineSettings &wish, bool isPicked) const;
     void connectPort(const LineSettings &wish, bool isPicked);
     void connectOtherAdapter(const LineSettings &wish);
     void showOpened();

@@ -324,5 +324,29 @@ TEST_F(LineViewsTest, BytesThatAreLostAreCountedAndSeen)
     EXPECT_GT(line().latest().figures.timeOuts, 0u);
 }
 
+// At the desk, before anybody is at the machine.
+TEST_F(LineViewsTest, APortIsPlannedWithoutBeingOpened)
+{
+    lineActions().settings->trigger();
+    auto &form = view<LineSettingsForm>();
+    EXPECT_FALSE(button(form, QStringLiteral("Keep in project"))->isEnabled()) << "the training line is open";
+    lineActions().disconnectLine->trigger();
+    advance(50);
+    LineSettings settings = form.settings();
+    settings.port = QStringLiteral("/dev/ttyHALL");
+    settings.serial.baudRate = 4800;
+    form.setSettings(settings);
+    const int steps = shown->project().undoStack().index();
+    button(form, QStringLiteral("Keep in project"))->click();
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.port, QStringLiteral("/dev/ttyHALL"));
+    EXPECT_EQ(linePlan(project(), firstLine)->settings.serial.baudRate, 4800);
+    EXPECT_EQ(shown->project().undoStack().index(), steps + 1);
+    EXPECT_EQ(form.settings().port, QStringLiteral("/dev/ttyHALL"));
+    EXPECT_EQ(shown->line().session(), nullptr) << "nothing is opened";
+    shown->project().undoStack().undo();
+    const LinePlan *before = linePlan(project(), firstLine);
+    EXPECT_TRUE(before == nullptr || before->settings.port.isEmpty());
+}
+
 } // namespace
 } // namespace codewheel

@@ -51,6 +51,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     , m_trouble(new InlineMessage(m_content))
     , m_rateTold(new InlineMessage(m_content))
     , m_problem(new InlineMessage(m_content))
+    , m_keep(new QPushButton(lineIcon(Icon::save), tr("&Keep in project"), m_content))
     , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
 {
     setAccessibleName(tr("Settings of the serial line"));
@@ -69,8 +70,12 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     column->addWidget(m_problem);
     m_connect->setToolTip(tr("Opens the line, and asks positions from then on. Nothing is written (Alt+C)"));
     m_connect->setAutoDefault(false);
+    m_keep->setToolTip(tr("Plans port and settings in the project. Nothing is opened (Alt+K)"));
+    m_keep->setAutoDefault(false);
+    connect(m_keep, &QPushButton::clicked, this, &LineSettingsForm::keep);
     auto *buttons = new QHBoxLayout;
     buttons->addStretch(1);
+    buttons->addWidget(m_keep);
     buttons->addWidget(m_connect);
     column->addLayout(buttons);
     column->addStretch(1);
@@ -87,6 +92,11 @@ void LineSettingsForm::setConnecting(bool on)
 {
     m_connect->setEnabled(!on);
     m_connect->setText(on ? tr("Connecting ...") : tr("&Connect"));
+}
+
+void LineSettingsForm::setCanKeep(bool can)
+{
+    m_keep->setEnabled(can);
 }
 
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
@@ -348,15 +358,21 @@ bool LineSettingsForm::isComplete(const LineSettings &settings)
 {
     if (settings.port.isEmpty())
         m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
-    else if (!line_limits::baudRate.hold(settings.serial.baudRate))
-        m_problem->showMessage(Role::attention, tr("The baud rate is a number from %1 to %2.")
-                                                    .arg(line_limits::baudRate.least)
-                                                    .arg(line_limits::baudRate.most));
-    else {
+    else if (hasRate(settings)) {
         m_problem->withdraw();
         return true;
     }
     return false;
+}
+
+bool LineSettingsForm::hasRate(const LineSettings &settings)
+{
+    const bool has = line_limits::baudRate.hold(settings.serial.baudRate);
+    if (!has)
+        m_problem->showMessage(Role::attention, tr("The baud rate is a number from %1 to %2.")
+                                                    .arg(line_limits::baudRate.least)
+                                                    .arg(line_limits::baudRate.most));
+    return has;
 }
 
 // Half-typed values are not those of the form: they are taken first, or nothing is done.
@@ -374,6 +390,17 @@ void LineSettingsForm::connectNow()
         return;
     if (const LineSettings wanted = settings(); isComplete(wanted))
         Q_EMIT connectWanted(wanted, m_isPicked);
+}
+
+// A line may be planned before anybody knows its port.
+void LineSettingsForm::keep()
+{
+    if (!takeTyped())
+        return;
+    if (const LineSettings wanted = settings(); hasRate(wanted)) {
+        Q_EMIT keepWanted(wanted, m_isPicked);
+        m_problem->showMessage(Role::running, tr("Port and settings are in the project."));
+    }
 }
 
 void LineSettingsForm::connectOther()

@@ -37,6 +37,7 @@ public:
     // Where the line is open: it stands there as if it was never picked.
     void setPort(const QString &port);
     void setConnecting(bool on); // it takes as long as the port takes to open
+    void setCanKeep(bool can);   // not while the line is open: the project has the port that is
     // What went wrong when it was opened; empty: nothing.
     void setProblem(const QString &sentence);
     // Another adapter than that of the line is there; ends with otherAdapterWanted() where it is meant.
@@ -53,6 +54,7 @@ Q_SIGNALS:
     void fractionBitsWanted(); // to be determined from an encoder
     // isPicked: the port was chosen in the list or typed anew, so whatever is there is meant.
     void connectWanted(const codewheel::LineSettings &settings, bool isPicked);
+    void keepWanted(const codewheel::LineSettings &settings, bool isPicked); // without being opened
     void otherAdapterWanted(const codewheel::LineSettings &settings);
     void baudRateWanted(int baudRate); // that tellBaudRate() named; it stands in the form
 
@@ -68,7 +70,9 @@ private:
     QString chosenPort() const;
     bool takeTyped();
     bool isComplete(const LineSettings &settings);
+    bool hasRate(const LineSettings &settings);
     void connectNow();
+    void keep();
     void connectOther();
     void takeRate();
     void pick() { m_isPicked = true; }
@@ -95,6 +99,7 @@ private:
     QPushButton *m_determine = nullptr;
     QDoubleSpinBox *m_topSpeed = nullptr;
     InlineMessage *m_problem;
+    QPushButton *m_keep;
     QPushButton *m_connect;
     esc::Timing m_timing; // with what the form does not show
 };
