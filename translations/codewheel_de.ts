@@ -13158,6 +13158,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Watch: nothing is written. Operate: writing is allowed.</source>
         <translation>Beobachten: Nichts wird geschrieben. Bedienen: Schreiben ist erlaubt.</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <comment>fault of a bus</comment>
+        <translation>
+            <numerusform>%1 und %n weiterer</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StepList</name>

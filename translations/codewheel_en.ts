@@ -205,6 +205,17 @@
     </message>
 </context>
 <context>
+    <name>codewheel::StatusLine</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <comment>fault of a bus</comment>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::StructureEditor</name>
     <message numerus="yes">
         <source>%n devices with findings</source>

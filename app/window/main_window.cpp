@@ -10,6 +10,7 @@
 #include "app/window/project_recovery.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
+#include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
@@ -185,7 +186,21 @@ void MainWindow::showPicture()
     m_buses->pump();
     for (const auto &[bus, views] : m_views)
         views->showPicture();
+    m_status->setOtherFaults(otherFaults());
     m_status->showPicture();
+}
+
+// Of buses whose state the status line does not show, since another one of their kind is chosen.
+QStringList MainWindow::otherFaults() const
+{
+    QStringList faults;
+    for (const EncoderBus *bus : m_buses->open()) {
+        if (m_currentOf.value(m_plant->find(bus->id())->kind()) == bus->id())
+            continue;
+        if (const StateWord state = bus->outline().state(); state.role == Role::fault)
+            faults << QStringLiteral("%1: %2").arg(m_plant->nameOf(bus->id()), state.word);
+    }
+    return faults;
 }
 
 bool MainWindow::hasJob() const

@@ -122,6 +122,7 @@ private:
     void followRow();
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
+    QStringList otherFaults() const;
     void tellWhose();
     void chooseBusOf(Place place);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session

@@ -44,6 +44,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_bar(bar)
     , m_state(new RoleLabel(&bar))
     , m_mode(new RoleLabel(&bar))
+    , m_otherFaults(nullptr)
     , m_hint(makeLabel(bar, QString(), QString()))
     , m_writes(
           makeLabel(bar, tr("EEPROM writes"),
@@ -58,6 +59,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     // Permanent, since the bar hides all others while it shows what the mouse or the focus is on.
     add(m_state);
     add(m_mode);
+    m_otherFaults = addState();
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setObjectName(QStringLiteral("hint"));
     m_hint->setIndent(grid::margin);
@@ -106,6 +108,20 @@ void StatusLine::setMode(bool isOperating, const QString &bus)
     const QString mode = isOperating ? tr("Operate") : tr("Watch");
     m_mode->setState(isOperating ? Role::running : Role::inactive,
                      bus.isEmpty() ? mode : QStringLiteral("%1: %2").arg(bus, mode));
+}
+
+void StatusLine::setOtherFaults(const QStringList &faults)
+{
+    if (std::exchange(m_faultsTold, faults) == faults)
+        return;
+    m_otherFaults->setVisible(!faults.isEmpty());
+    if (faults.isEmpty())
+        return;
+    const auto more = static_cast<int>(faults.size()) - 1;
+    m_otherFaults->setState(Role::fault,
+                            more == 0 ? faults.front()
+                                      : tr("%1 and %n more", "fault of a bus", more).arg(faults.front()));
+    m_otherFaults->setToolTip(faults.join(QLatin1Char('\n')));
 }
 
 void StatusLine::setEncoder(EncoderSession *encoder)

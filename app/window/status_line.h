@@ -35,6 +35,8 @@ public:
     void setState(Role role, const QString &text); // of the bus that has a master
     // Of the chosen bus; with its name, where the state beside it is that of another one.
     void setMode(bool isOperating, const QString &bus = {});
+    // What is wrong with buses that are not shown in the line: "Ring 2: BUS FAIL".
+    void setOtherFaults(const QStringList &faults);
     void setEncoder(EncoderSession *encoder);
     void showPicture();
 
@@ -54,6 +56,8 @@ private:
     QPointer<EncoderSession> m_encoder;
     RoleLabel *m_state;
     RoleLabel *m_mode;
+    RoleLabel *m_otherFaults;
+    QStringList m_faultsTold;
     QLabel *m_hint; // what the mouse or the focus is on
     QLabel *m_writes;
     int m_added = 0;                         // between mode and hint

@@ -3,6 +3,7 @@
 #include "app/window/bus_views.h"
 #include "app/window/line_at_work.h"
 #include "app/window/plant.h"
+#include "app/window/ring_at_work.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/line_plan.h"
@@ -273,6 +274,28 @@ TEST_F(SeveralBuses, EachMonitorShowsItsOwnBus)
     EXPECT_EQ(channel.out(), Word{0x0200'00FF});
     EXPECT_EQ(far->line(WordDirection::out)->shown(), Word{0x0200'00FF});
     EXPECT_EQ(out(test::fraba), Word{0}) << "the encoder of the same number in the other ring";
+}
+
+TEST_F(SeveralBuses, AFaultOfAnotherRingIsToldAtTheFoot)
+{
+    openSecondRing();
+    choose(test::fraba);
+    const auto told = [this](const QString &fault) {
+        const auto states = window().statusBar()->findChildren<RoleLabel *>();
+        return std::ranges::count_if(
+            states, [&](const RoleLabel *state) { return state->isVisible() && state->word() == fault; });
+    };
+    auto &second = dynamic_cast<RingAtWork &>(*shown->plant().find(secondRing));
+    second.controls().setFault(TrainingFault::wireBreak, NodeId("3.0"), 1);
+    advance(100);
+    const QString fault = QStringLiteral("Ring 2: %1").arg(cell(secondRing, StructureModel::stateColumn));
+    EXPECT_NE(fault, QStringLiteral("Ring 2: RUN"));
+    EXPECT_EQ(told(QStringLiteral("Ring: RUN")), 1);
+    EXPECT_EQ(told(fault), 1) << fault.toStdString();
+    choose(farFraba);
+    advance(40);
+    EXPECT_EQ(told(fault), 1) << "as the state of the chosen ring";
+    EXPECT_EQ(told(QStringLiteral("Ring: RUN")), 0);
 }
 
 TEST_F(SeveralBuses, PagesAndPanelsTellWhoseTheyAre)
