@@ -17,9 +17,6 @@ void nameBuses(const Call &call, const Project &project);
 // Buses and encoders are called as the project has them. Told where a bus differs from it.
 void useProject(const Call &call, const Project &project, const QString &file);
 
-// Buses are called as the project has them.
-void nameBuses(const Call &call, const Project &project);
-
 // Over the file, unless it was changed since it had this mark.
 Checked<void> saveUnlessChanged(const Project &project, const QString &file, const QByteArray &mark);
 
