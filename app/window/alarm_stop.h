@@ -12,8 +12,12 @@ namespace codewheel {
 // The key of ALARM STOP: both hands, or one hand with intent, and nothing else nearby.
 QKeySequence alarmStopKey();
 
-// A button for it: fault colour, icon and words.
-QWidget *makeAlarmStopButton(QAction *alarmStop, QWidget *parent);
+// Of its button: filled with red, or only a red rim where another button is what one came for.
+enum class AlarmStopWeight : std::uint8_t { filled, rim };
+
+// A button for it: red, icon and words.
+QWidget *makeAlarmStopButton(QAction *alarmStop, QWidget *parent,
+                             AlarmStopWeight weight = AlarmStopWeight::filled);
 
 // Keeps ALARM STOP in reach of every focus: its key works while a question is on the screen, and each modal
 // dialog gets a button of its own, since the tool bar behind it cannot be clicked.

@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
 
@@ -22,9 +21,7 @@ constexpr int narrowest = 320;
 
 QLabel *makeLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
 {
-    auto *label = describe(new QLabel(&bar), name, toolTip);
-    label->setFont(textFont(TextSize::small));
-    return label;
+    return describe(new QLabel(&bar), name, toolTip);
 }
 
 // Repainting a text that is the same costs a picture of its own, and one that is as long as before must not

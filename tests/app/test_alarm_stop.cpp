@@ -2,13 +2,19 @@
 #include "app/window/alarm_stop.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
+#include "tests/support/contrast.h"
+#include "widgets/look/appearance.h"
 
 #include <QApplication>
+#include <QHash>
+#include <QImage>
+#include <QLabel>
 #include <QSet>
 #include <QTest>
 #include <QToolButton>
 #include <QWidget>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -86,6 +92,57 @@ TEST_F(AlarmStopTest, EveryModalDialogCarriesAButtonForIt)
         dialog.close();
     });
     actions().about->trigger();
+}
+
+// Which colour there is most of in a picture of it.
+QRgb groundOf(QWidget &button)
+{
+    const QImage image = button.grab().toImage();
+    QHash<QRgb, int> pixels;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            ++pixels[image.pixel(x, y)];
+    return std::max_element(pixels.cbegin(), pixels.cend()).key();
+}
+
+TEST_F(AlarmStopTest, IsTheSameRedInLightAndDarkAndStandsOutFromBoth)
+{
+    auto *button = window().findChild<QToolButton *>(QStringLiteral("alarmStop"));
+    QSet<QRgb> reds;
+    for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
+        applyAppearance(*qApp, {.scheme = scheme});
+        reds << groundOf(*button);
+        EXPECT_GE(test::contrast(groundOf(*button), qApp->palette().window().color().rgb()), 3.0);
+        EXPECT_GE(test::contrast(groundOf(*button), qRgb(255, 255, 255)), 4.5);
+    }
+    applyAppearance(*qApp, {.scheme = Scheme::light});
+    EXPECT_EQ(reds.size(), 1);
+}
+
+TEST_F(AlarmStopTest, IsAsLargeAsTheQuestionBesideItButLeavesAFileDialogItsSave)
+{
+    QRgb besideQuestion = 0;
+    {
+        test::Question question([&](QWidget &dialog) {
+            auto *button = dialog.findChild<QToolButton *>(QStringLiteral("alarmStop"));
+            besideQuestion = groundOf(*button);
+            for (const auto *label : dialog.findChildren<QLabel *>())
+                EXPECT_GE(button->fontInfo().pixelSize(), label->fontInfo().pixelSize());
+            EXPECT_TRUE(button->fontInfo().bold());
+            dialog.close();
+        });
+        actions().stop->trigger();
+    }
+    QRgb besideFiles = 0;
+    {
+        test::Question files([&](QWidget &dialog) {
+            besideFiles = groundOf(*dialog.findChild<QToolButton *>(QStringLiteral("alarmStop")));
+            dialog.close();
+        });
+        actions().openProject->trigger();
+    }
+    EXPECT_EQ(besideQuestion, groundOf(*window().findChild<QToolButton *>(QStringLiteral("alarmStop"))));
+    EXPECT_EQ(besideFiles, qApp->palette().window().color().rgb());
 }
 
 TEST_F(AlarmStopTest, WorksInWatchAndWhileStopped)

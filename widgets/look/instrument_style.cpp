@@ -3,7 +3,9 @@
 
 #include "widgets/look/grid.h"
 #include "widgets/look/roles.h"
+#include "widgets/look/standard_icons.h"
 
+#include <QIcon>
 #include <QStyleOption>
 
 namespace codewheel {
@@ -132,6 +134,13 @@ QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *o
     if (m_largeControls && option != nullptr && isControl(type))
         size.setHeight(qMax(size.height(), larger(option->fontMetrics.height() + 2 * grid::unit)));
     return size;
+}
+
+QIcon InstrumentStyle::standardIcon(StandardPixmap which, const QStyleOption *option,
+                                    const QWidget *widget) const
+{
+    const auto ours = standardLineIcon(which);
+    return ours ? *ours : QProxyStyle::standardIcon(which, option, widget);
 }
 
 } // namespace codewheel

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Fusion, with two wishes of the user in it: large controls and less motion. Made by applyAppearance(); the
-// application owns it.
+// Fusion with our icons in Qt's dialogs, and with two wishes of the user: large controls and less motion.
+// Made by applyAppearance(); the application owns it.
 class InstrumentStyle final : public QProxyStyle
 {
     Q_OBJECT
@@ -24,6 +24,8 @@ public:
                        const QWidget *widget) const override;
     QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
                            const QWidget *widget) const override;
+    QIcon standardIcon(StandardPixmap which, const QStyleOption *option,
+                       const QWidget *widget) const override;
 
 private:
     bool m_largeControls;

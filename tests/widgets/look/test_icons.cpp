@@ -10,6 +10,7 @@
 #include <QRgb>
 #include <QSet>
 #include <QSize>
+#include <QStyle>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +71,24 @@ TEST_F(Icons, AreCrispOnADenseScreen)
     const QPixmap pixmap = lineIcon(Icon::start).pixmap(QSize(16, 16), 2.0);
     EXPECT_EQ(pixmap.size(), QSize(32, 32));
     EXPECT_EQ(pixmap.devicePixelRatio(), 2.0);
+}
+
+// Those that a question, a file dialog and their buttons show.
+TEST_F(Icons, QtsDialogsShowThoseOfTheSet)
+{
+    applyAppearance(*qApp, {.scheme = Scheme::dark});
+    for (const auto which :
+         {QStyle::SP_MessageBoxQuestion, QStyle::SP_MessageBoxInformation, QStyle::SP_DialogSaveButton,
+          QStyle::SP_DialogOpenButton, QStyle::SP_DialogCancelButton, QStyle::SP_FileDialogToParent,
+          QStyle::SP_FileDialogNewFolder, QStyle::SP_FileDialogListView, QStyle::SP_FileDialogDetailedView,
+          QStyle::SP_ArrowBack, QStyle::SP_ArrowForward, QStyle::SP_DirIcon, QStyle::SP_FileIcon,
+          QStyle::SP_DirHomeIcon, QStyle::SP_ComputerIcon, QStyle::SP_DriveHDIcon})
+        EXPECT_EQ(inks(qApp->style()->standardIcon(which)), QSet{qApp->palette().windowText().color().rgba()})
+            << which;
+    EXPECT_EQ(inks(qApp->style()->standardIcon(QStyle::SP_MessageBoxWarning)),
+              QSet{roleColor(Role::attention, qApp->palette()).rgba()});
+    EXPECT_EQ(inks(qApp->style()->standardIcon(QStyle::SP_MessageBoxCritical)),
+              QSet{roleColor(Role::fault, qApp->palette()).rgba()});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contrast as WCAG 2.1 computes it, from pixels that were really painted, in light and dark.
+// Contrast from pixels that were really painted, in light and dark.
+#include "tests/support/contrast.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/palettes.h"
 #include "widgets/look/role_label.h"
@@ -19,27 +20,13 @@
 #include <QStyle>
 #include <QWidget>
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 namespace codewheel {
 namespace {
 
-double luminance(QRgb color)
-{
-    const auto linear = [](int channel) {
-        const double c = channel / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
-}
-
-double contrast(QRgb a, QRgb b)
-{
-    const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
-    return (light + 0.05) / (dark + 0.05);
-}
+using test::contrast;
 
 // The pixel that stands out most from the ground: the inside of a stroke, not its soft edge.
 double strongestContrast(const QImage &image, QRgb ground)
