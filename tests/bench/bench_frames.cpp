@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window at work: bus at 1 ms in a thread of its own, eight moving words with bits, hex and meaning (as
-// many as four monitors of IN and OUT have) and the dial, all in sight, and the training line asked for its
-// positions; then the same at rest, with a window that nobody sees. Prints pictures a second and the share of
-// one core of both.
+// bench_frames MONITORS WIDTHxHEIGHT: the window at work with so many monitors, a bus at 1 ms in a thread of
+// its own with eight devices whose words move, the dial, and the training line asked for its positions; then
+// the same at rest, with a window that nobody sees. Prints frames a second and the share of one core of both.
 #include "app/window/main_window.h"
 #include "app/window/picture_clock.h"
 #include "app/window/plant.h"
@@ -30,7 +29,6 @@ using namespace codewheel;
 using namespace std::chrono_literals;
 
 constexpr int movingWords = 8;
-constexpr QSize windowSize(1600, 1450);
 constexpr auto settling = 3s;
 constexpr auto measured = 10s;
 
@@ -52,14 +50,14 @@ void letPass(std::chrono::milliseconds time)
 void measure(const char *what, RingSession &bus)
 {
     letPass(settling);
-    int pictures = 0;
-    const auto counting = QObject::connect(&bus, &RingSession::updated, [&pictures] { ++pictures; });
+    int frames = 0;
+    const auto counting = QObject::connect(&bus, &RingSession::updated, [&frames] { ++frames; });
     const double usedBefore = processorSeconds();
     QElapsedTimer clock;
     clock.start();
     letPass(measured);
     const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
-    std::printf("%s: %.1f pictures a second, %.1f %% of one core\n", what, pictures / seconds,
+    std::printf("%s: %.1f frames a second, %.1f %% of one core\n", what, frames / seconds,
                 100 * (processorSeconds() - usedBefore) / seconds);
     QObject::disconnect(counting);
 }
@@ -78,6 +76,15 @@ void tell(EncoderSession &encoder)
 int main(int argc, char **argv)
 {
     QApplication application(argc, argv);
+    const QStringList arguments = QApplication::arguments();
+    const auto shown = static_cast<std::size_t>(arguments.value(1).toInt());
+    const QStringList size = arguments.value(2).split(u'x');
+    const QSize windowSize(size.value(0).toInt(), size.value(1).toInt());
+    if (shown == 0 || shown > movingWords || windowSize.isEmpty()) {
+        std::fprintf(stderr, "usage: bench_frames MONITORS WIDTHxHEIGHT, with 1 to %d monitors\n",
+                     movingWords);
+        return 2;
+    }
     const QTemporaryDir folder;
     const Catalog catalog = Catalog::builtIn();
     WindowSettings settings(folder.filePath(QStringLiteral("bench.ini")));
@@ -96,10 +103,11 @@ int main(int argc, char **argv)
     window.attach(plant, messages);
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
-    for (const Place number : bus.places()) {
-        tell(*bus.encoder(number));
-        monitors->pin(number);
-    }
+    const std::vector<Place> places = bus.places();
+    for (const Place place : places)
+        tell(*bus.encoder(place));
+    for (std::size_t i = 0; i < shown; ++i)
+        monitors->pin(places[i]);
     window.resize(windowSize);
     window.show();
     plant.start();
@@ -108,6 +116,7 @@ int main(int argc, char **argv)
     pictures.setWindow(window);
     pictures.start();
 
+    std::printf("%zu monitors at %d x %d\n", shown, window.width(), window.height());
     measure("at work", bus);
     window.hide();
     measure("at rest", bus);
