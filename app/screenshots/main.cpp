@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// codewheel-screenshots FOLDER [LANGUAGE]: makes the pictures of the manual from the training bus in virtual
-// time, light and dark. Two runs give the same files.
+// codewheel-screenshots FOLDER [LANGUAGE [review]]: makes the pictures of the manual from the training bus in
+// virtual time, light and dark; with "review", every view in the whole window, in three sizes. Two runs give
+// the same files.
 #include "app/language.h"
 #include "app/screenshots/manual_pictures.h"
 
@@ -23,5 +24,7 @@ int main(int argc, char **argv)
     }
     codewheel::Language language;
     language.use(arguments.value(2, QStringLiteral("en")));
-    return codewheel::makeManualPictures(application, QDir(arguments.at(1))) ? 0 : 1;
+    const bool forReview = arguments.value(3) == QStringLiteral("review");
+    const auto make = forReview ? codewheel::makeReviewPictures : codewheel::makeManualPictures;
+    return make(application, QDir(arguments.at(1))) ? 0 : 1;
 }

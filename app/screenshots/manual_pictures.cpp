@@ -21,6 +21,8 @@
 #include <QTemporaryDir>
 #include <QTextBrowser>
 
+#include <functional>
+
 namespace codewheel {
 namespace {
 
@@ -218,31 +220,70 @@ std::vector<Picture> views()
     };
 }
 
-bool save(const Picture &picture, const QDir &folder, const QString &suffix)
+std::vector<Picture> allPictures()
+{
+    std::vector<Picture> pictures = views();
+    for (const auto &more : {wizardPictures(), linePictures()})
+        pictures.insert(pictures.end(), more.begin(), more.end());
+    return pictures;
+}
+
+QPixmap take(const Picture &picture, QSize size, bool whole)
 {
     const QTemporaryDir settings; // each picture is of a first start
-    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), picture.window);
+    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), size);
     shown.window().show();
     shown.advance(99);
-    return picture.take(shown).save(folder.filePath(picture.name + suffix + QStringLiteral(".png")));
+    const QPixmap taken = picture.take(shown);
+    return whole && !picture.isOfQuestion ? shown.window().grab() : taken;
+}
+
+// Light and dark, each by a name of its own.
+bool inBothSchemes(QApplication &application, const std::function<bool(const QString &suffix)> &make)
+{
+    QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
+    bool saved = true;
+    for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
+        applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});
+        saved = make(scheme == Scheme::dark ? QStringLiteral("-dark") : QString()) && saved;
+    }
+    return saved;
+}
+
+QString fileOf(const Picture &picture, const QString &suffix)
+{
+    return picture.name + suffix + QStringLiteral(".png");
 }
 
 } // namespace
 
 bool makeManualPictures(QApplication &application, const QDir &folder)
 {
-    QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
-    std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures()})
-        pictures.insert(pictures.end(), more.begin(), more.end());
-    bool saved = true;
-    for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
-        applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});
-        const QString suffix = scheme == Scheme::dark ? QStringLiteral("-dark") : QString();
+    const std::vector<Picture> pictures = allPictures();
+    return inBothSchemes(application, [&](const QString &suffix) {
+        bool saved = true;
         for (const Picture &picture : pictures)
-            saved = save(picture, folder, suffix) && saved;
-    }
-    return saved;
+            saved =
+                take(picture, picture.window, false).save(folder.filePath(fileOf(picture, suffix))) && saved;
+        return saved;
+    });
+}
+
+bool makeReviewPictures(QApplication &application, const QDir &folder)
+{
+    const std::vector<Picture> pictures = allPictures();
+    return inBothSchemes(application, [&](const QString &suffix) {
+        bool saved = true;
+        for (const QSize size : {QSize(1024, 640), QSize(1280, 800), QSize(1920, 1080)}) {
+            const QString name = QStringLiteral("%1x%2").arg(size.width()).arg(size.height());
+            saved = folder.mkpath(name) && saved;
+            for (const Picture &picture : pictures)
+                saved = take(picture, size, true)
+                            .save(QDir(folder.filePath(name)).filePath(fileOf(picture, suffix))) &&
+                        saved;
+        }
+        return saved;
+    });
 }
 
 } // namespace codewheel

@@ -10,4 +10,7 @@ namespace codewheel {
 // a file cannot be written.
 bool makeManualPictures(QApplication &application, const QDir &folder);
 
+// The same views, each in the whole window in its three sizes ("1024x640/window.png"), to be looked through.
+bool makeReviewPictures(QApplication &application, const QDir &folder);
+
 } // namespace codewheel

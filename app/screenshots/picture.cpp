@@ -26,7 +26,8 @@ Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> p
 // A question has an event loop of its own until it is answered: the picture is taken from within.
 Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)> ask)
 {
-    return {QString::fromLatin1(name), usualWindow, [ask = std::move(ask)](TrainingWindow &shown) {
+    return {QString::fromLatin1(name), usualWindow,
+            [ask = std::move(ask)](TrainingWindow &shown) {
                 QPixmap taken;
                 QTimer watch;
                 QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
@@ -40,7 +41,8 @@ Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)
                 watch.start(0);
                 ask(shown);
                 return taken;
-            }};
+            },
+            true};
 }
 
 } // namespace codewheel

@@ -18,6 +18,7 @@ struct Picture
     QString name; // of the file, without its ending
     QSize window;
     std::function<QPixmap(TrainingWindow &)> take;
+    bool isOfQuestion = false; // before the window
 };
 
 inline constexpr QSize usualWindow(1280, 800);
