@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>D31: service bit, asks when it changes from 0 to 1</source>
-        <translation>D31: Dienst-Bit, fordert an beim Wechsel von 0 auf 1</translation>
+        <translation>D31: Dienst-Bit, Anforderung beim Wechsel von 0 auf 1</translation>
     </message>
     <message>
         <source>D31: service bit, acknowledges</source>
-        <translation>D31: Dienst-Bit, quittiert</translation>
+        <translation>D31: Dienst-Bit, Quittung</translation>
     </message>
     <message>
         <source>D30: 0 read, 1 write</source>
@@ -175,16 +175,16 @@
     <name>CamTexts</name>
     <message>
         <source>What the encoder has is not known.</source>
-        <translation>Was der Geber hat, ist unbekannt.</translation>
+        <translation>Der Stand im Geber ist unbekannt.</translation>
     </message>
     <message>
         <source>The encoder has the same.</source>
-        <translation>Der Geber hat dasselbe.</translation>
+        <translation>Im Geber steht dasselbe.</translation>
     </message>
     <message>
         <source>The encoder has %1, %2.</source>
         <comment>21 to 531, active</comment>
-        <translation>Der Geber hat %1, %2.</translation>
+        <translation>Im Geber steht %1, %2.</translation>
     </message>
     <message>
         <source>Cam %1</source>
@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>%1 to %2, through zero</source>
-        <translation>%1 bis %2, durch null</translation>
+        <translation>%1 bis %2, über null</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>It is on outside of these positions.</source>
-        <translation>Er ist außerhalb dieser Positionen an.</translation>
+        <translation>Außerhalb dieser Positionen ist er ein.</translation>
     </message>
 </context>
 <context>
@@ -268,15 +268,15 @@
     </message>
     <message>
         <source>%1 begins at the odd byte %2, within a word.</source>
-        <translation>%1 beginnt beim ungeraden Byte %2, mitten in einem Wort.</translation>
+        <translation>%1 beginnt bei dem ungeraden Byte %2, mitten in einem Wort.</translation>
     </message>
     <message>
         <source>%1 is not above P127: with Step 5, the process image overwrites it.</source>
-        <translation>%1 liegt nicht über P127: bei Step 5 überschreibt es das Prozessabbild.</translation>
+        <translation>%1 liegt nicht über P127: Bei Step 5 überschreibt das Prozessabbild diesen Bereich.</translation>
     </message>
     <message>
         <source>Devices of this ID code stand on the local bus of a bus terminal.</source>
-        <translation>Geräte mit diesem ID-Code stehen am Lokalbus einer Busklemme.</translation>
+        <translation>Geräte mit diesem ID-Code gehören an den Lokalbus einer Busklemme.</translation>
     </message>
 </context>
 <context>
@@ -319,7 +319,7 @@
     </message>
     <message>
         <source>preset programmed, not activated</source>
-        <translation>Preset gesetzt, nicht aktiv</translation>
+        <translation>Preset programmiert, nicht aktiv</translation>
     </message>
     <message>
         <source>position, as K2</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>The encoder shows error %1: there is no position.</source>
-        <translation>Der Geber zeigt Fehler %1: keine Position.</translation>
+        <translation>Der Geber meldet Fehler %1: keine Position.</translation>
     </message>
     <message>
         <source>In parameterization: there is no position.</source>
@@ -505,7 +505,7 @@
     </message>
     <message>
         <source>resolution per revolution</source>
-        <translation>Auflösung pro Umdrehung</translation>
+        <translation>Auflösung je Umdrehung</translation>
     </message>
     <message>
         <source>total measuring range</source>
@@ -592,7 +592,7 @@
     </message>
     <message>
         <source>steps per revolution</source>
-        <translation>Schritte pro Umdrehung</translation>
+        <translation>Schritte je Umdrehung</translation>
     </message>
     <message>
         <source>preset</source>
@@ -773,7 +773,7 @@
     </message>
     <message>
         <source>The computer slept since.</source>
-        <translation>Der Rechner hat inzwischen geschlafen.</translation>
+        <translation>Der Rechner war inzwischen im Ruhezustand.</translation>
     </message>
     <message>
         <source>The device is not on the bus.</source>
@@ -858,7 +858,7 @@
     <name>JournalFiles</name>
     <message>
         <source>Messages are not kept, and EEPROM writes are counted for this connection only: Qt&apos;s driver for SQLite is missing on this computer. Install the package libqt6sql6-sqlite.</source>
-        <translation>Meldungen werden nicht aufbewahrt, und EEPROM-Schreibvorgänge werden nur für diese Verbindung gezählt: Auf diesem Rechner fehlt der Qt-Treiber für SQLite. Installieren Sie das Paket libqt6sql6-sqlite.</translation>
+        <translation>Meldungen werden nicht aufbewahrt, und EEPROM-Schreibvorgänge werden nur für diese Verbindung gezählt: Auf diesem Rechner fehlt der Qt-Treiber für SQLite. Das Paket libqt6sql6-sqlite installieren.</translation>
     </message>
 </context>
 <context>
@@ -877,11 +877,11 @@
     </message>
     <message>
         <source>told</source>
-        <translation>angegeben</translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>Nobody knows what the encoder has here.</source>
-        <translation>Niemand weiß, was der Geber hier hat.</translation>
+        <translation>Der Wert im Geber ist unbekannt.</translation>
     </message>
     <message>
         <source>The encoder told it when it was read.</source>
@@ -889,11 +889,11 @@
     </message>
     <message>
         <source>The encoder confirmed it in a handshake, and went into operation with it.</source>
-        <translation>Vom Geber im Handshake quittiert, und er ging damit in Betrieb.</translation>
+        <translation>Vom Geber im Handshake quittiert und mit Run übernommen.</translation>
     </message>
     <message>
         <source>The user or the plan of the bus said so; the encoder was not asked.</source>
-        <translation>Vom Benutzer oder vom Busplan angegeben; der Geber wurde nicht gefragt.</translation>
+        <translation>Von Hand eingetragen oder aus dem Busplan; der Geber wurde nicht gefragt.</translation>
     </message>
     <message>
         <source>The encoder is in operation.</source>
@@ -929,11 +929,11 @@
     </message>
     <message>
         <source>It has the values from before again: they were read back, and are equal.</source>
-        <translation>Er hat wieder die Werte von vorher: Sie wurden zurückgelesen und sind gleich.</translation>
+        <translation>Er hat wieder die vorigen Werte: Sie wurden zurückgelesen und stimmen überein.</translation>
     </message>
     <message>
         <source>It has confirmed the values from before and runs with them; it cannot be read.</source>
-        <translation>Er hat die Werte von vorher bestätigt und läuft damit; lesen lässt er sich nicht.</translation>
+        <translation>Er hat die vorigen Werte quittiert und läuft damit; auslesen lässt er sich nicht.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -960,7 +960,7 @@
     <name>Leds</name>
     <message>
         <source>on</source>
-        <translation>an</translation>
+        <translation>ein</translation>
     </message>
     <message>
         <source>blinking</source>
@@ -979,18 +979,18 @@
     </message>
     <message>
         <source>Connected again at %1 Bd these encoders will not answer: %2.</source>
-        <translation>Neu verbunden mit %1 Bd werden diese Geber nicht antworten: %2.</translation>
+        <translation>Nach dem Neuverbinden mit %1 Bd antworten diese Geber nicht: %2.</translation>
     </message>
     <message>
         <source>Give all encoders of the line the same baud rate.</source>
-        <translation>Allen Gebern der Leitung dieselbe Baudrate geben.</translation>
+        <translation>Alle Geber der Leitung auf dieselbe Baudrate einstellen.</translation>
     </message>
 </context>
 <context>
     <name>LineRecordFile</name>
     <message>
         <source>This is no session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>Das ist keine Sitzung einer seriellen Leitung: &quot;format&quot; ist nicht &quot;%1&quot;.</translation>
+        <translation>Das ist keine Aufzeichnung einer seriellen Leitung: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
@@ -998,11 +998,11 @@
     </message>
     <message>
         <source>A date and time is expected here, as in 2026-11-21T12:00:00.000+01:00.</source>
-        <translation>Hier wird Datum und Zeit erwartet, wie in 2026-11-21T12:00:00.000+01:00.</translation>
+        <translation>Hier werden Datum und Uhrzeit erwartet, etwa 2026-11-21T12:00:00.000+01:00.</translation>
     </message>
     <message>
         <source>Bytes are expected here, as in &quot;1B 30 35 50 0D 0A&quot;.</source>
-        <translation>Hier werden Bytes erwartet, wie in &quot;1B 30 35 50 0D 0A&quot;.</translation>
+        <translation>Hier werden Bytes erwartet, etwa &quot;1B 30 35 50 0D 0A&quot;.</translation>
     </message>
     <message>
         <source>A row has %1 bytes at most.</source>
@@ -1033,23 +1033,23 @@
     </message>
     <message>
         <source>no well-formed answer</source>
-        <translation>keine wohlgeformte Antwort</translation>
+        <translation>keine gültige Antwort</translation>
     </message>
     <message>
         <source>what was sent, echoed by the adapter: dropped</source>
-        <translation>das Gesendete, vom Adapter zurückgegeben: verworfen</translation>
+        <translation>vom Adapter zurückgegebenes Gesendetes: verworfen</translation>
     </message>
     <message>
         <source>no well-formed answer to &quot;%1&quot;: dropped</source>
-        <translation>keine wohlgeformte Antwort auf &quot;%1&quot;: verworfen</translation>
+        <translation>keine gültige Antwort auf „%1“: verworfen</translation>
     </message>
     <message>
         <source>nobody asked for it: dropped</source>
-        <translation>danach hat niemand gefragt: verworfen</translation>
+        <translation>ohne Anfrage eingegangen: verworfen</translation>
     </message>
     <message>
         <source>came after its time-out: dropped</source>
-        <translation>kam nach der Zeitüberschreitung: verworfen</translation>
+        <translation>nach der Zeitüberschreitung eingegangen: verworfen</translation>
     </message>
 </context>
 <context>
@@ -1168,7 +1168,7 @@
     </message>
     <message>
         <source>alarm stop (1303)</source>
-        <translation>ALARM STOP (1303)</translation>
+        <translation>ALARM-STOPP (1303)</translation>
     </message>
     <message>
         <source>downloading the configuration</source>
@@ -1347,11 +1347,11 @@
     </message>
     <message>
         <source>cams on: %1, position part %2</source>
-        <translation>Nocken ein: %1, Positionsteil %2</translation>
+        <translation>Nocken ein: %1, Positionsanteil %2</translation>
     </message>
     <message>
         <source>Processing, data %1</source>
-        <translation>In Bearbeitung, Daten %1</translation>
+        <translation>in Bearbeitung, Daten %1</translation>
     </message>
     <message>
         <source>%1 = %2 confirmed</source>
@@ -1506,7 +1506,7 @@
     </message>
     <message>
         <source>The bus is stopped.</source>
-        <translation>Der Bus ist gestoppt.</translation>
+        <translation>Der Bus ist angehalten.</translation>
     </message>
     <message>
         <source>ALARM STOP: all OUT words of the ring were set to 0.</source>
@@ -1526,7 +1526,7 @@
     </message>
     <message>
         <source>Written and activated: %3 (parameters: %1, EEPROM writes: %2).</source>
-        <translation>Geschrieben und aktiviert: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2).</translation>
+        <translation>Geschrieben und aktiv: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2).</translation>
     </message>
     <message>
         <source>Values read: %1.</source>
@@ -1574,7 +1574,7 @@
     </message>
     <message>
         <source>What was known of the encoder may not hold any more: read it again.</source>
-        <translation>Was vom Geber bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
+        <translation>Was vom Geber bekannt war, gilt vielleicht nicht mehr: Neu auslesen.</translation>
     </message>
     <message>
         <source>The encoder reports error %1, %3 (IN %2).</source>
@@ -1582,7 +1582,7 @@
     </message>
     <message>
         <source>IN has been 00000000 since run: position 0, or an encoder without power. Turn the shaft to be sure.</source>
-        <translation>IN ist seit Run 00000000: Position 0, oder ein Geber ohne Versorgung. Zur Sicherheit die Welle drehen.</translation>
+        <translation>IN ist seit Run 00000000: Position 0, oder der Geber hat keine Versorgung. Zur Sicherheit die Welle drehen.</translation>
     </message>
     <message>
         <source>The encoder was switched: %1.</source>
@@ -1602,7 +1602,7 @@
     </message>
     <message>
         <source>The reset to factory settings waits for run. Run carries it out; switching the encoder off drops it.</source>
-        <translation>Das Zurücksetzen auf Werkseinstellungen wartet auf Run. Run führt es aus; Ausschalten des Gebers verwirft es.</translation>
+        <translation>Das Zurücksetzen auf Werkseinstellungen wartet auf Run. Run führt es aus; beim Ausschalten des Gebers wird es verworfen.</translation>
     </message>
     <message>
         <source>This encoder is now taken for: %1. What was known of it is forgotten.</source>
@@ -1658,15 +1658,15 @@
     </message>
     <message>
         <source>The master keeps the configuration %1 now (%2 devices).</source>
-        <translation>Der Master hat jetzt die Konfiguration %1 (%2 Teilnehmer).</translation>
+        <translation>Im Master ist jetzt die Konfiguration %1 gespeichert (%2 Teilnehmer).</translation>
     </message>
     <message>
         <source>The master keeps the configuration %1 (%2 devices).</source>
-        <translation>Der Master hat die Konfiguration %1 (%2 Teilnehmer).</translation>
+        <translation>Im Master ist die Konfiguration %1 gespeichert (%2 Teilnehmer).</translation>
     </message>
     <message>
         <source>The master keeps no configuration.</source>
-        <translation>Der Master hat keine Konfiguration.</translation>
+        <translation>Im Master ist keine Konfiguration gespeichert.</translation>
     </message>
     <message>
         <source>The ring is as the project says: %1 devices.</source>
@@ -1690,11 +1690,11 @@
     </message>
     <message>
         <source>Stored in the project: %2 values of %1 encoders.</source>
-        <translation>Im Projekt abgelegt: %2 Werte von %1 Gebern.</translation>
+        <translation>Im Projekt abgelegt (Geber: %1, Werte: %2).</translation>
     </message>
     <message>
         <source>Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.</source>
-        <translation>An %1 Geber übertragen: %2 Werte geschrieben, %3 schon vorhanden, %4 EEPROM-Schreibvorgänge.</translation>
+        <translation>Übertragen (Geber: %1, Werte geschrieben: %2, schon vorhanden: %3, EEPROM-Schreibvorgänge: %4).</translation>
     </message>
     <message>
         <source>The encoder was replaced (serial number before: %1, now: %2).</source>
@@ -1714,11 +1714,11 @@
     </message>
     <message>
         <source>%1 cannot be used: %2 What belongs there is kept only until the program ends.</source>
-        <translation>%1 ist nicht verwendbar: %2 Was dorthin gehört, bleibt nur bis zum Programmende erhalten.</translation>
+        <translation>%1 ist nicht verwendbar: %2 Was dort stehen soll, bleibt nur bis zum Programmende erhalten.</translation>
     </message>
     <message>
         <source>%1 was damaged. It was put aside as %2, and a new one was begun.</source>
-        <translation>%1 war beschädigt. Die Datei wurde als %2 beiseitegelegt und eine neue begonnen.</translation>
+        <translation>%1 war beschädigt. Die Datei wurde in %2 umbenannt und eine neue begonnen.</translation>
     </message>
     <message>
         <source>The serial line %1 is open at %2 baud.</source>
@@ -1738,7 +1738,7 @@
     </message>
     <message>
         <source>The adapter at %1 does not take low latency: answers may come up to 16 ms later.</source>
-        <translation>Der Adapter an %1 nimmt die kurze Latenz nicht an: Antworten können bis zu 16 ms später kommen.</translation>
+        <translation>Der Adapter an %1 lässt sich nicht auf kurze Latenz einstellen: Antworten können bis zu 16 ms später kommen.</translation>
     </message>
     <message>
         <source>The encoder does not answer any more (%1 tries).</source>
@@ -1762,15 +1762,15 @@
     </message>
     <message>
         <source>Encoders found on the serial line: %1 (requests: %2).</source>
-        <translation>Geber auf der seriellen Leitung gefunden: %1 (Anfragen: %2).</translation>
+        <translation>Geber an der seriellen Leitung gefunden: %1 (Anfragen: %2).</translation>
     </message>
     <message>
         <source>The values from before were written again, and read back: %1 (EEPROM writes: %2).</source>
-        <translation>Die Werte von vorher wurden wieder geschrieben und zurückgelesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
+        <translation>Die vorigen Werte wurden wieder geschrieben und zurückgelesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
     </message>
     <message>
         <source>The values from before were written again, confirmed and activated, but cannot be read: %1 (EEPROM writes: %2).</source>
-        <translation>Die Werte von vorher wurden wieder geschrieben, bestätigt und übernommen, lassen sich aber nicht lesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
+        <translation>Die vorigen Werte wurden wieder geschrieben, quittiert und aktiviert, lassen sich aber nicht auslesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
     </message>
     <message>
         <source>CRC errors in segment %1: %2 since the last message, %3 since the start.</source>
@@ -1778,7 +1778,7 @@
     </message>
     <message>
         <source>The ring differs from the project (lines: %1). Compare them.</source>
-        <translation>Der Ring weicht vom Projekt ab (Zeilen: %1). Bitte vergleichen.</translation>
+        <translation>Der Ring weicht vom Projekt ab (Zeilen: %1). Beide vergleichen.</translation>
     </message>
     <message>
         <source>This program has written %1 times to the EEPROM; its manual speaks of about %2. Each further write is asked for.</source>
@@ -1790,7 +1790,7 @@
     </message>
     <message>
         <source>Segment %1 is switched off, and the place of the bus fault with it: %2. The fault may still be there. Start the bus again.</source>
-        <translation>Segment %1 ist abgeschaltet, und mit ihm die Stelle des Busfehlers: %2. Der Fehler kann noch bestehen. Den Bus neu starten.</translation>
+        <translation>Segment %1 ist abgeschaltet, und mit ihm die Stelle des Busfehlers: %2. Der Fehler kann noch bestehen. Den Bus wieder starten.</translation>
     </message>
     <message>
         <source>No device answered when the ring was read in. Check the cable to the first device, and its supply.</source>
@@ -1798,7 +1798,7 @@
     </message>
     <message>
         <source>The computer slept for %1 s: the bus is in Watch, and what was shown before is old.</source>
-        <translation>Der Rechner hat %1 s geschlafen: Der Bus steht auf Beobachten, und was davor gezeigt wurde, ist alt.</translation>
+        <translation>Der Rechner war %1 s im Ruhezustand: Der Bus steht auf Beobachten, und was davor gezeigt wurde, ist alt.</translation>
     </message>
     <message>
         <source>EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered when the program can open it again.</source>
@@ -1856,7 +1856,7 @@
     </message>
     <message>
         <source>There already: %1.</source>
-        <translation>Schon da: %1.</translation>
+        <translation>Schon vorhanden: %1.</translation>
     </message>
     <message>
         <source>Values read: %1.</source>
@@ -1915,11 +1915,11 @@
     </message>
     <message>
         <source>Zero offset</source>
-        <translation>Nullpunkt-Verschiebung</translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation>Nullpunkt-Verschiebung</translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -2194,7 +2194,7 @@
     </message>
     <message>
         <source>Stands on the label of the encoder; it is told, never written.</source>
-        <translation>Steht auf dem Typenschild des Gebers; wird angegeben, nie geschrieben.</translation>
+        <translation>Steht auf dem Typenschild des Gebers; wird von dort eingetragen, nie geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2223,7 +2223,7 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation>%1 kann nicht &quot;%2&quot; sein. Erlaubt sind: %3.</translation>
+        <translation>%1 kann nicht „%2“ sein. Erlaubt: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
@@ -2239,7 +2239,7 @@
     </message>
     <message>
         <source>There is no device at %1. There are devices at: %2.</source>
-        <translation>Auf %1 gibt es kein Gerät. Geräte gibt es auf: %2.</translation>
+        <translation>An Platz %1 gibt es kein Gerät. Geräte gibt es an: %2.</translation>
     </message>
     <message>
         <source>The total range would be %1 steps; the largest is %2. Choose fewer steps or more revolutions.</source>
@@ -2247,7 +2247,7 @@
     </message>
     <message>
         <source>%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder has. Choose fewer steps or more revolutions.</source>
-        <translation>%1 Schritte bei Umdrehungen %2 sind feiner als die %3 Schritte je Umdrehung, die der Geber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
+        <translation>%1 Schritte bei %2 Umdrehungen sind feiner als die %3 Schritte je Umdrehung, die der Geber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
     </message>
     <message>
         <source>%1 = %2 is outside the total range. Give a value of at most %3.</source>
@@ -2255,19 +2255,19 @@
     </message>
     <message>
         <source>The %2 does not have the parameter &quot;%1&quot;. Leave it out, or check which encoder it is.</source>
-        <translation>Der Geber %2 hat den Parameter &quot;%1&quot; nicht. Weglassen, oder prüfen, welcher Geber es ist.</translation>
+        <translation>Der Geber %2 hat den Parameter „%1“ nicht. Weglassen oder prüfen, welcher Geber es ist.</translation>
     </message>
     <message>
         <source>The %1 has no read-out: its values cannot be read.</source>
-        <translation>Der Geber %1 kennt kein Auslesen: Seine Werte sind nicht lesbar.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen: Seine Werte lassen sich nicht lesen.</translation>
     </message>
     <message>
         <source>The %1 cannot be parameterized over the bus.</source>
-        <translation>Der Geber %1 ist über den Bus nicht parametrierbar.</translation>
+        <translation>Der Geber %1 lässt sich nicht über den Bus parametrieren.</translation>
     </message>
     <message>
         <source>The position of the %1 cannot be set over the bus.</source>
-        <translation>Die Position des Gebers %1 ist über den Bus nicht setzbar.</translation>
+        <translation>Die Position des Gebers %1 lässt sich nicht über den Bus setzen.</translation>
     </message>
     <message>
         <source>Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 %2. Make sure that the encoder is in position mode, and confirm it.</source>
@@ -2275,7 +2275,7 @@
     </message>
     <message>
         <source>A job is running at %1. Wait for its end, or cancel it.</source>
-        <translation>Auf %1 läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
+        <translation>An %1 läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>A job is running at this encoder. Wait for its end, or cancel it.</source>
@@ -2299,11 +2299,11 @@
     </message>
     <message>
         <source>Nothing was sent to %1: the bus is stopped. Start it first.</source>
-        <translation>Nichts an %1 gesendet: Der Bus ist gestoppt. Erst starten.</translation>
+        <translation>Nichts an %1 gesendet: Der Bus ist angehalten. Erst starten.</translation>
     </message>
     <message>
         <source>Nothing was sent: the bus is stopped. Start it first.</source>
-        <translation>Nichts gesendet: Der Bus ist gestoppt. Erst starten.</translation>
+        <translation>Nichts gesendet: Der Bus ist angehalten. Erst starten.</translation>
     </message>
     <message>
         <source>Nothing was sent: the encoder is in parameterization already (IN %1). End that first, with run.</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 again, or reset it to factory settings.</source>
-        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Parameter 1 bis 4 neu schreiben, oder auf Werkseinstellungen zurücksetzen.</translation>
+        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Parameter 1 bis 4 neu schreiben oder auf Werkseinstellungen zurücksetzen.</translation>
     </message>
     <message>
         <source>Error 13: the encoder could not store its parameters (IN %1). Write them again; if the error comes back, replace the encoder.</source>
@@ -2363,11 +2363,11 @@
     </message>
     <message>
         <source>%1 was written as %2 but read back as %3. Read the encoder before you rely on it, and write again.</source>
-        <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Geber auslesen, bevor man sich darauf verlässt, und neu schreiben.</translation>
+        <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Geber erst auslesen, dann neu schreiben.</translation>
     </message>
     <message>
         <source>The encoder shows a state that is in no manual (IN %1). Send run, or switch the encoder off and on.</source>
-        <translation>Der Geber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden, oder den Geber aus- und einschalten.</translation>
+        <translation>Der Geber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden oder den Geber aus- und einschalten.</translation>
     </message>
     <message>
         <source>The link failed: %1</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>The job ended because the bus was stopped. Start the bus, and check in which state the encoder is.</source>
-        <translation>Der Auftrag endete, weil der Bus gestoppt wurde. Den Bus starten und prüfen, in welchem Zustand der Geber ist.</translation>
+        <translation>Der Auftrag endete, weil der Bus angehalten wurde. Den Bus starten und prüfen, in welchem Zustand der Geber ist.</translation>
     </message>
     <message>
         <source>sets the start of cam %1 to %2</source>
@@ -2407,7 +2407,7 @@
     </message>
     <message>
         <source>The encoder left parameterization before run was sent or answered, as after a loss of power (IN %1). It may have kept its old values: check its supply and write again.</source>
-        <translation>Der Geber hat die Parametrierung verlassen, bevor Run gesendet oder beantwortet war, wie nach einem Spannungsausfall (IN %1). Er hat vielleicht noch die alten Werte: Versorgung prüfen und noch einmal schreiben.</translation>
+        <translation>Der Geber hat die Parametrierung verlassen, bevor Run gesendet oder beantwortet war, etwa nach einem Spannungsausfall (IN %1). Er hat vielleicht noch die alten Werte: Versorgung prüfen und noch einmal schreiben.</translation>
     </message>
     <message>
         <source>The %1 needs the position it is to be set to. Give a value.</source>
@@ -2435,19 +2435,19 @@
     </message>
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is not understood. There may stand: %3.</source>
-        <translation>&quot;%2&quot; in &quot;%1&quot; ist nicht bekannt. Dort kann stehen: %3.</translation>
+        <translation>„%2“ in „%1“ ist nicht bekannt. Möglich sind hier: %3.</translation>
     </message>
     <message>
         <source>The %1 has no cams.</source>
-        <translation>%1 hat keine Nocken.</translation>
+        <translation>Der Geber %1 hat keine Nocken.</translation>
     </message>
     <message>
         <source>The %1 has no velocity mode.</source>
-        <translation>%1 hat keinen Drehzahlbetrieb.</translation>
+        <translation>Der Geber %1 hat keinen Drehzahlbetrieb.</translation>
     </message>
     <message>
         <source>The %1 does not know the FRABA preset. Set the position with the preset of the profile.</source>
-        <translation>%1 kennt den FRABA-Preset nicht. Die Position mit dem Preset des Profils setzen.</translation>
+        <translation>Der Geber %1 kennt den FRABA-Preset nicht. Die Position mit dem Preset des Profils setzen.</translation>
     </message>
     <message>
         <source>Nothing was sent: this link cannot make sure that the word %1 stands on the bus for one cycle only. Set the position with the preset of the profile.</source>
@@ -2455,11 +2455,11 @@
     </message>
     <message>
         <source>The %1 cannot be reset to factory settings over the bus.</source>
-        <translation>%1 kann über den Bus nicht auf Werkseinstellungen zurückgesetzt werden.</translation>
+        <translation>Der Geber %1 lässt sich nicht über den Bus auf Werkseinstellungen zurücksetzen.</translation>
     </message>
     <message>
         <source>The %1 cannot do this.</source>
-        <translation>%1 kann das nicht.</translation>
+        <translation>Der Geber %1 kann das nicht.</translation>
     </message>
     <message>
         <source>Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). Give a position within the total range.</source>
@@ -2491,7 +2491,7 @@
     </message>
     <message>
         <source>%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder of the same device code.</source>
-        <translation>%1 hat den Gerätecode %2 und kann kein %3 sein: Der hat %4. Einen Geber mit demselben Gerätecode wählen.</translation>
+        <translation>%1 hat den Gerätecode %2 und kann kein %3 sein: Dieser hat %4. Einen Geber mit demselben Gerätecode wählen.</translation>
     </message>
     <message>
         <source>sets the shift to %1</source>
@@ -2503,15 +2503,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; ends too early. There may follow: %3.</source>
-        <translation>&quot;%1&quot; endet zu früh. Es kann folgen: %3.</translation>
+        <translation>„%1“ endet zu früh. Folgen kann: %3.</translation>
     </message>
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is too much: the key ends before it. Leave it out.</source>
-        <translation>&quot;%2&quot; in &quot;%1&quot; ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
+        <translation>„%2“ in „%1“ ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
     </message>
     <message>
         <source>%1 has no OUT word: nothing can be sent to it.</source>
-        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
+        <translation>%1 hat kein OUT-Wort: Es lässt sich nichts dorthin senden.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2</source>
@@ -2531,7 +2531,7 @@
     </message>
     <message>
         <source>%1 was saved by a newer Codewheel (version %2 of the file; this one reads up to %3). Open it with that one. Nothing was changed.</source>
-        <translation>%1 wurde von einem neueren Codewheel gespeichert (Dateiversion %2; dieses liest bis %3). Bitte mit jenem öffnen. Nichts wurde geändert.</translation>
+        <translation>%1 wurde von einem neueren Codewheel gespeichert (Dateiversion %2; dieses liest bis %3). Die Datei mit dem neueren öffnen. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>%1, line %2, %3: %4 The fault plan was not loaded.</source>
@@ -2547,7 +2547,7 @@
     </message>
     <message>
         <source>The project has no device at %1. It has: %2.</source>
-        <translation>Das Projekt hat keinen Teilnehmer %1. Es hat: %2.</translation>
+        <translation>Das Projekt hat keinen Teilnehmer %1. Vorhanden sind: %2.</translation>
     </message>
     <message>
         <source>The project has no devices. Insert one, or read in the ring.</source>
@@ -2555,7 +2555,7 @@
     </message>
     <message>
         <source>This link does not reach the master: %1 is not possible. It shows the process data only.</source>
-        <translation>Diese Verbindung erreicht den Master nicht: %1 ist nicht möglich. Sie zeigt nur die Prozessdaten.</translation>
+        <translation>Diese Verbindung erreicht den Master nicht: „%1“ ist nicht möglich. Sie zeigt nur die Prozessdaten.</translation>
     </message>
     <message>
         <source>%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.</source>
@@ -2563,23 +2563,23 @@
     </message>
     <message>
         <source>%1 is not possible while the master is in the state %2.</source>
-        <translation>%1 ist nicht möglich, solange der Master im Zustand %2 ist.</translation>
+        <translation>„%1“ ist nicht möglich, solange der Master im Zustand %2 ist.</translation>
     </message>
     <message>
         <source>The master keeps no configuration. Read in the ring, or download one.</source>
-        <translation>Der Master hat keine Konfiguration. Den Ring einlesen oder eine Konfiguration laden.</translation>
+        <translation>Im Master ist keine Konfiguration gespeichert. Den Ring einlesen oder eine Konfiguration laden.</translation>
     </message>
     <message>
         <source>%1: this program has written %2 times to its EEPROM; its manual speaks of about %3. Say that you want to write.</source>
-        <translation>%1: Dieses Programm hat %2-mal in sein EEPROM geschrieben; das Handbuch spricht von etwa %3. Bitte sagen, dass geschrieben werden soll.</translation>
+        <translation>%1: Dieses Programm hat %2-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %3. Das Schreiben ausdrücklich bestätigen.</translation>
     </message>
     <message>
         <source>%1: this program has written %2 times to its EEPROM; beyond %3 its manual guarantees nothing. Type the place to write nevertheless.</source>
-        <translation>%1: Dieses Programm hat %2-mal in sein EEPROM geschrieben; über %3 hinaus sichert das Handbuch nichts zu. Um trotzdem zu schreiben, den Platz eintippen.</translation>
+        <translation>%1: Dieses Programm hat %2-mal in das EEPROM geschrieben; über %3 hinaus sichert das Handbuch nichts zu. Um trotzdem zu schreiben, den Platz eintippen.</translation>
     </message>
     <message>
         <source>There is nothing to restore at %1: no values from before a write are kept.</source>
-        <translation>Bei %1 gibt es nichts wiederherzustellen: Es sind keine Werte von vor einem Schreiben bekannt.</translation>
+        <translation>Bei %1 gibt es nichts wiederherzustellen: Von vor einem Schreiben sind keine Werte aufbewahrt.</translation>
     </message>
     <message>
         <source>%1: configured is %2, found was %3. Compare, and take over what is right.</source>
@@ -2599,7 +2599,7 @@
     </message>
     <message>
         <source>The serial line cannot be set to &quot;%1&quot;. Allowed are: %2.</source>
-        <translation>Die serielle Leitung lässt sich nicht auf &quot;%1&quot; einstellen. Erlaubt sind: %2.</translation>
+        <translation>Die serielle Leitung lässt sich nicht auf „%1“ einstellen. Erlaubt: %2.</translation>
     </message>
     <message>
         <source>Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.</source>
@@ -2611,7 +2611,7 @@
     </message>
     <message>
         <source>The encoder refused %1 as incomplete or out of range (answer 05). It kept the old value: give another one.</source>
-        <translation>Der Geber hat %1 als unvollständig oder außerhalb des Bereichs abgelehnt (Antwort 05). Er hat den alten Wert behalten: einen anderen angeben.</translation>
+        <translation>Der Geber hat %1 als unvollständig oder außerhalb des Bereichs abgelehnt (Antwort 05). Er hat den alten Wert behalten: Einen anderen angeben.</translation>
     </message>
     <message>
         <source>%1 was read as %2 and then as %3, so neither is taken. Check the line for disturbances, then read again.</source>
@@ -2619,11 +2619,11 @@
     </message>
     <message>
         <source>%1 was sent and not answered, and the encoder still has the old value. Check the line, then write again.</source>
-        <translation>%1 wurde gesendet und nicht beantwortet, und der Geber hat noch den alten Wert. Leitung prüfen, dann noch einmal schreiben.</translation>
+        <translation>%1 wurde gesendet, aber nicht beantwortet; der Geber hat noch den alten Wert. Leitung prüfen, dann noch einmal schreiben.</translation>
     </message>
     <message>
         <source>The encoder does not answer any more at %1. Search the line for it at all baud rates.</source>
-        <translation>Der Geber antwortet nicht mehr auf %1. Die Leitung mit allen Baudraten nach ihm absuchen.</translation>
+        <translation>Der Geber antwortet auf %1 nicht mehr. Die Leitung mit allen Baudraten nach ihm absuchen.</translation>
     </message>
     <message>
         <source>There is no serial port %1. Plug the adapter in, and choose a port from the list.</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>You may not use the serial port %1: it belongs to the group %2. Run &quot;%3&quot;, log out and in again.</source>
-        <translation>Der serielle Anschluss %1 darf nicht benutzt werden: Er gehört der Gruppe %2. &quot;%3&quot; ausführen, dann ab- und wieder anmelden.</translation>
+        <translation>Der serielle Anschluss %1 darf nicht benutzt werden: Er gehört der Gruppe %2. „%3“ ausführen, dann ab- und wieder anmelden.</translation>
     </message>
     <message>
         <source>The serial port %1 is gone: the adapter was unplugged or has lost its supply. Plug it in again.</source>
@@ -2651,7 +2651,7 @@
     </message>
     <message>
         <source>The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that was begun before. Run was not sent, since it makes valid what was confirmed there. End that parameterization first, then try again.</source>
-        <translation>Der Geber hat kein Nockenwort angenommen (OUT %1, IN %2): Er war in einer früher begonnenen Parametrierung. Run wurde nicht gesendet, denn es macht gültig, was dort bestätigt wurde. Erst diese Parametrierung beenden, dann noch einmal versuchen.</translation>
+        <translation>Der Geber hat kein Nockenwort angenommen (OUT %1, IN %2): Er war in einer früher begonnenen Parametrierung. Run wurde nicht gesendet, denn es macht gültig, was dort quittiert wurde. Erst diese Parametrierung beenden, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>is a wrong command</source>
@@ -2659,15 +2659,15 @@
     </message>
     <message>
         <source>The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in more than one. Leave the number of fraction bits as it is, or write the scaling anew.</source>
-        <translation>Der Skalierungsfaktor %1 passt zu %2 Schritten je Umdrehung und einem Messbereich von %3 in keinem Format oder in mehreren. Die Anzahl der Nachkommabits lassen, wie sie ist, oder die Skalierung neu schreiben.</translation>
+        <translation>Der Skalierungsfaktor %1 passt zu %2 Schritten je Umdrehung und einem Messbereich von %3 in keinem oder in mehreren Formaten. Die Anzahl der Nachkommabits unverändert lassen oder die Skalierung neu schreiben.</translation>
     </message>
     <message>
         <source>The job ended after %1 was sent and before it was answered: it is not known whether the encoder has the new value. Read it before you go on.</source>
-        <translation>Der Auftrag endete, nachdem %1 gesendet und bevor es beantwortet war: Es ist nicht bekannt, ob der Geber den neuen Wert hat. Vor dem Weitermachen auslesen.</translation>
+        <translation>Der Auftrag endete, nachdem %1 gesendet war und bevor die Antwort kam: Ob der Geber den neuen Wert hat, ist nicht bekannt. Vor dem Weitermachen auslesen.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2 Nothing was changed there.</source>
-        <translation>%1 lässt sich nicht schreiben: %2 Dort wurde nichts verändert.</translation>
+        <translation>%1 lässt sich nicht schreiben: %2 Dort wurde nichts geändert.</translation>
     </message>
     <message>
         <source>The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old value: compare the cam program with the encoder, and check which encoder it is.</source>
@@ -2675,11 +2675,11 @@
     </message>
     <message>
         <source>Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: switch it to position mode, write parameters 1 to 4 there or reset it to factory settings, and compare the cam programs.</source>
-        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Im Nockenbetrieb nimmt er keine: In den Positionsbetrieb schalten, dort Parameter 1 bis 4 schreiben oder auf Werkseinstellungen zurücksetzen, und die Nockenprogramme vergleichen.</translation>
+        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Im Nockenbetrieb nimmt er keine an: In den Positionsbetrieb schalten, dort Parameter 1 bis 4 schreiben oder auf Werkseinstellungen zurücksetzen, danach die Nockenprogramme vergleichen.</translation>
     </message>
     <message>
         <source>%1 was sent and not answered, and it could not be found out afterwards whether it was carried out: it is not known whether the encoder has the new value. Check the line, and read the encoder before you go on.</source>
-        <translation>%1 wurde gesendet und nicht beantwortet, und danach ließ sich nicht feststellen, ob es ausgeführt wurde: Ob der Geber den neuen Wert hat, ist nicht bekannt. Die Leitung prüfen und den Geber lesen, bevor es weitergeht.</translation>
+        <translation>%1 wurde gesendet, aber nicht beantwortet, und danach ließ sich nicht feststellen, ob es ausgeführt wurde: Ob der Geber den neuen Wert hat, ist nicht bekannt. Die Leitung prüfen und den Geber auslesen, bevor es weitergeht.</translation>
     </message>
     <message>
         <source>Error 98000004: a start or stop of a cam is above the largest position (IN %1). Compare the cam programs with the total range.</source>
@@ -2695,23 +2695,23 @@
     </message>
     <message>
         <source>The job ended because the computer slept. Check in which state the encoder is, and change to Operate before you write again.</source>
-        <translation>Der Auftrag endete, weil der Rechner geschlafen hat. Prüfen Sie, in welchem Zustand der Geber ist, und schalten Sie auf Bedienen, bevor Sie wieder schreiben.</translation>
+        <translation>Der Auftrag endete, weil der Rechner in den Ruhezustand ging. Prüfen, in welchem Zustand der Geber ist, und vor dem nächsten Schreiben auf Bedienen schalten.</translation>
     </message>
     <message>
         <source>%1 was accepted, but neither the preset value nor the position shows that the position was set to %2: it is not known whether it was. Check the line, and read position and preset before you go on.</source>
-        <translation>%1 wurde angenommen, aber weder der Presetwert noch die Position zeigt, dass die Position auf %2 gesetzt wurde: Ob sie es wurde, ist nicht bekannt. Die Leitung prüfen und Position und Preset lesen, bevor es weitergeht.</translation>
+        <translation>%1 wurde angenommen, aber weder Presetwert noch Position zeigen, dass die Position auf %2 gesetzt wurde: Ob sie es wurde, ist nicht bekannt. Die Leitung prüfen und Position und Preset lesen, bevor es weitergeht.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.</source>
-        <translation>&quot;%1&quot; ist keine Adresse eines Gebers auf einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31); 00 ist für einen Geber, der allein an seiner Leitung ist.</translation>
+        <translation>„%1“ ist keine Adresse eines Gebers an einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31); 00 ist für einen Geber, der allein an seiner Leitung ist.</translation>
     </message>
     <message>
         <source>Every encoder answers to address %1: it is for an encoder that is alone on its line, and there is %2 too. Use the address of the encoder itself.</source>
-        <translation>Auf die Adresse %1 antwortet jeder Geber: Sie ist für einen Geber, der allein an seiner Leitung ist, und da ist auch %2. Die eigene Adresse des Gebers verwenden.</translation>
+        <translation>Auf die Adresse %1 antwortet jeder Geber: Sie ist für einen Geber, der allein an seiner Leitung ist, und hier ist auch %2. Die eigene Adresse des Gebers verwenden.</translation>
     </message>
     <message>
         <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Read it again.</source>
-        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb, wie sie ist; nichts wurde gespeichert. Lesen Sie sie neu.</translation>
+        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb unverändert; nichts wurde gespeichert. Die Datei neu lesen.</translation>
     </message>
     <message>
         <source>%1 does not answer. Check address, baud rate, wiring and supply.</source>
@@ -2727,7 +2727,7 @@
     </message>
     <message>
         <source>%1: the label in the project has the serial number %2, the encoder tells %3. Replace the encoder in the project, or correct the label.</source>
-        <translation>%1: Das Typenschild im Projekt hat die Seriennummer %2, der Geber meldet %3. Den Geber im Projekt ersetzen oder das Typenschild berichtigen.</translation>
+        <translation>%1: Auf dem Typenschild im Projekt steht die Seriennummer %2, der Geber meldet %3. Den Geber im Projekt ersetzen oder das Typenschild berichtigen.</translation>
     </message>
     <message>
         <source>The %2 belongs to another kind of bus: it cannot be the device at %1.</source>
@@ -2735,11 +2735,11 @@
     </message>
     <message>
         <source>Cam %1 cannot go through zero: the positions of this encoder do not lie in a circle. Give a stop that is not below the start.</source>
-        <translation>Nocken %1 kann nicht durch Null gehen: Die Positionen dieses Gebers liegen nicht im Kreis. Geben Sie ein Ende an, das nicht unter dem Anfang liegt.</translation>
+        <translation>Nocken %1 kann nicht über null gehen: Die Positionen dieses Gebers liegen nicht im Kreis. Ein Ende angeben, das nicht unter dem Anfang liegt.</translation>
     </message>
     <message>
         <source>Cam %1 has a hysteresis or a polarity that this encoder does not know. Set them to 0 and off.</source>
-        <translation>Nocken %1 hat eine Hysterese oder eine Polarität, die dieser Geber nicht kennt. Setzen Sie sie auf 0 und aus.</translation>
+        <translation>Nocken %1 hat eine Hysterese oder eine Polarität, die dieser Geber nicht kennt. Hysterese auf 0 und Polarität auf aus setzen.</translation>
     </message>
     <message>
         <source>There is no cam program %1. Choose a program from 1 to %2.</source>
@@ -2816,11 +2816,11 @@
     </message>
     <message>
         <source>%1 is on a local bus, which needs a bus terminal.</source>
-        <translation>%1 ist an einem Lokalbus; der braucht eine Busklemme.</translation>
+        <translation>%1 ist an einem Lokalbus; dieser braucht eine Busklemme.</translation>
     </message>
     <message>
         <source>%1 is in a branch, which needs a bus terminal.</source>
-        <translation>%1 ist in einem Abzweig; der braucht eine Busklemme.</translation>
+        <translation>%1 ist in einem Abzweig; dieser braucht eine Busklemme.</translation>
     </message>
     <message>
         <source>%1 is a bus terminal; it belongs on the remote bus.</source>
@@ -2844,7 +2844,7 @@
     </message>
     <message>
         <source>direction not known</source>
-        <translation>Richtung unbekannt</translation>
+        <translation>Zählrichtung unbekannt</translation>
     </message>
 </context>
 <context>
@@ -2881,15 +2881,15 @@
     <name>Sequence</name>
     <message>
         <source>Nothing was pasted: line %1, &quot;%2&quot;, is no hexadecimal word. Each line takes up to 8 digits of 0 to 9 and A to F.</source>
-        <translation>Nichts eingefügt: Zeile %1, &quot;%2&quot;, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
+        <translation>Nichts eingefügt: Zeile %1, „%2“, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
     </message>
     <message>
         <source>There is no word to paste. Copy a column of hexadecimal words first.</source>
-        <translation>Es gibt kein Wort zum Einfügen. Erst eine Spalte hexadezimaler Worte kopieren.</translation>
+        <translation>Es gibt kein Wort zum Einfügen. Erst eine Spalte mit hexadezimalen Worten kopieren.</translation>
     </message>
     <message>
         <source>Nothing was pasted: a sequence has at most %1 words.</source>
-        <translation>Nichts eingefügt: Eine Folge hat höchstens %1 Worte.</translation>
+        <translation>Nichts eingefügt: Eine Sequenz hat höchstens %1 Worte.</translation>
     </message>
 </context>
 <context>
@@ -2900,11 +2900,11 @@
     </message>
     <message>
         <source>This is no sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>Das ist keine Folge von Worten: &quot;format&quot; ist nicht &quot;%1&quot;.</translation>
+        <translation>Das ist keine Sequenz von Worten: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
-        <translation>Nur Version %1 des Formats ist lesbar.</translation>
+        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
     </message>
     <message>
         <source>Line %1, %2: %3</source>
@@ -3015,7 +3015,7 @@
     </message>
     <message>
         <source>garbage</source>
-        <translation>Störung</translation>
+        <translation>Störzeichen</translation>
     </message>
     <message>
         <source>late</source>
@@ -3030,7 +3030,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no address. A request begins with two hexadecimal digits: 01 to 1F, or 00 for whichever encoder is alone on the line.</source>
-        <translation>&quot;%1&quot; ist keine Adresse. Eine Anfrage beginnt mit zwei Hexziffern: 01 bis 1F, oder 00 für den Geber, der allein an der Leitung ist.</translation>
+        <translation>„%1“ ist keine Adresse. Eine Anfrage beginnt mit zwei Hexziffern: 01 bis 1F, oder 00 für den Geber, der allein an der Leitung ist.</translation>
     </message>
     <message>
         <source>The command is missing behind the address %1, as in %1P.</source>
@@ -3038,11 +3038,11 @@
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. The commands are %2.</source>
-        <translation>Es gibt keinen Befehl &quot;%1&quot;. Die Befehle sind %2.</translation>
+        <translation>Es gibt keinen Befehl „%1“. Die Befehle sind %2.</translation>
     </message>
     <message>
         <source>%1 reads (%2) and takes no data: &quot;%3&quot; is too much.</source>
-        <translation>%1 liest (%2) und nimmt keine Daten: &quot;%3&quot; ist zu viel.</translation>
+        <translation>%1 liest (%2) und nimmt keine Daten an: „%3“ ist zu viel.</translation>
     </message>
     <message>
         <source>%1 writes (%2) and needs a value behind it, in hexadecimal digits.</source>
@@ -3050,15 +3050,15 @@
     </message>
     <message>
         <source>%1 takes %2 hexadecimal digits at most; these are %3.</source>
-        <translation>%1 nimmt höchstens %2 Hexziffern; das sind %3.</translation>
+        <translation>%1 nimmt höchstens %2 Hexziffern an; hier sind es %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no hexadecimal number.</source>
-        <translation>&quot;%1&quot; ist keine Hexzahl.</translation>
+        <translation>„%1“ ist keine Hexzahl.</translation>
     </message>
     <message>
         <source>%1 is outside of what %2 takes: %3 to %4. All numbers are hexadecimal.</source>
-        <translation>%1 liegt außerhalb dessen, was %2 nimmt: %3 bis %4. Alle Zahlen sind hexadezimal.</translation>
+        <translation>%1 liegt außerhalb des Bereichs von %2: %3 bis %4. Alle Zahlen sind hexadezimal.</translation>
     </message>
 </context>
 <context>
@@ -3088,11 +3088,11 @@
     <name>ValueNotes</name>
     <message>
         <source>With the steps, the encoder sets its revolutions to %1. If they shall be others, write them along with the steps.</source>
-        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1. Wenn es andere sein sollen, zusammen mit den Schritten schreiben.</translation>
+        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1. Sollen es andere sein, diese zusammen mit den Schritten schreiben.</translation>
     </message>
     <message>
         <source>With the steps, the encoder sets its revolutions to %1: now they are %2. If they shall stay, write them along with the steps.</source>
-        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1: Jetzt sind es %2. Wenn es dabei bleiben soll, zusammen mit den Schritten schreiben.</translation>
+        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1: Jetzt sind es %2. Sollen sie so bleiben, zusammen mit den Schritten schreiben.</translation>
     </message>
     <message>
         <source>%1 steps in %2 revolutions give no whole number of steps over %3 turns: the position jumps by %5 steps after turn %4.</source>
@@ -3116,7 +3116,7 @@
     </message>
     <message>
         <source>With another scaling the position tells another place: set it to the preset again afterwards.</source>
-        <translation>Mit einer anderen Skalierung bedeutet die Position einen anderen Ort: Danach wieder auf den Preset setzen.</translation>
+        <translation>Mit einer anderen Skalierung steht derselbe Zahlenwert für einen anderen Ort: Die Position danach wieder auf den Preset setzen.</translation>
     </message>
 </context>
 <context>
@@ -3127,7 +3127,7 @@
     </message>
     <message>
         <source>not finished</source>
-        <translation>nicht beendet</translation>
+        <translation>nicht abgeschlossen</translation>
     </message>
     <message>
         <source>done</source>
@@ -3207,7 +3207,7 @@
     </message>
     <message>
         <source>Brought back</source>
-        <translation>Zurückgeholt</translation>
+        <translation>Zurückgestellt</translation>
     </message>
     <message>
         <source>Left in</source>
@@ -3239,11 +3239,11 @@
     </message>
     <message>
         <source>read back from the encoder, and equal</source>
-        <translation>aus dem Geber zurückgelesen, gleich</translation>
+        <translation>aus dem Geber zurückgelesen, stimmt überein</translation>
     </message>
     <message>
         <source>confirmed in the handshake, and run was answered by operation; this encoder cannot be read</source>
-        <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Geber ist nicht auslesbar</translation>
+        <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Geber lässt sich nicht auslesen</translation>
     </message>
     <message>
         <source>Position set to</source>
@@ -3270,18 +3270,18 @@
     <name>WordFormat</name>
     <message>
         <source>There is no word here. Type up to 8 hexadecimal digits, such as 020000FF.</source>
-        <translation>Hier steht kein Wort. Bis zu 8 hexadezimale Ziffern eingeben, etwa 020000FF.</translation>
+        <translation>Hier steht kein Wort. Bis zu 8 Hexziffern eingeben, etwa 020000FF.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
-        <translation>&quot;%1&quot; ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
+        <translation>„%1“ ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
     </message>
 </context>
 <context>
     <name>WriteConsequence</name>
     <message>
         <source>The position becomes this value at once.</source>
-        <translation>Die Position wird sofort zu diesem Wert.</translation>
+        <translation>Die Position nimmt sofort diesen Wert an.</translation>
     </message>
     <message>
         <source>The position may count the other way and jump.</source>
@@ -3297,7 +3297,7 @@
     </message>
     <message>
         <source>The encoder answers at the new address from then on.</source>
-        <translation>Der Geber antwortet ab dann auf der neuen Adresse.</translation>
+        <translation>Der Geber antwortet ab dann unter der neuen Adresse.</translation>
     </message>
     <message>
         <source>The encoder answers at the new baud rate from then on.</source>
@@ -3313,18 +3313,18 @@
     </message>
     <message>
         <source>The address 00 is that of every encoder: all on the line take it.</source>
-        <translation>Die Adresse 00 gilt für jeden Geber: Alle an der Leitung nehmen es an.</translation>
+        <translation>Die Adresse 00 gilt für jeden Geber: Alle an der Leitung übernehmen den Wert.</translation>
     </message>
 </context>
 <context>
     <name>codewheel</name>
     <message>
         <source>Sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
-        <translation>Richtet absolute Geber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet ihre Fehler.</translation>
+        <translation>Richtet Absolutgeber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
     </message>
     <message>
         <source>A project to open: *.codewheel</source>
-        <translation>Ein Projekt, das geöffnet wird: *.codewheel</translation>
+        <translation>Projekt, das geöffnet wird: *.codewheel</translation>
     </message>
     <message>
         <source>Standard output cannot be written: %1.</source>
@@ -3359,7 +3359,7 @@
     </message>
     <message>
         <source>Save what was written where</source>
-        <translation>Sichern, was wohin geschrieben wurde</translation>
+        <translation>Speichern, was wohin geschrieben wurde</translation>
     </message>
     <message>
         <source>Text (*.txt);;Web page (*.html)</source>
@@ -3432,7 +3432,7 @@
     </message>
     <message>
         <source>Plan another bus</source>
-        <translation>Einen weiteren Bus planen</translation>
+        <translation>Weiteren Bus planen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3448,7 +3448,7 @@
     </message>
     <message>
         <source>Give the bus another name</source>
-        <translation>Dem Bus einen anderen Namen geben</translation>
+        <translation>Den Bus umbenennen</translation>
     </message>
     <message>
         <source>Kinds of buses</source>
@@ -3461,15 +3461,15 @@
     <message numerus="yes">
         <source>All that is planned and known of the %n devices of &quot;%1&quot; leaves the project with it. What is connected is not touched.</source>
         <translation>
-            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinem %n Teilnehmer geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
-            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinen %n Teilnehmern geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
+            <numerusform>Mit „%1“ wird alles aus dem Projekt entfernt, was von seinem %n Teilnehmer geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
+            <numerusform>Mit „%1“ wird alles aus dem Projekt entfernt, was von seinen %n Teilnehmern geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>&amp;Remove &quot;%1&quot; and its %n devices</source>
         <translation>
-            <numerusform>&quot;%1&quot; und seinen %n Teilnehmer ent&amp;fernen</numerusform>
-            <numerusform>&quot;%1&quot; und seine %n Teilnehmer ent&amp;fernen</numerusform>
+            <numerusform>„%1“ und seinen %n Teilnehmer ent&amp;fernen</numerusform>
+            <numerusform>„%1“ und seine %n Teilnehmer ent&amp;fernen</numerusform>
         </translation>
     </message>
     <message>
@@ -3481,15 +3481,15 @@
     <name>codewheel::BusModel</name>
     <message>
         <source>A bus has a name: type one. Esc gives the name before.</source>
-        <translation>Ein Bus hat einen Namen: einen eingeben. Esc gibt den vorigen Namen zurück.</translation>
+        <translation>Ein Bus braucht einen Namen: einen eingeben. Esc stellt den vorigen wieder her.</translation>
     </message>
     <message>
         <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
-        <translation>Der Name eines Busses enthält kein &quot;/&quot;: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
     </message>
     <message>
         <source>Another bus is called &quot;%1&quot;: each name stands once in a project.</source>
-        <translation>Ein anderer Bus heißt &quot;%1&quot;: Jeder Name steht einmal in einem Projekt.</translation>
+        <translation>Ein anderer Bus heißt schon „%1“: Jeder Name steht einmal in einem Projekt.</translation>
     </message>
     <message>
         <source>Rename %1</source>
@@ -3532,7 +3532,7 @@
     </message>
     <message>
         <source>jobs end</source>
-        <translation>Aufträge enden</translation>
+        <translation>Aufträge enden noch</translation>
     </message>
 </context>
 <context>
@@ -3609,11 +3609,11 @@
     </message>
     <message>
         <source>Program %1 runs in the encoder. &quot;Now&quot; is what it shows.</source>
-        <translation>Programm %1 läuft im Geber. &quot;Jetzt&quot; ist, was er zeigt.</translation>
+        <translation>Programm %1 läuft im Geber. „Jetzt“ ist, was er zeigt.</translation>
     </message>
     <message>
         <source>&quot;Now&quot; is what the cams of program %1 would be.</source>
-        <translation>&quot;Jetzt&quot; ist, wie die Nocken von Programm %1 stünden.</translation>
+        <translation>„Jetzt“ ist, wie die Nocken von Programm %1 stünden.</translation>
     </message>
     <message>
         <source>What its cams would be is not known.</source>
@@ -3645,7 +3645,7 @@
     </message>
     <message>
         <source>No program has to be written: none is set that the encoder does not have.</source>
-        <translation>Kein Programm muss geschrieben werden: Keines ist gesetzt, das der Geber nicht hat.</translation>
+        <translation>Es muss kein Programm geschrieben werden: Alle hier gesetzten stehen schon im Geber.</translation>
     </message>
     <message>
         <source>Program %1: %2</source>
@@ -3653,15 +3653,15 @@
     </message>
     <message>
         <source>Read from the encoder</source>
-        <translation>Aus dem Geber gelesen</translation>
+        <translation>Aus dem Geber ausgelesen</translation>
     </message>
     <message>
         <source>The encoder has the same program %1.</source>
-        <translation>Der Geber hat dasselbe Programm %1.</translation>
+        <translation>Im Geber steht dasselbe Programm %1.</translation>
     </message>
     <message>
         <source>The lines in the ruler show what the encoder has. Nothing was changed.</source>
-        <translation>Die Linien im Lineal zeigen, was der Geber hat. Es wurde nichts geändert.</translation>
+        <translation>Die Linien im Lineal zeigen den Stand im Geber. Es wurde nichts geändert.</translation>
     </message>
     <message>
         <source>Open cam programs</source>
@@ -3677,7 +3677,7 @@
     </message>
     <message>
         <source>Save all cam programs</source>
-        <translation>Alle Nockenprogramme sichern</translation>
+        <translation>Alle Nockenprogramme speichern</translation>
     </message>
     <message>
         <source>cams.json</source>
@@ -3685,7 +3685,7 @@
     </message>
     <message>
         <source>Save cam program %1</source>
-        <translation>Nockenprogramm %1 sichern</translation>
+        <translation>Nockenprogramm %1 speichern</translation>
     </message>
     <message>
         <source>cams-%1.json</source>
@@ -3706,11 +3706,11 @@
     </message>
     <message>
         <source>Read this program from the encoder; the position is away meanwhile</source>
-        <translation>Dieses Programm aus dem Geber lesen; solange fehlt die Position</translation>
+        <translation>Dieses Programm aus dem Geber auslesen; solange fehlt die Position</translation>
     </message>
     <message>
         <source>Write...</source>
-        <translation>Schreiben ...</translation>
+        <translation>Schreiben...</translation>
     </message>
     <message>
         <source>Show what will be written before anything is sent</source>
@@ -3722,7 +3722,7 @@
     </message>
     <message>
         <source>Read this program and say what differs; nothing is changed</source>
-        <translation>Dieses Programm lesen und sagen, was abweicht; geändert wird nichts</translation>
+        <translation>Dieses Programm auslesen und Abweichungen anzeigen; geändert wird nichts</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3742,11 +3742,11 @@
     </message>
     <message>
         <source>Save</source>
-        <translation>Sichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>&amp;Run this program in the encoder</source>
-        <translation>Dieses Programm im Geber &amp;laufen lassen</translation>
+        <translation>Dieses Programm im Geber a&amp;usführen</translation>
     </message>
     <message>
         <source>Cam mode: IN shows the cams of this program</source>
@@ -3766,19 +3766,19 @@
     </message>
     <message>
         <source>Each program is left again: what was changed and not stored is stored then, up to 8 EEPROM writes</source>
-        <translation>Jedes Programm wird wieder verlassen: Was geändert und nicht gespeichert war, wird dabei gespeichert; bis zu 8 EEPROM-Schreibvorgänge</translation>
+        <translation>Jedes Programm wird wieder verlassen: Was geändert, aber nicht gespeichert war, wird dabei gespeichert; bis zu 8 EEPROM-Schreibvorgänge</translation>
     </message>
     <message>
         <source>&amp;Write all programs...</source>
-        <translation>Alle Programme &amp;schreiben ...</translation>
+        <translation>Alle Programme &amp;schreiben...</translation>
     </message>
     <message>
         <source>All that are set here and are not known to be in the encoder</source>
-        <translation>Alle, die hier gesetzt sind und nicht bekanntermaßen im Geber stehen</translation>
+        <translation>Alle, die hier gesetzt sind und von denen nicht bekannt ist, dass sie im Geber stehen</translation>
     </message>
     <message>
         <source>&amp;Open this program alone...</source>
-        <translation>Nur dieses Programm ö&amp;ffnen ...</translation>
+        <translation>Nur dieses Programm ö&amp;ffnen...</translation>
     </message>
     <message>
         <source>Take the program that is shown from a file</source>
@@ -3786,11 +3786,11 @@
     </message>
     <message>
         <source>&amp;Save this program alone...</source>
-        <translation>Nur dieses Programm si&amp;chern ...</translation>
+        <translation>Nur dieses Programm spei&amp;chern...</translation>
     </message>
     <message>
         <source>Keep the program that is shown in a file</source>
-        <translation>Das gezeigte Programm in einer Datei sichern</translation>
+        <translation>Das gezeigte Programm in einer Datei speichern</translation>
     </message>
     <message>
         <source>&amp;Clear this program</source>
@@ -3798,7 +3798,7 @@
     </message>
     <message>
         <source>All eight cams inactive, shift 0; can be undone</source>
-        <translation>Alle acht Nocken nicht aktiv, Verschiebung 0; kann rückgängig gemacht werden</translation>
+        <translation>Alle acht Nocken inaktiv, Verschiebung 0; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>&amp;More</source>
@@ -3822,7 +3822,7 @@
     </message>
     <message>
         <source>Not connected: what the encoder has and shows is not known. The cams are kept in the project.</source>
-        <translation>Nicht verbunden: Was der Geber hat und zeigt, ist nicht bekannt. Die Nocken bleiben im Projekt.</translation>
+        <translation>Nicht verbunden: Was der Geber hat und zeigt, ist unbekannt. Die Nocken bleiben im Projekt.</translation>
     </message>
     <message>
         <source>Not connected: nothing can be read or written.</source>
@@ -3839,7 +3839,7 @@
     </message>
     <message>
         <source>The encoder has all of it already. Nothing was written.</source>
-        <translation>Der Geber hat das alles schon. Es wurde nichts geschrieben.</translation>
+        <translation>Im Geber steht das alles schon. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>cam %1</source>
@@ -3856,14 +3856,14 @@
     <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
-        <translation>%1 wurde nicht gesichert: %2</translation>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
     <message>
         <source>This is no file of cam programs: the format is not &quot;%1&quot;.</source>
-        <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht &quot;%1&quot;.</translation>
+        <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
@@ -3871,7 +3871,7 @@
     </message>
     <message>
         <source>Cam program %1 stands above already.</source>
-        <translation>Nockenprogramm %1 steht weiter oben schon.</translation>
+        <translation>Nockenprogramm %1 steht schon weiter oben.</translation>
     </message>
     <message>
         <source>At least one cam program is expected here.</source>
@@ -3879,7 +3879,7 @@
     </message>
     <message>
         <source>Cam %1 stands above already.</source>
-        <translation>Nocken %1 steht weiter oben schon.</translation>
+        <translation>Nocken %1 steht schon weiter oben.</translation>
     </message>
     <message>
         <source>%1 holds cam programs for the device %2; this encoder is %3. Nothing was taken from the file.</source>
@@ -3929,15 +3929,15 @@
     </message>
     <message>
         <source>What the encoder has is not known.</source>
-        <translation>Was der Geber hat, ist unbekannt.</translation>
+        <translation>Der Stand im Geber ist unbekannt.</translation>
     </message>
     <message>
         <source>The encoder has another program.</source>
-        <translation>Der Geber hat ein anderes Programm.</translation>
+        <translation>Im Geber steht ein anderes Programm.</translation>
     </message>
     <message>
         <source>The encoder has the same.</source>
-        <translation>Der Geber hat dasselbe.</translation>
+        <translation>Im Geber steht dasselbe.</translation>
     </message>
     <message>
         <source>%1 of %2 cams are active.</source>
@@ -3979,15 +3979,15 @@
     </message>
     <message>
         <source>Total range - 1, from the encoder&apos;s papers; decimal, or hexadecimal as 0x.. or ..h</source>
-        <translation>Gesamtbereich - 1, aus den Papieren des Gebers; dezimal oder hexadezimal als 0x.. oder ..h</translation>
+        <translation>Gesamtbereich - 1, aus den Unterlagen des Gebers; dezimal oder hexadezimal als 0x.. oder ..h</translation>
     </message>
     <message>
         <source>Takes the largest position as said; nothing is sent</source>
-        <translation>Übernimmt die größte Position wie angegeben; gesendet wird nichts</translation>
+        <translation>Übernimmt die eingegebene größte Position; gesendet wird nichts</translation>
     </message>
     <message>
         <source>The positions go to %1, as you said; the encoder was not asked.</source>
-        <translation>Die Positionen gehen bis %1, wie angegeben; der Geber wurde nicht gefragt.</translation>
+        <translation>Die Positionen gehen bis %1, von Hand eingetragen; der Geber wurde nicht gefragt.</translation>
     </message>
     <message>
         <source>How many positions there are is not known.</source>
@@ -4038,11 +4038,11 @@
     </message>
     <message>
         <source>The encoder is known to have all of it. There is nothing to write.</source>
-        <translation>Der Geber hat bekanntermaßen alles davon. Es gibt nichts zu schreiben.</translation>
+        <translation>Das alles steht schon im Geber. Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>Sends these words in this order, and reads before and after</source>
-        <translation>Sendet diese Worte in dieser Reihenfolge, und liest davor und danach</translation>
+        <translation>Sendet diese Worte in dieser Reihenfolge und liest davor und danach</translation>
     </message>
     <message>
         <source>Not listed are the words that read: 2020.... and the 00000000 behind each.</source>
@@ -4070,7 +4070,7 @@
     </message>
     <message>
         <source>Encoder has</source>
-        <translation>Geber hat</translation>
+        <translation>Im Geber</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -4146,7 +4146,7 @@
     </message>
     <message>
         <source>differs</source>
-        <translation>verschieden</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -4173,7 +4173,7 @@
     </message>
     <message>
         <source>Last position on which the cam is on, in steps; smaller than the start: through zero</source>
-        <translation>Letzte Position, auf der der Nocken ein ist, in Schritten; kleiner als der Anfang: durch null</translation>
+        <translation>Letzte Position, auf der der Nocken ein ist, in Schritten; kleiner als der Anfang: über null</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -4189,7 +4189,7 @@
     </message>
     <message>
         <source>Whether the encoder is known to have the same</source>
-        <translation>Ob der Geber bekanntermaßen dasselbe hat</translation>
+        <translation>Ob der Geber nach dem, was bekannt ist, dasselbe hat</translation>
     </message>
     <message>
         <source>Encoder</source>
@@ -4213,7 +4213,7 @@
     </message>
     <message>
         <source>differs</source>
-        <translation>verschieden</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>Polarity of cam %1</source>
@@ -4225,7 +4225,7 @@
     </message>
     <message>
         <source>Steps behind an edge until the cam goes back</source>
-        <translation>Schritte hinter einer Kante, bis der Nocken zurückschaltet</translation>
+        <translation>Schritte hinter einer Schaltflanke, bis der Nocken zurückschaltet</translation>
     </message>
     <message>
         <source>Hysteresis</source>
@@ -4233,7 +4233,7 @@
     </message>
     <message>
         <source>Ticked: the cam is on outside of its positions</source>
-        <translation>Angehakt: Der Nocken ist außerhalb seiner Positionen an</translation>
+        <translation>Angehakt: Außerhalb seiner Positionen ist der Nocken ein</translation>
     </message>
     <message>
         <source>Inverted</source>
@@ -4244,7 +4244,7 @@
     <name>codewheel::CamWordPicture</name>
     <message>
         <source>What IN will hold</source>
-        <translation>Was in IN stehen wird</translation>
+        <translation>Was in IN steht</translation>
     </message>
     <message>
         <source>D7 to D0: cams 7 to 0. No part of the position. D31: not valid.</source>
@@ -4283,7 +4283,7 @@
     </message>
     <message>
         <source>How shall the encoder %1 be left?</source>
-        <translation>Wie soll der Geber %1 zurückbleiben?</translation>
+        <translation>In welchem Zustand soll der Geber %1 bleiben?</translation>
     </message>
     <message>
         <source>It has already taken: %1.</source>
@@ -4291,15 +4291,15 @@
     </message>
     <message>
         <source>Restore writes the values from before again and runs with them.</source>
-        <translation>Herstellen schreibt die vorigen Werte neu, dann Run.</translation>
+        <translation>Wiederherstellen schreibt die vorigen Werte neu, dann Run.</translation>
     </message>
     <message>
         <source>The values from before are not all known, so they cannot be restored.</source>
-        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar.</translation>
+        <translation>Die vorigen Werte sind nicht alle bekannt und lassen sich deshalb nicht wiederherstellen.</translation>
     </message>
     <message>
         <source>What it has taken is valid already.</source>
-        <translation>Was er übernommen hat, gilt schon.</translation>
+        <translation>Was er übernommen hat, gilt bereits.</translation>
     </message>
     <message>
         <source>Run makes what it has taken valid.</source>
@@ -4311,11 +4311,11 @@
     </message>
     <message>
         <source>&amp;Restore values from before</source>
-        <translation>&amp;Vorige Werte herstellen</translation>
+        <translation>&amp;Vorige Werte wiederherstellen</translation>
     </message>
     <message>
         <source>R&amp;un with what it has</source>
-        <translation>R&amp;un mit dem, was er hat</translation>
+        <translation>R&amp;un mit dem jetzigen Stand</translation>
     </message>
     <message>
         <source>&amp;Go on with the handshake</source>
@@ -4335,11 +4335,11 @@
     </message>
     <message>
         <source>Writes the values from before again</source>
-        <translation>Schreibt die Werte von vorher wieder</translation>
+        <translation>Schreibt die vorigen Werte wieder</translation>
     </message>
     <message>
         <source>&amp;Leave it with what it has</source>
-        <translation>Lassen, wie er &amp;ist</translation>
+        <translation>So lassen, wie er &amp;ist</translation>
     </message>
     <message>
         <source>&amp;Leave in parameterization</source>
@@ -4358,7 +4358,7 @@
     </message>
     <message>
         <source>A device with the key &quot;%1&quot; is in the catalog already.</source>
-        <translation>Ein Gerät mit dem Schlüssel &quot;%1&quot; ist schon im Katalog.</translation>
+        <translation>Ein Gerät mit dem Schlüssel „%1“ ist schon im Katalog.</translation>
     </message>
     <message>
         <source>%1, line %2</source>
@@ -4382,11 +4382,11 @@
     </message>
     <message>
         <source>A NUL character stands here, which is no part of a text: remove it.</source>
-        <translation>Hier steht ein NUL-Zeichen, das zu keinem Text gehört: entfernen.</translation>
+        <translation>Hier steht ein NUL-Zeichen, das nicht in einen Text gehört: entfernen.</translation>
     </message>
     <message>
         <source>The file begins with a byte order mark: save it as UTF-8 without one.</source>
-        <translation>Die Datei beginnt mit einer Byte-Reihenfolge-Marke (BOM): als UTF-8 ohne sie speichern.</translation>
+        <translation>Die Datei beginnt mit einer Byte-Order-Mark (BOM): als UTF-8 ohne BOM speichern.</translation>
     </message>
 </context>
 <context>
@@ -4448,7 +4448,7 @@
     <name>codewheel::CommandLine</name>
     <message>
         <source>There is no option &quot;%1&quot; of %2. Its options are: %3.</source>
-        <translation>%2 hat keine Option &quot;%1&quot;. Seine Optionen sind: %3.</translation>
+        <translation>%2 hat keine Option „%1“. Seine Optionen sind: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
@@ -4464,11 +4464,11 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Give a whole number from %3 to %4.</source>
-        <translation>%1 kann nicht &quot;%2&quot; sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
+        <translation>%1 kann nicht „%2“ sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
     </message>
     <message>
         <source>The device at %1 is no encoder this program can drive. See codewheel-cli scan.</source>
-        <translation>Das Gerät auf %1 ist kein Geber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
+        <translation>Das Gerät an %1 ist kein Geber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
     </message>
     <message>
         <source>yes</source>
@@ -4536,7 +4536,7 @@
     </message>
     <message>
         <source>whose word it is (see devices)</source>
-        <translation>wessen Wort es ist (siehe devices)</translation>
+        <translation>um wessen Wort es geht (siehe devices)</translation>
     </message>
     <message>
         <source>out: master to encoder; in: encoder to master</source>
@@ -4552,7 +4552,7 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation>%1 kann nicht &quot;%2&quot; sein. Erlaubt sind: %3.</translation>
+        <translation>%1 kann nicht „%2“ sein. Erlaubt sind: %3.</translation>
     </message>
     <message>
         <source>%1 is missing. Give one of: %2.</source>
@@ -4564,7 +4564,7 @@
     </message>
     <message>
         <source>One of these. What may tell which: %1.</source>
-        <translation>Eines davon. Genauer wird es vielleicht mit: %1.</translation>
+        <translation>Eines davon. Genauer wird es mit: %1.</translation>
     </message>
     <message>
         <source>tell what a word means</source>
@@ -4572,7 +4572,7 @@
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. The commands are: %2. See codewheel-cli --help.</source>
-        <translation>Es gibt keinen Befehl &quot;%1&quot;. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
+        <translation>Es gibt keinen Befehl „%1“. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
     </message>
     <message>
         <source>Name a command: %1. See codewheel-cli --help.</source>
@@ -4584,7 +4584,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is too much. It is called so: codewheel-cli %2</source>
-        <translation>&quot;%1&quot; ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
+        <translation>„%1“ ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
     </message>
     <message>
         <source>how long to look (10)</source>
@@ -4616,7 +4616,7 @@
     </message>
     <message>
         <source>Nothing was written to it from here either, so nothing is known of it.</source>
-        <translation>Von hier wurde auch nichts geschrieben, deshalb ist nichts von ihm bekannt.</translation>
+        <translation>Auch von hier wurde nichts in ihn geschrieben, deshalb ist nichts von ihm bekannt.</translation>
     </message>
     <message>
         <source>Last written from here:</source>
@@ -4648,7 +4648,7 @@
     </message>
     <message>
         <source>how long a word stands that nothing acknowledges (3)</source>
-        <translation>wie lange ein Wort steht, das nichts bestätigt (3)</translation>
+        <translation>wie lange ein Wort steht, das nichts quittiert (3)</translation>
     </message>
     <message>
         <source>send words as they are, and print what comes back</source>
@@ -4664,7 +4664,7 @@
     </message>
     <message>
         <source>write also what the encoder already has</source>
-        <translation>auch schreiben, was der Geber schon hat</translation>
+        <translation>auch schreiben, was schon im Geber steht</translation>
     </message>
     <message>
         <source>Nothing was sent: there is nobody to ask. Add --yes to write, or --dry-run to look only.</source>
@@ -4672,7 +4672,7 @@
     </message>
     <message>
         <source>Write this to %1?</source>
-        <translation>Das auf %1 schreiben?</translation>
+        <translation>Das an %1 schreiben?</translation>
     </message>
     <message>
         <source>Nothing was sent.</source>
@@ -4684,11 +4684,11 @@
     </message>
     <message>
         <source>written, confirmed by the handshake</source>
-        <translation>geschrieben, vom Handshake quittiert</translation>
+        <translation>geschrieben, im Handshake quittiert</translation>
     </message>
     <message>
         <source>was there already</source>
-        <translation>war schon da</translation>
+        <translation>war schon vorhanden</translation>
     </message>
     <message>
         <source>did not become active</source>
@@ -4724,7 +4724,7 @@
     </message>
     <message>
         <source>There is no device named &quot;%1&quot;. The names are: %2.</source>
-        <translation>Es gibt kein Gerät namens &quot;%1&quot;. Die Namen sind: %2.</translation>
+        <translation>Es gibt kein Gerät namens „%1“. Die Namen sind: %2.</translation>
     </message>
     <message>
         <source>Usage: codewheel-cli COMMAND ...</source>
@@ -4756,7 +4756,7 @@
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;. The %2 has: %3.</source>
-        <translation>Es gibt keinen Parameter &quot;%1&quot;. Der Geber %2 hat: %3.</translation>
+        <translation>Es gibt keinen Parameter „%1“. Der Geber %2 hat: %3.</translation>
     </message>
     <message>
         <source>Hexadecimal numbers are written 0xFF or FFh.</source>
@@ -4764,11 +4764,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no word. Give up to 8 hexadecimal digits, such as 020000FF.</source>
-        <translation>&quot;%1&quot; ist kein Wort. Bis zu 8 hexadezimale Ziffern angeben, etwa 020000FF.</translation>
+        <translation>„%1“ ist kein Wort. Bis zu 8 Hexziffern angeben, etwa 020000FF.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no PARAMETER=VALUE. Write for example steps=255.</source>
-        <translation>&quot;%1&quot; hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
+        <translation>„%1“ hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
     </message>
     <message>
         <source>read from the encoder</source>
@@ -4776,11 +4776,11 @@
     </message>
     <message>
         <source>confirmed by the handshake</source>
-        <translation>vom Handshake quittiert</translation>
+        <translation>im Handshake quittiert</translation>
     </message>
     <message>
         <source>told, not checked</source>
-        <translation>angegeben, nicht geprüft</translation>
+        <translation>von Hand eingetragen, nicht geprüft</translation>
     </message>
     <message>
         <source>IN %1, and how it is coded is not known</source>
@@ -4827,7 +4827,7 @@
     </message>
     <message>
         <source>left out: already there</source>
-        <translation>entfällt: schon da</translation>
+        <translation>entfällt: schon vorhanden</translation>
     </message>
     <message>
         <source>run</source>
@@ -4835,11 +4835,11 @@
     </message>
     <message>
         <source>To be written to %1, %2:</source>
-        <translation>Auf %1, %2, ist zu schreiben:</translation>
+        <translation>An %1, %2, ist zu schreiben:</translation>
     </message>
     <message>
         <source>The encoder has all of it: there is nothing to write.</source>
-        <translation>Der Geber hat schon alles: Es gibt nichts zu schreiben.</translation>
+        <translation>Das alles steht schon im Geber: Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>send the FRABA preset, which works as often as wanted</source>
@@ -4851,8 +4851,8 @@ written as the preset first. Sends at once, without asking.
 
 A FRABA encoder activates a preset once; it is programmed again where that is needed. The FRABA preset
 (60000000, for one bus cycle) needs no programming again.</source>
-        <translation>Lässt den Geber an der Stelle, an der seine Welle steht, seinen Preset-Wert zeigen. Mit VALUE wird
-dieser zuerst als Preset geschrieben. Sendet sofort, ohne zu fragen.
+        <translation>Setzt die Position: Dort, wo die Welle steht, zeigt der Geber seinen Presetwert. VALUE wird zuvor
+als Preset geschrieben. Sendet sofort, ohne zu fragen.
 
 Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu programmiert. Der FRABA-Preset
 (60000000, einen Buszyklus lang) braucht das nicht.</translation>
@@ -4883,7 +4883,7 @@ Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu progra
     </message>
     <message>
         <source>Factory settings, confirmed by the handshake:</source>
-        <translation>Werkseinstellungen, durch den Handshake bestätigt:</translation>
+        <translation>Werkseinstellungen, im Handshake quittiert:</translation>
     </message>
     <message>
         <source>Reset %1?</source>
@@ -4891,7 +4891,7 @@ Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu progra
     </message>
     <message>
         <source>Nothing was sent: there is nobody to ask. Add --yes to reset.</source>
-        <translation>Nichts gesendet: Niemand kann gefragt werden. Mit --yes wird zurückgesetzt.</translation>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Zurücksetzen --yes angeben.</translation>
     </message>
     <message>
         <source>reset an encoder to factory settings, after asking</source>
@@ -4907,7 +4907,7 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither on nor off.</source>
-        <translation>&quot;%1&quot; ist weder on noch off.</translation>
+        <translation>„%1“ ist weder on noch off.</translation>
     </message>
     <message>
         <source>Velocity mode: %1 rpm</source>
@@ -4919,7 +4919,7 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>let an encoder show its speed, or its position again</source>
-        <translation>einen Geber seine Drehzahl zeigen lassen, oder wieder seine Position</translation>
+        <translation>einen Geber die Drehzahl statt der Position zeigen lassen, oder umgekehrt</translation>
     </message>
     <message>
         <source>not shown in velocity mode</source>
@@ -4979,7 +4979,7 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number of a cam program. Choose one from 1 to 8.</source>
-        <translation>&quot;%1&quot; ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
+        <translation>„%1“ ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
     </message>
     <message>
         <source>Saved in %1.</source>
@@ -4987,15 +4987,15 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>The encoder has all of it.</source>
-        <translation>Der Geber hat alles davon.</translation>
+        <translation>Das alles steht schon im Geber.</translation>
     </message>
     <message>
         <source>The encoder and the file differ in values: %1.</source>
-        <translation>Geber und Datei unterscheiden sich in Werten: %1.</translation>
+        <translation>Zwischen Geber und Datei abweichende Werte: %1.</translation>
     </message>
     <message>
         <source>Words to be sent, beside read-outs: %1</source>
-        <translation>Zu sendende Worte, neben dem Auslesen: %1</translation>
+        <translation>Zu sendende Worte, ohne das Auslesen: %1</translation>
     </message>
     <message>
         <source>EEPROM writes: %1, one for each program that is changed and left.</source>
@@ -5007,11 +5007,11 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>Nothing was written: there is nobody to ask. Add --yes to write, or use compare to look only.</source>
-        <translation>Nichts geschrieben: Niemand kann gefragt werden. Mit --yes wird geschrieben; compare sieht nur nach.</translation>
+        <translation>Nichts geschrieben: Es ist niemand da, der gefragt werden kann. Zum Schreiben --yes angeben, nur zum Ansehen compare.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is none of read, write and compare.</source>
-        <translation>&quot;%1&quot; ist weder read noch write noch compare.</translation>
+        <translation>„%1“ ist weder read noch write noch compare.</translation>
     </message>
     <message>
         <source>Name the file of the cam programs.</source>
@@ -5031,15 +5031,15 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>The encoder was left in error: it shows the last position it knew.</source>
-        <translation>Der Geber blieb im Fehler: Er zeigt die letzte bekannte Position.</translation>
+        <translation>Der Geber blieb im Fehlerzustand: Er zeigt die letzte bekannte Position.</translation>
     </message>
     <message>
         <source>take the encoder for this one: a name of &quot;devices&quot;, or the key on its label</source>
-        <translation>den Geber für diesen nehmen: ein Name aus &quot;devices&quot; oder der Schlüssel auf dem Typenschild</translation>
+        <translation>der Geber gilt als dieser: ein Name aus „devices“ oder der Schlüssel auf dem Typenschild</translation>
     </message>
     <message>
         <source>what the key on a label says, and whose it is</source>
-        <translation>was der Schlüssel auf einem Typenschild sagt, und wessen er ist</translation>
+        <translation>was der Schlüssel auf einem Typenschild bedeutet und zu welchem Gerät er gehört</translation>
     </message>
     <message>
         <source>whether a description file is sound</source>
@@ -5061,7 +5061,7 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     </message>
     <message>
         <source>One of these: the key does not tell which. The device code on the bus does.</source>
-        <translation>Einer von diesen: Der Schlüssel sagt nicht, welcher. Der Gerätecode am Bus sagt es.</translation>
+        <translation>Einer von diesen: Aus dem Schlüssel geht nicht hervor, welcher. Der Gerätecode am Bus sagt es.</translation>
     </message>
     <message>
         <source>Turns and steps per turn: not told.</source>
@@ -5090,7 +5090,7 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     </message>
     <message>
         <source>LEDs</source>
-        <translation>Leuchtdioden</translation>
+        <translation>LEDs</translation>
     </message>
     <message>
         <source>Ordering key, e.g. %1</source>
@@ -5118,7 +5118,7 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     </message>
     <message>
         <source>%1 is there already. Nothing was read. Name another file, or add --yes to replace it.</source>
-        <translation>%1 gibt es schon. Es wurde nichts gelesen. Eine andere Datei angeben, oder mit --yes ersetzen.</translation>
+        <translation>%1 gibt es schon. Es wurde nichts gelesen. Eine andere Datei angeben oder mit --yes ersetzen.</translation>
     </message>
     <message>
         <source>read prints the cam programs, and saves them in FILE where one is named; a FILE that is there
@@ -5129,14 +5129,14 @@ writes, asks, writes what differs, and reads it back. A FILE made for another de
 Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
 Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
 last of the programs. A changed program is saved when it is left, with one EEPROM write.</source>
-        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wo eine Datei genannt ist; eine, die es schon
-gibt, wird nur mit --yes ersetzt. compare liest die Programme aus FILE im Geber nach und sagt Zeile für
-Zeile, was abweicht; Rückgabewert 1, wenn etwas abweicht. write tut dasselbe, zeigt die Worte und
+        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wenn eine Datei genannt ist; eine vorhandene
+wird nur mit --yes ersetzt. compare liest die Programme, die in FILE stehen, aus dem Geber und sagt Zeile
+für Zeile, was abweicht; Rückgabewert 1, wenn etwas abweicht. write tut dasselbe, zeigt die Worte und
 EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht, und liest es zurück. Eine FILE für ein anderes Gerät
 wird abgelehnt.
 
 Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
-Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
+Danach ist er wieder in der vorigen Betriebsart, wenn sie bekannt ist; sonst, und mit --stay, bleibt er
 im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
@@ -5145,21 +5145,21 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
     <message>
         <source>Nothing is known of %1: it cannot be read, and nothing was written to it from here.</source>
-        <translation>Von %1 ist nichts bekannt: Er lässt sich nicht auslesen, und von hier aus wurde nichts in ihn geschrieben.</translation>
+        <translation>Von %1 ist nichts bekannt: Er lässt sich nicht auslesen, und von hier wurde nichts in ihn geschrieben.</translation>
     </message>
     <message>
         <source>give other encoders the values of one</source>
-        <translation>anderen Gebern die Werte eines Gebers geben</translation>
+        <translation>die Werte eines Gebers in andere Geber übertragen</translation>
     </message>
     <message>
         <source>Reads the encoder at FROM, which takes its position away for some cycles, and writes its values to
 encoders of the same kind, as &quot;transfer&quot; does. The zero offset is not taken along: it belongs to
 the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its
 own; leaving one that was changed before costs an EEPROM write.</source>
-        <translation>Liest den Geber bei FROM, was ihm für einige Zyklen die Position nimmt, und schreibt seine Werte wie
-&quot;transfer&quot; in Geber derselben Art. Die Nullpunktverschiebung wird nicht mitgenommen: Sie gehört dazu,
-wie ein Geber angebaut ist. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen
-Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
+        <translation>Liest den Geber an FROM aus, der dabei für einige Zyklen keine Position zeigt, und schreibt seine Werte
+wie „transfer“ in Geber derselben Art. Die Nullpunktverschiebung wird nicht mitgenommen: Sie hängt vom
+Anbau des Gebers ab. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen Nockenbetrieb
+gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
         <source>read the cam programs as well</source>
@@ -5171,7 +5171,7 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>keep what encoders have in a project</source>
-        <translation>in einem Projekt ablegen, was die Geber haben</translation>
+        <translation>ablegen, was die Geber haben, in einem Projekt</translation>
     </message>
     <message>
         <source>write what was stored of the encoders, not what is wanted</source>
@@ -5183,15 +5183,15 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>Not all of it was written, first of all to %1.</source>
-        <translation>Nicht alles wurde geschrieben, zuerst bei %1.</translation>
+        <translation>Nicht alles wurde geschrieben; zuerst nicht bei %1.</translation>
     </message>
     <message>
         <source>Write this to encoders: %1, with at most so many EEPROM writes: %2?</source>
-        <translation>Dies in so viele Geber schreiben: %1, mit höchstens so vielen EEPROM-Schreibvorgängen: %2?</translation>
+        <translation>Dies schreiben (Geber: %1, EEPROM-Schreibvorgänge höchstens: %2)?</translation>
     </message>
     <message>
         <source>Nothing was written: there is nobody to ask. Add --yes to write, or --dry-run to look only.</source>
-        <translation>Nichts wurde geschrieben: Es ist niemand da, der gefragt werden könnte. Mit --yes wird geschrieben, mit --dry-run nur angesehen.</translation>
+        <translation>Nichts geschrieben: Es ist niemand da, der gefragt werden kann. Zum Schreiben --yes angeben, nur zum Ansehen --dry-run.</translation>
     </message>
     <message>
         <source>show what would be written, and write nothing</source>
@@ -5207,7 +5207,7 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>EEPROM writes: %1. Left %2.</source>
-        <translation>EEPROM-Schreibvorgänge: %1. Verlassen: %2.</translation>
+        <translation>EEPROM-Schreibvorgänge: %1. Danach: %2.</translation>
     </message>
     <message>
         <source>Written: %1. Already there: %2. EEPROM writes: %3.</source>
@@ -5263,11 +5263,11 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>let so many milliseconds pass on the bus first</source>
-        <translation>zuerst so viele Millisekunden auf dem Bus vergehen lassen</translation>
+        <translation>zuerst so viele Millisekunden am Bus vergehen lassen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action of the master. There are: %2.</source>
-        <translation>&quot;%1&quot; ist keine Aktion des Masters. Es gibt: %2.</translation>
+        <translation>„%1“ ist keine Aktion des Masters. Es gibt: %2.</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -5279,11 +5279,11 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>information, attention or fault: this or worse</source>
-        <translation>information, attention oder fault: dies oder schlimmer</translation>
+        <translation>information, attention oder fault: diese Stufe oder höher</translation>
     </message>
     <message>
         <source>from this time on: 2026-03-01 or 2026-03-01T14:02</source>
-        <translation>von dieser Zeit an: 2026-03-01 oder 2026-03-01T14:02</translation>
+        <translation>ab dieser Zeit: 2026-03-01 oder 2026-03-01T14:02</translation>
     </message>
     <message>
         <source>before this time</source>
@@ -5299,19 +5299,19 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>write them to FILE, .csv or .html, all that fit</source>
-        <translation>sie in FILE schreiben, .csv oder .html, alle, die passen</translation>
+        <translation>alle passenden in FILE schreiben, .csv oder .html</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no time. Write it as 2026-03-01 or 2026-03-01T14:02.</source>
-        <translation>&quot;%1&quot; ist keine Zeit. Als 2026-03-01 oder 2026-03-01T14:02 schreiben.</translation>
+        <translation>„%1“ ist keine Zeitangabe. Als 2026-03-01 oder 2026-03-01T14:02 schreiben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no severity. There are: information, attention, fault.</source>
-        <translation>&quot;%1&quot; ist keine Stufe. Es gibt: information, attention, fault.</translation>
+        <translation>„%1“ ist keine Stufe. Es gibt: information, attention, fault.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no format. Let the name end in .csv or .html.</source>
-        <translation>&quot;%1&quot; nennt kein Format. Den Namen auf .csv oder .html enden lassen.</translation>
+        <translation>„%1“ nennt kein Format. Der Name muss auf .csv oder .html enden.</translation>
     </message>
     <message>
         <source>Messages written to %1: %2.</source>
@@ -5319,7 +5319,7 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     </message>
     <message>
         <source>No messages are kept in %1.</source>
-        <translation>In %1 sind keine Meldungen.</translation>
+        <translation>In %1 sind keine Meldungen aufbewahrt.</translation>
     </message>
     <message>
         <source>list or export the messages that are kept</source>
@@ -5328,12 +5328,12 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     <message>
         <source>Lists the messages that the window keeps on disk, oldest first: those that fit all that is given.
 Needs no bus.</source>
-        <translation>Listet die Meldungen auf, die das Fenster auf der Platte hält, die älteste zuerst: die, auf die alle
-Angaben passen. Braucht keinen Bus.</translation>
+        <translation>Listet die Meldungen auf, die das Fenster auf der Festplatte aufbewahrt, die älteste zuerst: alle, auf
+die sämtliche Angaben zutreffen. Braucht keinen Bus.</translation>
     </message>
     <message>
         <source>do not ask where the budget of the EEPROM is used</source>
-        <translation>nicht fragen, wo das Budget des EEPROMs verbraucht ist</translation>
+        <translation>nicht fragen, wo die Schreibvorgänge des EEPROMs aufgebraucht sind</translation>
     </message>
     <message>
         <source>save what was found as a project</source>
@@ -5365,7 +5365,7 @@ Angaben passen. Braucht keinen Bus.</translation>
     </message>
     <message>
         <source>write even where the manual guarantees nothing any more: the place (or places, as 1.0,2.0) once more</source>
-        <translation>auch schreiben, wo das Handbuch nichts mehr zusichert: den Platz (oder die Plätze, als 1.0,2.0) noch einmal nennen</translation>
+        <translation>auch schreiben, wo das Handbuch nichts mehr zusichert: den Platz (oder die Plätze, etwa 1.0,2.0) noch einmal nennen</translation>
     </message>
     <message>
         <source>count EEPROM writes in this file; those of the training bus are else forgotten</source>
@@ -5405,19 +5405,19 @@ Angaben passen. Braucht keinen Bus.</translation>
     </message>
     <message>
         <source>%1 is not taken for &quot;%2&quot; of the project: there is no such description, or it is of another device code.</source>
-        <translation>%1 wird nicht für &quot;%2&quot; des Projekts gehalten: Es gibt keine solche Beschreibung, oder sie hat einen anderen Gerätecode.</translation>
+        <translation>%1 gilt nicht als „%2“ des Projekts: Es gibt keine solche Beschreibung, oder sie hat einen anderen Gerätecode.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither a device number nor a station of the project.</source>
-        <translation>&quot;%1&quot; ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
+        <translation>„%1“ ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
     </message>
     <message>
         <source>where to save the report: a name in .html or .pdf</source>
-        <translation>wohin der Bericht gespeichert wird: ein Name auf .html oder .pdf</translation>
+        <translation>wo der Bericht gespeichert wird: ein Name auf .html oder .pdf</translation>
     </message>
     <message>
         <source>ask the encoders of the bus what they have; takes their positions away meanwhile</source>
-        <translation>die Geber am Bus fragen, was sie haben; nimmt ihnen so lange die Position</translation>
+        <translation>die Geber am Bus auslesen; solange zeigen sie keine Position</translation>
     </message>
     <message>
         <source>Name the file of the report: -o FILE, with a name that ends in .html or .pdf.</source>
@@ -5425,7 +5425,7 @@ Angaben passen. Braucht keinen Bus.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; ends neither in .html nor in .pdf. A report is a web page or a PDF.</source>
-        <translation>&quot;%1&quot; endet weder auf .html noch auf .pdf. Ein Bericht ist eine Webseite oder ein PDF.</translation>
+        <translation>„%1“ endet weder auf .html noch auf .pdf. Ein Bericht ist eine Webseite oder ein PDF.</translation>
     </message>
     <message>
         <source>%1 is there already. Nothing was saved. Name another file, or add --yes to replace it.</source>
@@ -5454,9 +5454,9 @@ the project then. A FILE that is there already is replaced with --yes only.</sou
 und Nocken jedes Gebers mit dem, was bekannt ist, Abweichungen, EEPROM-Schreibvorgänge und Platz zum
 Unterschreiben.
 
-Bekannt ist, was im Projekt abgelegt ist. Mit --read werden die Geber nach ihren Parametern und nach
-den Nockenprogrammen gefragt, die das Projekt will; so lange zeigen sie keine Position. Dann wird auch
-der Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
+Bekannt ist, was im Projekt abgelegt ist. Mit --read werden von den Gebern die Parameter gelesen und
+die Nockenprogramme, die das Projekt wünscht; solange zeigen sie keine Position. Dann wird auch der
+Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
     </message>
     <message>
         <source>Shows what is known of the parameters, what they shall become, and the words for it; asks; writes them
@@ -5468,10 +5468,10 @@ Parameters: steps revolutions direction coding preset zero-offset offset measuri
 encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).
 A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
         <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
-sie in der angegebenen Reihenfolge und sagt, woher bekannt ist, dass sie da sind. Was der Geber schon
-hat, wird nicht noch einmal geschrieben, außer mit --all: Wo es geht, wird er zuerst gelesen, sonst gilt,
-was von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Ohne das wird nichts
-gesendet, Exit-Code 2.
+sie in der angegebenen Reihenfolge und sagt, wodurch belegt ist, dass sie wirken. Was der Geber schon
+hat, wird nicht noch einmal geschrieben, außer mit --all: Wo es geht, wird er zuerst ausgelesen, sonst
+gilt, was von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Sonst wird nichts
+gesendet, Rückgabewert 2.
 
 Parameter: steps revolutions direction coding preset zero-offset offset measuring-range; bei einem
 Lineargeber direction measuring-length external-preset; soweit der Geber sie hat (devices NAME).
@@ -5515,11 +5515,11 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be served. There is: esc.</source>
-        <translation>&quot;%1&quot; lässt sich nicht anbieten. Es gibt: esc.</translation>
+        <translation>„%1“ lässt sich nicht anbieten. Es gibt: esc.</translation>
     </message>
     <message>
         <source>This computer gives no pseudo terminal. Close programs that use some.</source>
-        <translation>Dieser Rechner gibt kein Pseudoterminal her. Programme schließen, die welche benutzen.</translation>
+        <translation>Dieser Rechner stellt kein Pseudoterminal bereit. Programme schließen, die welche benutzen.</translation>
     </message>
     <message>
         <source>offer the simulated serial line to other programs</source>
@@ -5531,7 +5531,7 @@ encoders 03, 05 and 12 there, at the speed of a real line, until it is ended wit
 Baud rates other than that of the encoders give junk.</source>
         <translation>Gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss öffnet, und
 bietet dort die Geber 03, 05 und 12 an, so schnell wie eine echte Leitung, bis Strg+C (SIGINT oder SIGTERM) es
-beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
+beendet. Mit anderen Baudraten als der der Geber kommen nur Störzeichen.</translation>
     </message>
     <message>
         <source>do it without asking</source>
@@ -5551,7 +5551,7 @@ beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
     </message>
     <message>
         <source>Read in the ring? Data cycles stop meanwhile.</source>
-        <translation>Den Ring einlesen? Die Datenzyklen stehen so lange still.</translation>
+        <translation>Den Ring einlesen? Die Datenzyklen stehen solange still.</translation>
     </message>
     <message>
         <source>Confirm diagnostics?</source>
@@ -5559,24 +5559,24 @@ beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
     </message>
     <message>
         <source>Nothing was sent: there is nobody to ask. Add --yes to do it.</source>
-        <translation>Nichts wurde gesendet: Es ist niemand da, der gefragt werden kann. Mit --yes wird es ausgeführt.</translation>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Ausführen --yes angeben.</translation>
     </message>
     <message>
         <source>Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the master stands
 then. What changes what the ring does (read-in, confirm, segment) is asked for first; where nobody can
 be asked, --yes is needed. As each call has a new training bus, this makes most sense with a fault plan.</source>
-        <translation>Lässt Zeit vergehen, tut, was verlangt ist, und gibt aus, was der Bus inzwischen gemeldet hat und wie der
-Master dann steht. Was ändert, was der Ring tut (read-in, confirm, segment), wird zuvor erfragt; wo niemand
-gefragt werden kann, ist --yes nötig. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor allem mit einem
-Fehlerplan sinnvoll.</translation>
+        <translation>Lässt Zeit vergehen, tut, was verlangt ist, und gibt aus, was der Bus inzwischen gemeldet hat und in welchem
+Zustand der Master dann ist. Vor Eingriffen in den Ring (read-in, confirm, segment) wird gefragt; wo
+niemand gefragt werden kann, ist --yes nötig. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor
+allem mit einem Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>write without asking, also where the budget of the EEPROM is used; replace FILE when reading</source>
-        <translation>ohne Frage schreiben, auch wenn das Budget des EEPROMs verbraucht ist; beim Lesen DATEI ersetzen</translation>
+        <translation>ohne Rückfrage schreiben, auch wenn die Schreibvorgänge des EEPROMs aufgebraucht sind; beim Lesen FILE ersetzen</translation>
     </message>
     <message>
         <source>the new encoder: a name of &quot;devices&quot;; else it is like the one before</source>
-        <translation>der neue Geber: ein Name aus &quot;devices&quot;; sonst ist er wie der vorige</translation>
+        <translation>der neue Geber: ein Name aus „devices“; sonst ist er wie der vorige</translation>
     </message>
     <message>
         <source>the new encoder: the key on its label</source>
@@ -5588,23 +5588,23 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>set the position to this, in steps; &quot;last&quot; is the one the project knows</source>
-        <translation>die Position auf diesen Wert setzen, in Schritten; &quot;last&quot; ist die, die das Projekt kennt</translation>
+        <translation>die Position auf diesen Wert setzen, in Schritten; „last“ ist die, die das Projekt kennt</translation>
     </message>
     <message>
         <source>Give --device or --label, not both: each names the new encoder.</source>
-        <translation>Geben Sie --device oder --label an, nicht beide: Jedes benennt den neuen Geber.</translation>
+        <translation>Entweder --device oder --label angeben: Jedes benennt den neuen Geber.</translation>
     </message>
     <message>
         <source>The project does not name the encoder at %1. Name the new one with --device or --label.</source>
-        <translation>Das Projekt benennt den Geber an %1 nicht. Benennen Sie den neuen mit --device oder --label.</translation>
+        <translation>Das Projekt benennt den Geber an %1 nicht. Den neuen mit --device oder --label benennen.</translation>
     </message>
     <message>
         <source>The project knows no last position of %1. Give it as a number.</source>
-        <translation>Das Projekt kennt keine letzte Position von %1. Geben Sie sie als Zahl an.</translation>
+        <translation>Das Projekt kennt keine letzte Position von %1. Die Position als Zahl angeben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no position. Give a whole number, 0 or more.</source>
-        <translation>&quot;%1&quot; ist keine Position. Geben Sie eine ganze Zahl ab 0 an.</translation>
+        <translation>„%1“ ist keine Position. Eine ganze Zahl ab 0 angeben.</translation>
     </message>
     <message>
         <source>The position that the project keeps: %1, seen at %2.</source>
@@ -5612,11 +5612,11 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>It fits: as far as the project tells, it is like the one before.</source>
-        <translation>Er passt: Soweit das Projekt es sagt, ist er wie der vorige.</translation>
+        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
     </message>
     <message>
         <source>Name the project with --project FILE: the values are taken from it, and the new encoder is put into it.</source>
-        <translation>Nennen Sie das Projekt mit --project DATEI: Die Werte werden ihm entnommen, und der neue Geber wird darin eingetragen.</translation>
+        <translation>Das Projekt mit --project FILE nennen: Ihm werden die Werte entnommen, und der neue Geber wird darin eingetragen.</translation>
     </message>
     <message>
         <source>give a new encoder the values and the position of the one before</source>
@@ -5630,17 +5630,17 @@ one before. With --position the position is set at the end of it: the shaft must
 then. The old zero offset is not written in that case, since setting the position makes a new one.
 An encoder with several modes is brought to position mode first. Exit code 1 if the encoder has not
 got all of it.</source>
-        <translation>Sagt, worin sich der neue Geber von dem unterscheidet, den das Projekt an PLATZ hat, zeigt, was
-geschrieben wird, fragt, trägt den neuen im Projekt ein (Fabrikat, Typenschild und Seriennummer; die
-vorige Datei bleibt als DATEI~ erhalten) und schreibt, was das Projekt wünscht, und wo nichts gewünscht
-ist, was vom vorigen gespeichert wurde. Mit --position wird zum Schluss die Position gesetzt: Die Welle
-muss dabei stehen, wo sie damals stand. Der alte Nullpunkt wird dann nicht geschrieben, denn das Setzen
-der Position ergibt einen neuen. Ein Geber mit mehreren Betriebsarten wird zuerst in den
+        <translation>Sagt, worin sich der neue Geber von dem unterscheidet, den das Projekt an PLACE hat, zeigt, was
+geschrieben wird, fragt, trägt den neuen im Projekt ein (Hersteller, Typenschild und Seriennummer; die
+vorige Datei bleibt als FILE~ erhalten) und schreibt, was das Projekt wünscht, und wo nichts gewünscht
+ist, was vom vorigen abgelegt ist. Mit --position wird zum Schluss die Position gesetzt: Die Welle
+muss dabei stehen, wo sie damals stand. Die alte Nullpunktverschiebung wird dann nicht geschrieben,
+denn das Setzen der Position ergibt eine neue. Ein Geber mit mehreren Betriebsarten wird zuerst in den
 Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>replace FILE if it is there; do not ask where the budget of an EEPROM is used</source>
-        <translation>DATEI ersetzen, falls sie da ist; nicht fragen, wenn das Budget eines EEPROMs verbraucht ist</translation>
+        <translation>FILE ersetzen, falls sie da ist; nicht fragen, wenn die Schreibvorgänge eines EEPROMs aufgebraucht sind</translation>
     </message>
     <message>
         <source>of the write at this time: 2026-03-01T14:02, or 14:02 of today; else of the newest</source>
@@ -5652,11 +5652,11 @@ Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen 
     </message>
     <message>
         <source>&quot;%1&quot; is no time. Write it as 14:02 or 2026-03-01T14:02.</source>
-        <translation>&quot;%1&quot; ist keine Zeit. Schreiben Sie sie als 14:02 oder 2026-03-01T14:02.</translation>
+        <translation>„%1“ ist keine Zeitangabe. Als 14:02 oder 2026-03-01T14:02 schreiben.</translation>
     </message>
     <message>
         <source>Nothing was written to %1 at %2 of which the values from before are kept. See codewheel-cli restore %1 --list.</source>
-        <translation>Um %2 wurde nichts nach %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
+        <translation>Um %2 wurde nichts an %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
     </message>
     <message>
         <source>write the values again that an encoder had before a write</source>
@@ -5669,8 +5669,8 @@ differs is shown, asked for, written as by &quot;transfer&quot;, and accounted f
 serial number is asked for that where nothing is kept for its place.</source>
         <translation>Das Verzeichnis der EEPROM-Schreibvorgänge bewahrt zu jedem Schreiben auf, was vorher vom Geber bekannt war
 und was dabei gelesen wurde. --list sagt, was es gibt, das Jüngste zuerst. Ohne --at wird das Jüngste
-wiederhergestellt: Was abweicht, wird gezeigt, gefragt, geschrieben wie bei &quot;transfer&quot; und belegt. Ein
-Geber, der seine Seriennummer sagen kann, wird danach gefragt, wenn für seinen Platz nichts da ist.</translation>
+wiederhergestellt: Was abweicht, wird gezeigt, nach Rückfrage wie bei „transfer“ geschrieben und belegt. Ein
+Geber, der seine Seriennummer melden kann, wird danach gefragt, wenn für seinen Platz nichts da ist.</translation>
     </message>
     <message>
         <source>In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on so
@@ -5678,7 +5678,7 @@ after power-off, until it is switched off. Sends at once, without asking; writes
 but &quot;off&quot; ends cam mode, too: a cam program that was changed is stored when it is left.</source>
         <translation>Im Drehzahlbetrieb zeigt ein Geber ganze Umdrehungen pro Minute statt seiner Position, auch nach
 dem Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schreibt nichts in das
-EEPROM, doch &quot;off&quot; beendet auch den Nockenbetrieb: Ein geändertes Nockenprogramm wird gespeichert, wenn
+EEPROM, doch „off“ beendet auch den Nockenbetrieb: Ein geändertes Nockenprogramm wird gespeichert, wenn
 es verlassen wird.</translation>
     </message>
     <message>
@@ -5707,7 +5707,7 @@ es verlassen wird.</translation>
     </message>
     <message>
         <source>A fault plan is for the ring of the training bus. Leave --fault-plan out.</source>
-        <translation>Ein Fehlerplan ist für den Ring des Übungsbusses. --fault-plan weglassen.</translation>
+        <translation>Ein Fehlerplan gilt für den Ring des Übungsbusses. --fault-plan weglassen.</translation>
     </message>
     <message>
         <source>A serial line has no master.</source>
@@ -5725,11 +5725,11 @@ waiting, the answer comes at once.
 Of an encoder on a serial line (PLACE 05) it looks at position, alarms and warnings, which are polled, and
 tells at the end how the line has done. Nothing is written. Ctrl+C ends it.</source>
         <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich seit dem letzten
-Mal geändert haben. Sendet nichts. Die Zeit ist die des Busses: Auf dem Übungsbus dauert ein Zyklus 1 ms,
+Mal geändert haben. Sendet nichts. Die Zeit ist die des Busses: Am Übungsbus dauert ein Zyklus 1 ms,
 und da er läuft, ohne zu warten, kommt die Antwort sofort.
 
-Bei einem Geber an einer seriellen Leitung (PLATZ 05) sieht es nach Position, Alarmen und Warnungen, die
-abgefragt werden, und sagt am Ende, wie es der Leitung ging. Nichts wird geschrieben. Strg+C beendet es.</translation>
+Bei einem Geber an einer seriellen Leitung (PLACE 05) werden Position, Alarme und Warnungen abgefragt;
+am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet es.</translation>
     </message>
     <message>
         <source>Encoders on a serial line have no command that resets them to factory settings. Write the values with codewheel-cli write.</source>
@@ -5749,23 +5749,23 @@ version. Nothing is written. Ctrl+C ends it, and lists what was found until then
 
 --save makes a project of it. With --project as well, what that project knows of devices
 that are still there is taken along.</source>
-        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt, wie der Master steht.
-Der ID-Code sagt das Profil, aber nicht das Fabrikat: Das ist benannt, wo der Plan des Busses es sagt.
-Sendet nichts auf dem Bus.
+        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt, in
+welchem Zustand der Master ist. Der ID-Code nennt das Profil, nicht den Hersteller: Dieser steht da, wenn
+der Busplan ihn nennt. Sendet nichts auf dem Bus.
 
-Auf einer seriellen Leitung wird jede Adresse nach ihrer Seriennummer gefragt, und wer antwortet, nach
+An einer seriellen Leitung wird jede Adresse nach ihrer Seriennummer gefragt, und wer antwortet, nach
 Gerätecode und Version. Nichts wird geschrieben. Strg+C beendet es und listet auf, was bis dahin gefunden ist.
 
---save macht daraus ein Projekt. Mit --project dazu wird übernommen, was jenes Projekt von Geräten
+--save macht daraus ein Projekt. Zusammen mit --project wird übernommen, was jenes Projekt von Geräten
 weiß, die noch da sind.</translation>
     </message>
     <message>
         <source>send what writes without asking</source>
-        <translation>auch Schreibendes ohne Rückfrage senden</translation>
+        <translation>auch schreibende Anfragen ohne Rückfrage senden</translation>
     </message>
     <message>
         <source>Whether it was carried out is not known: read the value.</source>
-        <translation>Ob es ausgeführt wurde, ist nicht bekannt: den Wert auslesen.</translation>
+        <translation>Ob es ausgeführt wurde, ist nicht bekannt: Den Wert auslesen.</translation>
     </message>
     <message>
         <source>%1 writes, and was not sent: there is nobody to ask. Add --yes.</source>
@@ -5777,7 +5777,7 @@ weiß, die noch da sind.</translation>
     </message>
     <message>
         <source>send typed requests over a serial line</source>
-        <translation>getippte Anfragen über eine serielle Leitung senden</translation>
+        <translation>eingetippte Anfragen über eine serielle Leitung senden</translation>
     </message>
     <message>
         <source>Sends each REQUEST once: the address as two hexadecimal digits, the command, and the data of a
@@ -5787,13 +5787,13 @@ with --json as one object in each line. No position is polled.
 
 What writes is asked for first; where nobody can be asked, --yes is needed. In a pipe the first
 request that is wrong, not answered, or refused for want of --yes is the last.</source>
-        <translation>Sendet jede ANFRAGE einmal: die Adresse als zwei Hexziffern, den Befehl und beim Schreiben die Daten,
-wie 05P oder 03GP5200. Ohne eine werden Anfragen von der Standardeingabe gelesen, je Zeile eine, bis
-zu ihrem Ende (Strg+D). Was in beiden Richtungen läuft, wird mit Zeit ausgegeben, als Text, als Bytes
-und in Worten; mit --json je Zeile als ein Objekt. Keine Position wird abgefragt.
+        <translation>Sendet jede REQUEST einmal: die Adresse als zwei Hexziffern, den Befehl und beim Schreiben die Daten,
+etwa 05P oder 03GP5200. Ohne REQUEST werden Anfragen von der Standardeingabe gelesen, je Zeile eine,
+bis zu ihrem Ende (Strg+D). Was in beiden Richtungen läuft, wird mit Zeit ausgegeben, als Text, als Bytes
+und in Worten; mit --json je Zeile als ein Objekt. Die Position wird nicht abgefragt.
 
-Vor Schreibendem wird gefragt; wo niemand gefragt werden kann, ist --yes nötig. In einer Pipe ist die
-erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehnt wird, die letzte.</translation>
+Vor einer schreibenden Anfrage wird gefragt; wo niemand gefragt werden kann, ist --yes nötig. In einer Pipe
+ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehnt wird.</translation>
     </message>
     <message>
         <source>Encoders on a serial line have no velocity mode.</source>
@@ -5801,27 +5801,27 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>Encoders on a serial line have no words of process data. Send commands with codewheel-cli terminal.</source>
-        <translation>Geber an einer seriellen Leitung haben keine Worte in Prozessdaten. Befehle mit codewheel-cli terminal senden.</translation>
+        <translation>Geber an einer seriellen Leitung haben keine Prozessdatenworte. Befehle mit codewheel-cli terminal senden.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no answer to %2. A read is answered with its digits, a write with a bare line end (type CRLF), either with 03 or 05 where it is refused.</source>
-        <translation>&quot;%1&quot; ist keine Antwort auf %2. Ein Lesen wird mit seinen Ziffern beantwortet, ein Schreiben mit einem bloßen Zeilenende (CRLF eintippen), beides mit 03 oder 05, wo es abgelehnt wird.</translation>
+        <translation>„%1“ ist keine Antwort auf %2. Ein Lesen wird mit seinen Ziffern beantwortet, ein Schreiben mit einem bloßen Zeilenende (CRLF eintippen), beides mit 03 oder 05, wenn es abgelehnt wird.</translation>
     </message>
     <message>
         <source>%1 is for words of process data; an encoder on a serial line has none. Leave it out.</source>
-        <translation>%1 ist für Worte der Prozessdaten; ein Geber an einer seriellen Leitung hat keine. Weglassen.</translation>
+        <translation>%1 ist für Prozessdatenworte; ein Geber an einer seriellen Leitung hat keine. Weglassen.</translation>
     </message>
     <message>
         <source>An answer means nothing without its request. Give it with --other, as --other 05P.</source>
-        <translation>Eine Antwort sagt ohne ihre Anfrage nichts. Diese mit --other angeben, wie --other 05P.</translation>
+        <translation>Eine Antwort sagt ohne ihre Anfrage nichts. Diese mit --other angeben, etwa --other 05P.</translation>
     </message>
     <message>
         <source>A request needs no --other. Leave it out, or give --direction in to explain an answer.</source>
-        <translation>Eine Anfrage braucht kein --other. Weglassen, oder --direction in angeben, um eine Antwort zu erklären.</translation>
+        <translation>Eine Anfrage braucht kein --other. Weglassen oder --direction in angeben, um eine Antwort zu erklären.</translation>
     </message>
     <message>
         <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
-        <translation>codewheel-cli richtet Absolutwertgeber am INTERBUS und an seriellen Leitungen ein, beobachtet und prüft sie.</translation>
+        <translation>codewheel-cli richtet Absolutgeber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
     </message>
     <message>
         <source>No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli scan --all-rates looks for encoders.</source>
@@ -5833,7 +5833,7 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>sent: it is not known whether the encoder has it</source>
-        <translation>gesendet: Es ist nicht bekannt, ob der Geber es hat</translation>
+        <translation>gesendet: ob der Geber es hat, ist nicht bekannt</translation>
     </message>
     <message>
         <source>not taken: the encoder has another value</source>
@@ -5845,7 +5845,7 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>What the encoder has is known as far as it is told above: connect again and read it.</source>
-        <translation>Was der Geber hat, ist bekannt, soweit es oben steht: neu verbinden und auslesen.</translation>
+        <translation>Was der Geber hat, ist nur bekannt, soweit es oben steht: neu verbinden und auslesen.</translation>
     </message>
     <message>
         <source>The encoder does not answer any more.</source>
@@ -5865,19 +5865,19 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>&quot;%1&quot; is no format of a serial line. Give data bits (7, 8), parity (N, E, O) and stop bits (1, 2), as 8N2.</source>
-        <translation>&quot;%1&quot; ist kein Format einer seriellen Leitung. Datenbits (7, 8), Parität (N, E, O) und Stoppbits (1, 2) angeben, wie 8N2.</translation>
+        <translation>„%1“ ist kein Format einer seriellen Leitung. Datenbits (7, 8), Parität (N, E, O) und Stoppbits (1, 2) angeben, etwa 8N2.</translation>
     </message>
     <message>
         <source>A serial line has no setting &quot;%1&quot;. Its settings are: %2. Write them behind the port, as esc:ttyUSB0,baud=9600.</source>
-        <translation>Eine serielle Leitung hat keine Einstellung &quot;%1&quot;. Ihre Einstellungen sind: %2. Sie stehen hinter dem Anschluss, wie esc:ttyUSB0,baud=9600.</translation>
+        <translation>Eine serielle Leitung hat keine Einstellung „%1“. Ihre Einstellungen sind: %2. Sie stehen hinter dem Anschluss, etwa esc:ttyUSB0,baud=9600.</translation>
     </message>
     <message>
         <source>The setting %1 of the line cannot be &quot;%2&quot;. Give a whole number from %3 to %4.</source>
-        <translation>Die Einstellung %1 der Leitung kann nicht &quot;%2&quot; sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
+        <translation>Die Einstellung %1 der Leitung kann nicht „%2“ sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
     </message>
     <message>
         <source>Name the port of the serial line, as --link esc:ttyUSB0. %1</source>
-        <translation>Den Anschluss der seriellen Leitung nennen, wie --link esc:ttyUSB0. %1</translation>
+        <translation>Den Anschluss der seriellen Leitung nennen, etwa --link esc:ttyUSB0. %1</translation>
     </message>
     <message>
         <source>The ports there are: %1.</source>
@@ -5901,11 +5901,11 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>The encoder is at %1 now: PLACE %2.</source>
-        <translation>Der Geber ist jetzt bei %1: PLATZ %2.</translation>
+        <translation>Der Geber ist jetzt an %1: PLACE %2.</translation>
     </message>
     <message>
         <source>The encoder has %1 Bd now: give the link as ...,baud=%1.</source>
-        <translation>Der Geber hat jetzt %1 Bd: Die Verbindung als ...,baud=%1 angeben.</translation>
+        <translation>Der Geber spricht jetzt mit %1 Bd: Die Verbindung als ...,baud=%1 angeben.</translation>
     </message>
     <message>
         <source>does not answer</source>
@@ -5929,7 +5929,7 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>Addresses asked: %1 of %2. Encoders found: %3.</source>
-        <translation>Gefragte Adressen: %1 von %2. Gefundene Geber: %3.</translation>
+        <translation>Abgefragte Adressen: %1 von %2. Gefundene Geber: %3.</translation>
     </message>
     <message>
         <source>address</source>
@@ -5957,19 +5957,19 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>serial line: at 19200, 9600 and 4800 Bd, not at that of the link alone</source>
-        <translation>serielle Leitung: mit 19200, 9600 und 4800 Bd, nicht nur mit der Rate der Verbindung</translation>
+        <translation>serielle Leitung: mit 19200, 9600 und 4800 Bd, nicht nur mit der Baudrate der Verbindung</translation>
     </message>
     <message>
         <source>serial line: ask at the master address first, where one encoder is alone</source>
-        <translation>serielle Leitung: zuerst an der Masteradresse fragen, wo ein Geber allein ist</translation>
+        <translation>serielle Leitung: zuerst die Masteradresse abfragen, wenn nur ein Geber an der Leitung ist</translation>
     </message>
     <message>
         <source>serial line: the first address asked (01)</source>
-        <translation>serielle Leitung: die erste gefragte Adresse (01)</translation>
+        <translation>serielle Leitung: die erste abgefragte Adresse (01)</translation>
     </message>
     <message>
         <source>serial line: the last address asked (1F)</source>
-        <translation>serielle Leitung: die letzte gefragte Adresse (1F)</translation>
+        <translation>serielle Leitung: die letzte abgefragte Adresse (1F)</translation>
     </message>
     <message>
         <source>command</source>
@@ -5977,7 +5977,7 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     </message>
     <message>
         <source>The scaling factor is computed from them: they act once it is sent.</source>
-        <translation>Der Skalierungsfaktor wird daraus berechnet: Sie wirken, sobald er gesendet ist.</translation>
+        <translation>Der Skalierungsfaktor wird daraus berechnet: Diese Werte wirken, sobald er gesendet ist.</translation>
     </message>
     <message>
         <source>Each command is sent once, and what was written is read back.</source>
@@ -5993,16 +5993,16 @@ words; asks; writes to one after the other, and tells what became of each value.
 there is not written: an encoder that can be read is read first. An encoder of which one value
 cannot be written is not written at all, nor is one that is not the project&apos;s: its place may have
 another number now (see &quot;compare&quot;). Exit code 1 if an encoder has not got all of it.</source>
-        <translation>Zeigt, was die genannten oder alle Geber bekanntermaßen haben, neben dem, was das Projekt will, mit
+        <translation>Zeigt, was von den genannten oder von allen Gebern bekannt ist, neben dem, was das Projekt wünscht, mit
 den Worten; fragt; schreibt in einen nach dem anderen und sagt, was aus jedem Wert wurde. Was schon
-da ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst gelesen. Ein Geber,
-in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben, und auch keiner, der nicht
-der des Projekts ist: Sein Platz kann jetzt eine andere Nummer haben (siehe &quot;compare&quot;). Exit-Code 1,
-wenn ein Geber nicht alles bekommen hat.</translation>
+vorhanden ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst ausgelesen. Ein
+Geber, in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben, und auch keiner, der
+nicht der des Projekts ist: Sein Platz kann jetzt eine andere Nummer haben (siehe „compare“).
+Rückgabewert 1, wenn ein Geber nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>No message is kept that fits.</source>
-        <translation>Keine gespeicherte Meldung passt dazu.</translation>
+        <translation>Keine der aufbewahrten Meldungen passt dazu.</translation>
     </message>
     <message>
         <source>With --dry-run nothing is written, so there is nothing to report. Leave out --report or --dry-run.</source>
@@ -6010,15 +6010,15 @@ wenn ein Geber nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; ends in .pdf. What was written is saved as a web page (.html), or as text under any other name.</source>
-        <translation>&quot;%1&quot; endet auf .pdf. Was geschrieben wurde, wird als Webseite (.html) gesichert, unter jedem anderen Namen als Text.</translation>
+        <translation>„%1“ endet auf .pdf. Was geschrieben wurde, wird als Webseite (.html) gespeichert, unter jedem anderen Namen als Text.</translation>
     </message>
     <message>
         <source>save what was written where: HTML where the name ends in .html, else text; a FILE that is there is replaced with --yes only</source>
-        <translation>sichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text; eine vorhandene Datei wird nur mit --yes ersetzt</translation>
+        <translation>speichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text; eine vorhandene FILE wird nur mit --yes ersetzt</translation>
     </message>
     <message>
         <source>whether an error of the encoder ends the sequence (stop)</source>
-        <translation>ob ein Fehler des Gebers die Folge beendet (stop)</translation>
+        <translation>ob ein Fehler des Gebers die Sequenz beendet (stop)</translation>
     </message>
     <message>
         <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
@@ -6032,45 +6032,45 @@ hexadecimal, as the manuals print them.</source>
         <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
 Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
 einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen, 40000000, bis
-die Position gefolgt ist. Anderes sagt --hold. Der FRABA-Preset (60000000) steht einen Zyklus, was
-immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers beendet die Folge; mit
+die Position gefolgt ist. Mit --hold gilt anderes. Der FRABA-Preset (60000000) steht einen Zyklus, was
+immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers beendet die Sequenz; mit
 --after-error go-on wird das nächste Wort gesendet, damit sich ein Weg aus dem Fehler probieren lässt,
-und der Rückgabewert ist nur dann 1, wenn auf das letzte Wort ein Fehler kam oder der Geber in einem
-zurückbleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
+und der Rückgabewert ist nur dann 1, wenn auf das letzte Wort ein Fehler kam oder der Geber im Fehler
+bleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
     <message>
         <source>set by the encoder itself, with the steps</source>
-        <translation>vom Geber selbst gesetzt, mit den Schritten</translation>
+        <translation>vom Geber selbst mit den Schritten gesetzt</translation>
     </message>
     <message>
         <source>the key on the label of the encoder: it tells how many bits a position has</source>
-        <translation>der Schlüssel auf dem Typenschild des Gebers: er sagt, wie viele Bits eine Position hat</translation>
+        <translation>der Schlüssel auf dem Typenschild des Gebers: Er sagt, wie viele Bits eine Position hat</translation>
     </message>
     <message>
         <source>The key &quot;%1&quot; is not that of %2. It may be that of: %3.</source>
-        <translation>Der Schlüssel &quot;%1&quot; ist nicht der von %2. Er kann der sein von: %3.</translation>
+        <translation>Der Schlüssel „%1“ gehört nicht zu %2. Er kann gehören zu: %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; stands there twice. Give it once.</source>
-        <translation>&quot;%1&quot; steht zweimal da. Einmal angeben.</translation>
+        <translation>„%1“ steht zweimal da. Einmal angeben.</translation>
     </message>
     <message>
         <source>Reads the parameters named, or all that can be read but the registers of the bus chip, which are
 read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.
 An encoder without read-out (devices tells which) is not asked: exit code 1.
 An encoder on a serial line also has a version, which is text.</source>
-        <translation>Liest die genannten Parameter, oder alle lesbaren außer den Registern des Buschips; die werden mit
+        <translation>Liest die genannten Parameter oder alle lesbaren außer den Registern des Busbausteins; diese werden mit
 Namen gelesen: opc-register-0 bis opc-register-15. Beim Lesen zeigt der Geber keine Position.
 Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Rückgabewert 1.
 Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text ist.</translation>
     </message>
     <message>
         <source>At %1 no encoder tells its serial number twice the same: several may answer at once. The address is for an encoder that is alone on its line. codewheel-cli scan finds the addresses of all.</source>
-        <translation>Auf %1 nennt kein Geber zweimal dieselbe Seriennummer: Vielleicht antworten mehrere zugleich. Die Adresse ist für einen Geber, der allein an seiner Leitung ist. codewheel-cli scan findet die Adressen aller.</translation>
+        <translation>An %1 meldet kein Geber zweimal dieselbe Seriennummer: Vielleicht antworten mehrere zugleich. Die Adresse ist für einen Geber, der allein an seiner Leitung ist. codewheel-cli scan findet die Adressen aller.</translation>
     </message>
     <message>
         <source>Nothing was written to an encoder.</source>
-        <translation>In keinen Geber wurde etwas geschrieben.</translation>
+        <translation>Es wurde in keinen Geber etwas geschrieben.</translation>
     </message>
     <message>
         <source>This was done:</source>
@@ -6086,11 +6086,11 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
     </message>
     <message>
         <source>Nothing was sent: what would be sent could not be shown.</source>
-        <translation>Nichts wurde gesendet: Was gesendet würde, konnte nicht gezeigt werden.</translation>
+        <translation>Nichts gesendet: Was gesendet würde, konnte nicht angezeigt werden.</translation>
     </message>
     <message>
         <source>export: replace the file if it is there</source>
-        <translation>export: die Datei ersetzen, falls es sie gibt</translation>
+        <translation>export: die Datei ersetzen, falls sie vorhanden ist</translation>
     </message>
     <message>
         <source>Saved in %1: entries of the ledger: %2.</source>
@@ -6113,9 +6113,9 @@ same serial number is the same encoder there, and what was imported before is no
 no bus.</source>
         <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
 geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
-Typenschild abgetippten, sonst nach seinem Platz im Projekt. &quot;vielleicht&quot; sind Schreibvorgänge, die
+Typenschild abgetippten, sonst nach seinem Platz im Projekt. „vielleicht“ sind Schreibvorgänge, die
 begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
-&quot;export&quot; speichert alle Einträge in einer Datei, und &quot;import&quot; nimmt sie auf einem anderen Rechner in
+„export“ speichert alle Einträge in einer Datei, und „import“ nimmt sie auf einem anderen Rechner in
 dessen Verzeichnis auf: Dieselbe Seriennummer ist dort derselbe Geber, und was schon aufgenommen
 wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
     </message>
@@ -6131,12 +6131,12 @@ in the cam mode of its own; leaving one that was changed before costs an EEPROM 
 Nothing is stored of a place where another encoder may stand than the project has (see
 &quot;compare&quot;): exit code 1. The file that was there is kept as PROJECT~.</source>
         <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
-und Zeit im Projekt ab. Solange einer am INTERBUS gelesen wird, zeigt er keine Position. Von einem, der
-sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
+und Zeit im Projekt ab. Solange ein Geber am INTERBUS gelesen wird, zeigt er keine Position. Von einem,
+der sich nicht auslesen lässt, wird abgelegt, was bekannt ist; Unbekanntes bleibt unbekannt. Mit
 --cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
 verlassen kostet einen EEPROM-Schreibvorgang. Von einem Platz, an dem ein anderer Geber stehen kann
-als im Projekt, wird nichts abgelegt (siehe &quot;compare&quot;): Exit-Code 1. Die Datei, die da war, bleibt
-als PROJECT~ erhalten.</translation>
+als im Projekt, wird nichts abgelegt (siehe „compare“): Rückgabewert 1. Die vorige Datei bleibt als
+PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>code</source>
@@ -6148,7 +6148,7 @@ als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>the way to the encoders: training (the default), the simulated buses; project, all buses of the project; or SCHEME:WHERE, with settings behind it, as in esc:ttyUSB0,baud=9600</source>
-        <translation>der Weg zu den Gebern: training (ohne Angabe), die simulierten Busse; project, alle Busse des Projekts; oder SCHEMA:WO mit Einstellungen dahinter, wie in esc:ttyUSB0,baud=9600</translation>
+        <translation>der Weg zu den Gebern: training (ohne Angabe), die simulierten Busse; project, alle Busse des Projekts; oder SCHEME:WHERE mit Einstellungen dahinter, etwa esc:ttyUSB0,baud=9600</translation>
     </message>
     <message>
         <source>the addresses of encoders as two hexadecimal digits, as 05</source>
@@ -6164,7 +6164,7 @@ als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>There is no link &quot;%1&quot;. The links are: %2.</source>
-        <translation>Es gibt keine Verbindung &quot;%1&quot;. Die Verbindungen sind: %2.</translation>
+        <translation>Es gibt keine Verbindung „%1“. Die Verbindungen sind: %2.</translation>
     </message>
     <message>
         <source>Say with protocol= what is spoken at %1. There is: %2.</source>
@@ -6176,15 +6176,15 @@ als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a station on a bus that the link does not lead to.</source>
-        <translation>&quot;%1&quot; ist eine Station an einem Bus, zu dem die Verbindung nicht führt.</translation>
+        <translation>„%1“ ist eine Station an einem Bus, zu dem die Verbindung nicht führt.</translation>
     </message>
     <message>
         <source>%1 is a place on a bus that the link does not lead to (%2). Places there are: %3.</source>
-        <translation>%1 ist ein Platz an einem Bus, zu dem die Verbindung nicht führt (%2). Plätze gibt es: %3.</translation>
+        <translation>%1 ist ein Platz an einem Bus, zu dem die Verbindung nicht führt (%2). Plätze dort sind: %3.</translation>
     </message>
     <message>
         <source>The link leads to no bus &quot;%1&quot;. The buses are: %2.</source>
-        <translation>Die Verbindung führt zu keinem Bus &quot;%1&quot;. Die Busse sind: %2.</translation>
+        <translation>Die Verbindung führt zu keinem Bus „%1“. Die Busse sind: %2.</translation>
     </message>
     <message>
         <source>The link leads to no bus of this kind: %1.</source>
@@ -6192,7 +6192,7 @@ als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>on this bus, as the project calls it, where there are several</source>
-        <translation>an diesem Bus, wie das Projekt ihn nennt, wo es mehrere gibt</translation>
+        <translation>an diesem Bus, wie das Projekt ihn nennt, wenn es mehrere gibt</translation>
     </message>
     <message>
         <source>interbus:training, the simulated ring alone</source>
@@ -6200,11 +6200,11 @@ als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>The project links &quot;%1&quot; by &quot;%2&quot;: this program has no such link.</source>
-        <translation>Das Projekt verbindet &quot;%1&quot; über &quot;%2&quot;: Diese Verbindung hat das Programm nicht.</translation>
+        <translation>Das Projekt verbindet „%1“ über „%2“: Eine solche Verbindung hat dieses Programm nicht.</translation>
     </message>
     <message>
         <source>The project has no port for &quot;%1&quot; yet. Choose one in the window, or name it, as --link esc:ttyUSB0.</source>
-        <translation>Das Projekt hat für &quot;%1&quot; noch keinen Anschluss. Im Fenster einen wählen, oder ihn nennen, etwa --link esc:ttyUSB0.</translation>
+        <translation>Das Projekt hat für „%1“ noch keinen Anschluss. Einen im Fenster wählen oder nennen, etwa --link esc:ttyUSB0.</translation>
     </message>
     <message>
         <source>Lays the devices the project has configured beside those that are connected and tells line by line
@@ -6212,15 +6212,15 @@ what is the same, differs, is missing, additional or moved; exit code 1 if anyth
 make is not compared: the bus does not tell it. On a serial line the encoders of the project are
 asked who they are; one that does not answer is missing.
 Sends nothing to a ring.</source>
-        <translation>Legt die im Projekt geplanten Teilnehmer neben die angeschlossenen und sagt Zeile für Zeile, was
-gleich, anders, zu wenig, zusätzlich oder versetzt ist; Exit-Code 1, wenn etwas abweicht. Der
-Hersteller wird nicht verglichen: Der Bus nennt ihn nicht. Auf einer seriellen Leitung werden die
+        <translation>Stellt die im Projekt geplanten Teilnehmer den angeschlossenen gegenüber und sagt Zeile für Zeile, was
+gleich ist, abweicht, fehlt, zusätzlich da oder versetzt ist; Rückgabewert 1, wenn etwas abweicht. Der
+Hersteller wird nicht verglichen: Der Bus nennt ihn nicht. An einer seriellen Leitung werden die
 Geber des Projekts gefragt, wer sie sind; einer, der nicht antwortet, fehlt.
 Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>Not compared, since the link does not lead there, or it cannot be reached: %1.</source>
-        <translation>Nicht verglichen, weil die Verbindung nicht dorthin führt oder er nicht erreichbar ist: %1.</translation>
+        <translation>Nicht verglichen, weil die Verbindung nicht dorthin führt oder nicht erreichbar ist: %1.</translation>
     </message>
     <message>
         <source>The call names two projects: %1 and %2. Leave --project out.</source>
@@ -6228,23 +6228,23 @@ Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>The project has several devices at the station &quot;%1&quot;. Give one of these: %2.</source>
-        <translation>Das Projekt hat mehrere Teilnehmer an der Station &quot;%1&quot;. Einen davon angeben: %2.</translation>
+        <translation>Das Projekt hat mehrere Teilnehmer an der Station „%1“. Einen davon angeben: %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is the name of one bus and the number of another. Rename it.</source>
-        <translation>&quot;%1&quot; ist der Name eines Busses und die Nummer eines anderen. Ihn umbenennen.</translation>
+        <translation>„%1“ ist der Name eines Busses und die Nummer eines anderen. Den ersten umbenennen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a station of the project, and a place on a bus. Give the number of the bus and the place: %2.</source>
-        <translation>&quot;%1&quot; ist eine Station des Projekts und ein Platz an einem Bus. Nummer des Busses und Platz angeben: %2.</translation>
+        <translation>„%1“ ist eine Station des Projekts und ein Platz an einem Bus. Nummer des Busses und Platz angeben: %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no bus of this kind: %2. There is: %3.</source>
-        <translation>&quot;%1&quot; ist kein Bus dieser Art: %2. Es gibt: %3.</translation>
+        <translation>„%1“ ist kein Bus dieser Art: %2. Es gibt: %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not spoken at %2. What protocol= can name there: %3.</source>
-        <translation>&quot;%1&quot; wird an %2 nicht gesprochen. Dort kann protocol= nennen: %3.</translation>
+        <translation>„%1“ wird an %2 nicht gesprochen. Mögliche Angaben für protocol= sind: %3.</translation>
     </message>
     <message>
         <source>The link leads to several buses. Name one with %1: %2.</source>
@@ -6252,11 +6252,11 @@ Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>the ring of the fault plan, as the project calls it, where there are several</source>
-        <translation>der Ring des Fehlerplans, wie ihn das Projekt nennt, wo es mehrere gibt</translation>
+        <translation>der Ring des Fehlerplans, wie ihn das Projekt nennt, wenn es mehrere gibt</translation>
     </message>
     <message>
         <source>The link %1 has no settings. Leave &quot;%2&quot; out.</source>
-        <translation>Die Verbindung %1 hat keine Einstellungen. &quot;%2&quot; weglassen.</translation>
+        <translation>Die Verbindung %1 hat keine Einstellungen. „%2“ weglassen.</translation>
     </message>
     <message>
         <source>read</source>
@@ -6264,11 +6264,11 @@ Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>confirmed</source>
-        <translation>bestätigt</translation>
+        <translation>quittiert</translation>
     </message>
     <message>
         <source>told</source>
-        <translation>angegeben</translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>%1 is for a bus that the link does not lead to: %2. Leave it out.</source>
@@ -6276,7 +6276,7 @@ Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>of this device; &quot;bus&quot;: of none</source>
-        <translation>von diesem Teilnehmer; &quot;bus&quot;: von keinem</translation>
+        <translation>von diesem Teilnehmer; „bus“: von keinem</translation>
     </message>
     <message>
         <source>of this bus and its devices: its number, or its name in the project</source>
@@ -6284,11 +6284,11 @@ Sendet nichts an einen Ring.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no bus. Write its number, or its name with --project.</source>
-        <translation>&quot;%1&quot; ist kein Bus. Seine Nummer schreiben, oder seinen Namen mit --project.</translation>
+        <translation>„%1“ ist kein Bus. Seine Nummer schreiben, oder seinen Namen mit --project.</translation>
     </message>
     <message>
         <source>Give --place or --bus, not both. A place on another bus is written as 3/1.0.</source>
-        <translation>--place oder --bus angeben, nicht beides. Ein Platz an einem anderen Bus wird als 3/1.0 geschrieben.</translation>
+        <translation>Entweder --place oder --bus angeben. Ein Platz an einem anderen Bus wird als 3/1.0 geschrieben.</translation>
     </message>
     <message>
         <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
@@ -6302,11 +6302,11 @@ the one named before the request (&quot;Gate 2/05P&quot;), else by the only one 
 Needs no bus and sends nothing.</source>
         <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
 angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
-die das Wort haben kann. Ein K1 oder K2 gilt als der Standard-Geber, wenn --label nichts anderes sagt.
+die das Wort haben kann. Ein K1 oder K2 gilt als Standardgeber, wenn --label nichts anderes sagt.
 
 Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
---other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende. Von mehreren
-Leitungen der Verbindung gilt die, die vor der Anfrage steht (&quot;Gate 2/05P&quot;), sonst die einzige, die
+--other REQUEST, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende. Von mehreren
+Leitungen der Verbindung gilt die, die vor der Anfrage steht („Gate 2/05P“), sonst die einzige, die
 ihre Adresse hat.
 
 Braucht keinen Bus und sendet nichts.</translation>
@@ -6321,31 +6321,31 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>The link &quot;%1&quot; needs a project. Name it with --project FILE.</source>
-        <translation>Die Verbindung &quot;%1&quot; braucht ein Projekt. Es mit --project DATEI nennen.</translation>
+        <translation>Die Verbindung „%1“ braucht ein Projekt. Dieses mit --project FILE nennen.</translation>
     </message>
     <message>
         <source>The project has no buses for the link &quot;%1&quot;.</source>
-        <translation>Das Projekt hat keine Busse für die Verbindung &quot;%1&quot;.</translation>
+        <translation>Das Projekt hat keine Busse für die Verbindung „%1“.</translation>
     </message>
     <message>
         <source>The bus &quot;%1&quot; differs from the project, so &quot;%2&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
-        <translation>Der Bus &quot;%1&quot; weicht vom Projekt ab, also kann &quot;%2&quot; woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
+        <translation>Der Bus „%1“ weicht vom Projekt ab, also kann „%2“ woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
     </message>
     <message>
         <source>The bus &quot;%1&quot; differs from the project. See codewheel-cli compare.</source>
-        <translation>Der Bus &quot;%1&quot; weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
+        <translation>Der Bus „%1“ weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
     </message>
     <message>
         <source>%1 has nothing stored of its encoders: there is nothing to write.</source>
-        <translation>%1 hat von seinen Gebern nichts gespeichert: Es gibt nichts zu schreiben.</translation>
+        <translation>In %1 ist von seinen Gebern nichts abgelegt: Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>%1 wants nothing of its encoders: there is nothing to write.</source>
-        <translation>%1 will von seinen Gebern nichts: Es gibt nichts zu schreiben.</translation>
+        <translation>%1 wünscht von seinen Gebern nichts: Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>Whether the position was set is not known: read it.</source>
-        <translation>Ob die Position gesetzt wurde, ist nicht bekannt: die Position auslesen.</translation>
+        <translation>Ob die Position gesetzt wurde, ist nicht bekannt: Die Position auslesen.</translation>
     </message>
     <message>
         <source>%1: nobody answers there. The encoders that are planned on it stay in the project.</source>
@@ -6369,7 +6369,7 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>The project has the bus &quot;%1&quot;, but the link does not lead to it. The buses of the link are: %2. --link project leads to all of the project.</source>
-        <translation>Das Projekt hat den Bus &quot;%1&quot;, aber --link führt nicht zu ihm. Die Busse dort sind: %2. --link project führt zu allen des Projekts.</translation>
+        <translation>Das Projekt hat den Bus „%1“, aber --link führt nicht zu ihm. Die Busse der Verbindung sind: %2. --link project führt zu allen des Projekts.</translation>
     </message>
     <message>
         <source>Standard output cannot be written: %1.</source>
@@ -6377,19 +6377,19 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>No bus of the project is at %1: what the project says of its encoders does not count for it.</source>
-        <translation>Kein Bus des Projekts ist an %1: Was das Projekt von seinen Gebern sagt, gilt dort nicht.</translation>
+        <translation>An %1 ist kein Bus des Projekts: Was im Projekt von seinen Gebern steht, gilt dort nicht.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no bus of the project. Its buses are: %2.</source>
-        <translation>&quot;%1&quot; ist kein Bus des Projekts. Seine Busse sind: %2.</translation>
+        <translation>„%1“ ist kein Bus des Projekts. Seine Busse sind: %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no place. Write it as 1.0, with its bus as 3/1.0, or with the name of the bus and --project; or write bus.</source>
-        <translation>&quot;%1&quot; ist kein Platz. Als 1.0 schreiben, mit seinem Bus als 3/1.0 oder mit dem Namen des Busses und --project; oder bus.</translation>
+        <translation>„%1“ ist kein Platz. Als 1.0 schreiben, mit seinem Bus als 3/1.0 oder mit dem Namen des Busses und --project; oder bus.</translation>
     </message>
     <message>
         <source>The encoder at %1 tells the serial number %3, and --serial is %2. Nothing was written, and the project is as it was: correct --serial, or leave it out.</source>
-        <translation>Der Geber bei %1 nennt die Seriennummer %3, und --serial ist %2. Nichts wurde geschrieben, und das Projekt ist, wie es war: --serial berichtigen oder weglassen.</translation>
+        <translation>Der Geber an %1 meldet die Seriennummer %3, aber --serial ist %2. Nichts wurde geschrieben, und das Projekt ist unverändert: --serial berichtigen oder weglassen.</translation>
     </message>
     <message>
         <source>Saved as a new bus, beside those of the project: %1.</source>
@@ -6408,39 +6408,40 @@ encoders 03, 05 and 12. What one call wrote, the next one does not find.
 
 Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
 codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
-zwei Hexziffern: 12, oder esc:12; oder seine Station im Projekt. Wo mehrere Busse ihn haben, nennt
-BUS/PLATZ einen davon; BUS ist sein Name im Projekt, sonst Ring oder Line, oder seine Nummer. Zahlen
-sind dezimal, außer sie sind 0x.. oder ..h geschrieben; ein WORT ist immer hexadezimal, wie die
+        <translation>PLACE ist die Teilnehmernummer eines Gebers, Segment.Position: 1.0; an einer seriellen Leitung seine
+Adresse, zwei Hexziffern: 12, oder esc:12; oder seine Station im Projekt. Wo mehrere Busse ihn haben,
+nennt BUS/PLACE einen davon; BUS ist sein Name im Projekt, sonst Ring oder Line, oder seine Nummer.
+Zahlen sind dezimal, außer sie sind 0x.. oder ..h geschrieben; ein WORD ist immer hexadezimal, wie die
 Handbücher es drucken.
 
 Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
 2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
-6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
-Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
+6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-Gebern
+03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
 
-Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
-codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
+Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt, aber nicht gemeldet;
+2 falsche Eingabe.
+codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>What is written to the address 00 goes into the EEPROM of every encoder of the line, and it is not known which there are. Nothing was sent. Write to each by its own address (codewheel-cli scan finds them), or name the project that has them with --project.</source>
-        <translation>Was an die Adresse 00 geschrieben wird, geht in das EEPROM jedes Gebers der Leitung, und es ist nicht bekannt, welche da sind. Nichts wurde gesendet. Jedem unter seiner eigenen Adresse schreiben (codewheel-cli scan findet sie), oder mit --project das Projekt nennen, das sie hat.</translation>
+        <translation>Was an die Adresse 00 geschrieben wird, geht in das EEPROM jedes Gebers der Leitung, und es ist nicht bekannt, welche da sind. Nichts wurde gesendet. In jeden unter seiner eigenen Adresse schreiben (codewheel-cli scan findet sie) oder mit --project das Projekt nennen, das sie hat.</translation>
     </message>
     <message>
         <source>No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until now. Either the answers come late (time-out=500 behind the port waits longer), or another baud rate or format is needed (codewheel-cli scan --all-rates tries the rates), or the wiring is wrong or disturbed (A and B exchanged, no termination), or a device on the line speaks another protocol.</source>
-        <translation>Von %1 kommt bei %2 Bd keine Antwort, aber Bytes, die keine Antworten sind: bisher %3. Entweder kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), oder es ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Raten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+        <translation>Von %1 kommt bei %2 Bd keine Antwort; es kommen aber Bytes, die keine Antworten sind: bisher %3. Entweder kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), oder es ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Baudraten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
     </message>
     <message>
         <source>%1 is in use: the project gives it to the bus &quot;%2&quot; too. A port is for one bus. Choose another one for it.</source>
-        <translation>%1 ist belegt: Das Projekt gibt diesen Anschluss auch dem Bus &quot;%2&quot;. Ein Anschluss ist für einen Bus. Für ihn einen anderen wählen.</translation>
+        <translation>%1 ist belegt: Im Projekt hat auch der Bus „%2“ diesen Anschluss. Ein Anschluss ist nur für einen Bus. Einen anderen wählen.</translation>
     </message>
     <message>
         <source>Bytes come that are no answers: %1 until now. The answers may come late (time-out=500 behind the port waits longer), the baud rate or the format may be another one, the wiring wrong or disturbed, or a device on the line speaks another protocol.</source>
-        <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Vielleicht kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), Baudrate oder Format sind andere, die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+        <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Entweder kommen die Antworten zu spät (time-out=500 hinter dem Anschluss wartet länger), oder Baudrate oder Format sind andere, oder die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
     </message>
     <message>
         <source>esc:training, the simulated line alone; esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600</source>
-        <translation>esc:training, die simulierte Leitung allein; esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0,baud=9600</translation>
+        <translation>esc:training, die simulierte Leitung allein; esc:PORT, eine serielle Leitung mit Kübler-Gebern, etwa esc:ttyUSB0,baud=9600</translation>
     </message>
 </context>
 <context>
@@ -6490,7 +6491,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation>anders</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>missing</source>
@@ -6510,11 +6511,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>%1: %2 is additional: it is not configured</source>
-        <translation>%1: %2 ist zusätzlich da: nicht projektiert</translation>
+        <translation>%1: %2 ist zusätzlich da und nicht projektiert</translation>
     </message>
     <message>
         <source>%1: configured %2 is missing</source>
-        <translation>%1: projektiert %2, fehlt</translation>
+        <translation>%1: %2 projektiert, fehlt</translation>
     </message>
     <message>
         <source>%1: %2 moved among its neighbours, its number stayed the same</source>
@@ -6560,7 +6561,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Plans the chosen lines as they are connected; can be undone</source>
-        <translation>Plant die gewählten Zeilen so, wie sie angeschlossen sind; lässt sich zurücknehmen</translation>
+        <translation>Plant die gewählten Zeilen so, wie sie angeschlossen sind; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Choose the lines that are to be taken over.</source>
@@ -6569,8 +6570,8 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message numerus="yes">
         <source>%n lines differ.</source>
         <translation>
-            <numerusform>%n Zeile ist anders.</numerusform>
-            <numerusform>%n Zeilen sind anders.</numerusform>
+            <numerusform>%n Zeile weicht ab.</numerusform>
+            <numerusform>%n Zeilen weichen ab.</numerusform>
         </translation>
     </message>
     <message>
@@ -6579,7 +6580,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Plans the whole bus as it is connected; can be undone</source>
-        <translation>Plant den ganzen Bus so, wie er angeschlossen ist; lässt sich zurücknehmen</translation>
+        <translation>Plant den ganzen Bus so, wie er angeschlossen ist; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>The bus is not connected.</source>
@@ -6598,19 +6599,19 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <name>codewheel::DecimalText</name>
     <message>
         <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
-        <translation>&quot;%1&quot; kann %2 oder %3 bedeuten. Ohne Tausenderzeichen eingeben, oder die Nachkommastellen mit &quot;%4&quot; schreiben.</translation>
+        <translation>„%1“ kann %2 oder %3 bedeuten. Ohne Tausendertrennzeichen eingeben oder die Nachkommastellen mit „%4“ schreiben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has point and comma. Write it without signs between thousands.</source>
-        <translation>&quot;%1&quot; hat Punkt und Komma. Ohne Tausenderzeichen eingeben.</translation>
+        <translation>„%1“ enthält Punkt und Komma. Ohne Tausendertrennzeichen eingeben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number.</source>
-        <translation>&quot;%1&quot; ist keine Zahl.</translation>
+        <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
         <source>%1 has decimals; a whole number belongs here.</source>
-        <translation>%1 hat Nachkommastellen; hier gehört eine ganze Zahl hin.</translation>
+        <translation>%1 hat Nachkommastellen; hier wird eine ganze Zahl erwartet.</translation>
     </message>
 </context>
 <context>
@@ -6653,7 +6654,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>This readOut code stands here twice.</source>
-        <translation>Dieser Code readOut steht hier doppelt.</translation>
+        <translation>Dieser readOut-Code steht hier doppelt.</translation>
     </message>
     <message>
         <source>The budget is larger than eepromLimit.</source>
@@ -6677,23 +6678,23 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>There is no device with the key &quot;%1&quot; before this one.</source>
-        <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel &quot;%1&quot;.</translation>
+        <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
     </message>
     <message>
         <source>A bit is one of the answer to a command read, and there is none.</source>
-        <translation>Ein Bit gehört zur Antwort auf einen Befehl read, und den gibt es hier nicht.</translation>
+        <translation>Ein Bit gehört zur Antwort auf einen Befehl read; hier gibt es keinen.</translation>
     </message>
     <message>
         <source>What only the label tells can be neither written nor read.</source>
-        <translation>Was nur das Typenschild sagt, lässt sich weder schreiben noch lesen.</translation>
+        <translation>Was nur auf dem Typenschild steht, lässt sich weder schreiben noch lesen.</translation>
     </message>
     <message>
         <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel; on a serial line the commands read or write.</source>
-        <translation>Ein Parameter braucht number zum Schreiben, einen Code readOut zum Lesen, beides oder onLabel; auf einer seriellen Leitung die Befehle read oder write.</translation>
+        <translation>Ein Parameter braucht number zum Schreiben, einen readOut-Code zum Lesen, beides oder onLabel; an einer seriellen Leitung die Befehle read oder write.</translation>
     </message>
     <message>
         <source>This command stands here twice.</source>
-        <translation>Dieser Befehl steht hier zweimal.</translation>
+        <translation>Dieser Befehl steht hier doppelt.</translation>
     </message>
 </context>
 <context>
@@ -6728,11 +6729,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Parameter number %1 sets all values to default. It cannot be the number of a parameter, too.</source>
-        <translation>Parameternummer %1 setzt alle Werte zurück. Sie kann nicht zugleich die Nummer eines Parameters sein.</translation>
+        <translation>Parameternummer %1 setzt alle Werte auf Werkseinstellung. Sie kann nicht zugleich die Nummer eines Parameters sein.</translation>
     </message>
     <message>
         <source>An encoder on a serial line has the commands read and write. Leave it out.</source>
-        <translation>Ein Geber auf einer seriellen Leitung hat die Befehle read und write. Weglassen.</translation>
+        <translation>Ein Geber an einer seriellen Leitung hat die Befehle read und write. Weglassen.</translation>
     </message>
     <message>
         <source>What is written must be read, too: a write without an answer is checked.</source>
@@ -6740,7 +6741,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Only an encoder on a serial line has commands. Leave it out.</source>
-        <translation>Nur ein Geber auf einer seriellen Leitung hat Befehle. Weglassen.</translation>
+        <translation>Nur ein Geber an einer seriellen Leitung hat Befehle. Weglassen.</translation>
     </message>
     <message>
         <source>The words of the profile %1 are: IN %2, OUT %3.</source>
@@ -6748,11 +6749,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The word that sets the position takes the parameter preset. Give preset a number, or write false.</source>
-        <translation>Das Wort, das die Position setzt, nimmt den Parameter preset. Für preset eine number angeben, oder false schreiben.</translation>
+        <translation>Das Wort, das die Position setzt, enthält den Parameter preset. Für preset eine number angeben oder false schreiben.</translation>
     </message>
     <message>
         <source>The parameter preset tells the range of the position, and is read after it was set. Give preset the command read, or write false.</source>
-        <translation>Der Parameter preset nennt den Bereich der Position und wird nach dem Setzen gelesen. Für preset den Befehl read angeben, oder false schreiben.</translation>
+        <translation>Der Parameter preset nennt den Bereich der Position und wird nach dem Setzen gelesen. Für preset den Befehl read angeben oder false schreiben.</translation>
     </message>
     <message>
         <source>The encoder is told the position together with the command that sets it. Write true.</source>
@@ -6760,15 +6761,15 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The preset is read, and programmed again. Give preset a number and a readOut, or write false.</source>
-        <translation>Der Preset wird gelesen und neu programmiert. Für preset eine number und ein readOut angeben, oder false schreiben.</translation>
+        <translation>Der Preset wird gelesen und neu programmiert. Für preset eine number und ein readOut angeben oder false schreiben.</translation>
     </message>
     <message>
         <source>The parameter multi-turn-steps-minus-1 tells which of both the encoder does. Give it a readOut, or write false.</source>
-        <translation>Der Parameter multi-turn-steps-minus-1 sagt, was von beidem der Geber tut. Dafür ein readOut angeben, oder false schreiben.</translation>
+        <translation>Der Parameter multi-turn-steps-minus-1 sagt, welches von beidem für den Geber gilt. Dafür ein readOut angeben oder false schreiben.</translation>
     </message>
     <message>
         <source>An encoder that is told steps - 1 cannot be told 0 steps. Let the minimum of steps be 1 or more.</source>
-        <translation>Einem Geber, der Schritte - 1 bekommt, lassen sich nicht 0 Schritte geben. Als minimum von steps 1 oder mehr angeben.</translation>
+        <translation>Einem Geber, der Schritte - 1 erwartet, lassen sich nicht 0 Schritte geben. Als minimum von steps 1 oder mehr angeben.</translation>
     </message>
     <message>
         <source>Cams and velocity are modes beside position mode, in which words mean something else. Write true.</source>
@@ -6780,11 +6781,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>%1 has %2 here. Anything else makes the encoder do or tell something else.</source>
-        <translation>%1 hat hier %2. Mit etwas anderem würde der Geber etwas anderes tun oder melden.</translation>
+        <translation>%1 hat hier den Wert %2. Mit einem anderen würde der Geber etwas anderes tun oder melden.</translation>
     </message>
     <message>
         <source>%1 has nothing here. Leave it out: the encoder would do or tell something else.</source>
-        <translation>%1 hat hier nichts. Weglassen: Der Geber würde etwas anderes tun oder melden.</translation>
+        <translation>%1 hat hier keinen Wert. Weglassen: Der Geber würde sonst etwas anderes tun oder melden.</translation>
     </message>
     <message>
         <source>%1 of the profile %2</source>
@@ -6797,7 +6798,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>A baud rate is 19200, 9600 or 4800.</source>
-        <translation>Eine Baudrate ist 19200, 9600 oder 4800.</translation>
+        <translation>Als Baudrate gibt es 19200, 9600 und 4800.</translation>
     </message>
     <message>
         <source>A value that is written must be between %1 and %2.</source>
@@ -6805,11 +6806,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no command that writes a value.</source>
-        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert schreibt.</translation>
+        <translation>„%1“ ist kein Befehl, der einen Wert schreibt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no command that reads a value.</source>
-        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert liest.</translation>
+        <translation>„%1“ ist kein Befehl, der einen Wert liest.</translation>
     </message>
     <message>
         <source>A K3 has words for %1 cams in each program. Write %1.</source>
@@ -6881,7 +6882,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation>Stift</translation>
+        <translation>Pin</translation>
     </message>
     <message>
         <source>Signal</source>
@@ -6893,7 +6894,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>LEDs</source>
-        <translation>Leuchtdioden</translation>
+        <translation>LEDs</translation>
     </message>
     <message>
         <source>LED</source>
@@ -6921,7 +6922,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Was</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Value</source>
@@ -7011,7 +7012,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
-        <translation>Der Hersteller dieses Gebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Zählrichtung und Fehler beim Namen zu nennen.</translation>
+        <translation>Der Hersteller dieses Gebers ist unbekannt. Im Busaufbau lässt er sich angeben: Dann werden Zählrichtung und Fehler beim Namen genannt.</translation>
     </message>
 </context>
 <context>
@@ -7026,7 +7027,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Pins, LEDs, limits, label key and parameters, with the chapter of the manual</source>
-        <translation>Anschlüsse, Leuchtdioden, Grenzwerte, Typenschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
+        <translation>Anschlüsse, LEDs, Grenzwerte, Typenschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
     </message>
     <message>
         <source>There is no description of %1.</source>
@@ -7034,15 +7035,15 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Put one into the folder codewheel/devices of your data folder, or type the key on its label to look one up.</source>
-        <translation>Eine in den Ordner codewheel/devices des eigenen Datenordners legen, oder den Schlüssel vom Typenschild eingeben und nachsehen.</translation>
+        <translation>Eine in den Ordner codewheel/devices des eigenen Datenordners legen, oder ein Gerät mit dem Schlüssel vom Typenschild nachschlagen.</translation>
     </message>
     <message>
         <source>No device is chosen.</source>
-        <translation>Kein Gerät gewählt.</translation>
+        <translation>Kein Gerät gewählt</translation>
     </message>
     <message>
         <source>Choose one in the bus structure, or type the key on a label to look one up.</source>
-        <translation>Eines im Busaufbau wählen, oder den Schlüssel von einem Typenschild eingeben und nachsehen.</translation>
+        <translation>Eines im Busaufbau wählen, oder ein Gerät mit dem Schlüssel vom Typenschild nachschlagen.</translation>
     </message>
     <message>
         <source>%1 is a bus terminal.</source>
@@ -7057,7 +7058,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <name>codewheel::DialPanel</name>
     <message>
         <source>No encoder is chosen.</source>
-        <translation>Kein Geber gewählt.</translation>
+        <translation>Kein Geber gewählt</translation>
     </message>
     <message>
         <source>Choose one in the bus structure.</source>
@@ -7112,15 +7113,15 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
-        <translation>Die jetzige Zählrichtung des Gebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
+        <translation>Die jetzige Zählrichtung des Gebers ist unbekannt: auslesen oder auf der Seite mit den Werten wählen.</translation>
     </message>
     <message>
         <source>The encoder shows no position now (IN %1). Bring it back to operation first.</source>
-        <translation>Der Geber zeigt jetzt keine Position (IN %1). Ihn erst wieder in Betrieb bringen.</translation>
+        <translation>Der Geber zeigt jetzt keine Position (IN %1). Den Geber erst wieder in Betrieb bringen.</translation>
     </message>
     <message>
         <source>The position cannot be told: mode or coding of the encoder is not known. The raw word is watched instead; trust it only for slow, small moves.</source>
-        <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Gebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich nur bei langsamen, kleinen Bewegungen.</translation>
+        <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Gebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich ist das nur bei langsamen, kleinen Bewegungen.</translation>
     </message>
     <message>
         <source>%1 steps so far</source>
@@ -7140,7 +7141,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>When moved this way, the position shall:</source>
-        <translation>In dieser Richtung soll die Position:</translation>
+        <translation>Bei dieser Bewegung soll die Position:</translation>
     </message>
     <message>
         <source>Move the magnet a little, the way the machine moves forward. Nothing is sent.</source>
@@ -7222,7 +7223,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>This program has written %1 times to the EEPROM; the manual speaks of about %2. Write only what has to be.</source>
-        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Nur schreiben, was sein muss.</translation>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Nur das Nötige schreiben.</translation>
     </message>
     <message>
         <source>With %1 writes by this program and %2 more, the about %3 of which the manual speaks are used up. The encoder may lose its values.</source>
@@ -7273,7 +7274,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Starts what was asked for</source>
-        <translation>Beginnt, was verlangt wurde</translation>
+        <translation>Beginnt mit dem, was verlangt wurde</translation>
     </message>
     <message>
         <source>Other encoders as well: %1.</source>
@@ -7288,11 +7289,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>FRABA &amp;preset...</source>
-        <translation>FRABA-&amp;Preset ...</translation>
+        <translation>FRABA-&amp;Preset...</translation>
     </message>
     <message>
         <source>Reset to &amp;factory settings...</source>
-        <translation>Auf &amp;Werkseinstellungen zurücksetzen ...</translation>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen...</translation>
     </message>
     <message>
         <source>The encoder sends its position; ends velocity and cam mode</source>
@@ -7300,7 +7301,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder sends its speed in revolutions per minute instead of its position</source>
-        <translation>Der Geber sendet seine Drehzahl in Umdrehungen je Minute statt seiner Position</translation>
+        <translation>Der Geber sendet seine Drehzahl in Umdrehungen pro Minute statt seiner Position</translation>
     </message>
     <message>
         <source>Sets the position to the programmed preset, as often as wanted; asks first</source>
@@ -7336,7 +7337,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Goes on, as you have made sure of it</source>
-        <translation>Geht weiter, weil das sichergestellt ist</translation>
+        <translation>Geht weiter, weil dies sichergestellt ist</translation>
     </message>
     <message>
         <source>Put it into position &amp;mode</source>
@@ -7384,11 +7385,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Afterwards the encoder is read, to see what it has then.</source>
-        <translation>Danach wird der Geber ausgelesen, um zu sehen, was er hat.</translation>
+        <translation>Danach wird der Geber ausgelesen, um seinen Stand zu kennen.</translation>
     </message>
     <message>
         <source>It cannot be read: afterwards it is taken to have the factory settings of its manual.</source>
-        <translation>Er ist nicht lesbar: Danach gelten die Werkseinstellungen seines Handbuchs.</translation>
+        <translation>Er lässt sich nicht auslesen: Danach gelten die Werkseinstellungen laut Handbuch.</translation>
     </message>
     <message>
         <source>Reset %1 to factory settings?</source>
@@ -7404,7 +7405,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Sends 0E000000, then run. This cannot be taken back.</source>
-        <translation>Sendet 0E000000, dann Run. Das ist nicht rückgängig zu machen.</translation>
+        <translation>Sendet 0E000000, dann Run. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>It &amp;is in position mode</source>
@@ -7443,7 +7444,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Slow confirmation</source>
-        <translation>Langsame Bestätigung</translation>
+        <translation>Langsame Quittung</translation>
     </message>
     <message>
         <source>EEPROM worn out</source>
@@ -7532,7 +7533,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <name>codewheel::FaultPlanReader</name>
     <message>
         <source>This is no fault plan: the format is not &quot;%1&quot;.</source>
-        <translation>Das ist kein Fehlerplan: Das Format ist nicht &quot;%1&quot;.</translation>
+        <translation>Das ist kein Fehlerplan: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
@@ -7544,7 +7545,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The step above comes later: the steps stand in the order of their times.</source>
-        <translation>Der Schritt darüber kommt später: Die Schritte stehen in der Reihenfolge ihrer Zeiten.</translation>
+        <translation>Der Schritt darüber kommt später: Die Schritte müssen nach ihrer Zeit geordnet sein.</translation>
     </message>
     <message>
         <source>The device at %1 cannot have this fault.</source>
@@ -7552,7 +7553,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>There is no device at &quot;%1&quot;.</source>
-        <translation>Es gibt keinen Teilnehmer &quot;%1&quot;.</translation>
+        <translation>Es gibt keinen Teilnehmer „%1“.</translation>
     </message>
     <message>
         <source>CRC errors have &quot;perThousand&quot; in place of it.</source>
@@ -7564,7 +7565,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Lost parameters come back by parameterizing the encoder only.</source>
-        <translation>Verlorene Parameter kommen nur durch Parametrieren des Gebers zurück.</translation>
+        <translation>Verlorene Parameter lassen sich nur durch Parametrieren des Gebers wiederherstellen.</translation>
     </message>
 </context>
 <context>
@@ -7609,7 +7610,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>mm the machine moves in one turn of its spindle, wheel or drum.</source>
-        <translation>mm, die die Maschine bei einer Umdrehung von Spindel, Rad oder Trommel fährt.</translation>
+        <translation>Weg der Maschine in mm bei einer Umdrehung von Spindel, Rad oder Trommel.</translation>
     </message>
     <message>
         <source>Encoder turns of the gear</source>
@@ -7621,11 +7622,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Part turns of the gear</source>
-        <translation>Getriebe: Umdrehungen des Teils</translation>
+        <translation>Getriebe: Umdrehungen der Last</translation>
     </message>
     <message>
         <source>... while the driven part makes so many turns.</source>
-        <translation>... während das angetriebene Teil so viele Umdrehungen macht.</translation>
+        <translation>... bei so vielen Umdrehungen des angetriebenen Teils.</translation>
     </message>
     <message>
         <source>Wanted resolution</source>
@@ -7649,15 +7650,15 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;Gear, encoder turns</source>
-        <translation>Get&amp;riebe, Geber</translation>
+        <translation>Get&amp;riebe Geber</translation>
     </message>
     <message>
         <source>to &amp;part turns</source>
-        <translation>zu &amp;Teil</translation>
+        <translation>: &amp;Last</translation>
     </message>
     <message>
         <source>Puts these steps and revolutions among the wanted values.</source>
-        <translation>Nimmt diese Schritte und Umdrehungen zu den gewünschten Werten.</translation>
+        <translation>Übernimmt diese Schritte und Umdrehungen in die gewünschten Werte.</translation>
     </message>
     <message>
         <source>The encoder cannot resolve this. Choose more mm per step.</source>
@@ -7727,11 +7728,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Rest&amp;ore values from before</source>
-        <translation>&amp;Vorige Werte herstellen</translation>
+        <translation>&amp;Vorige Werte wiederherstellen</translation>
     </message>
     <message>
         <source>R&amp;un with what it has</source>
-        <translation>R&amp;un mit dem, was er hat</translation>
+        <translation>R&amp;un mit dem jetzigen Stand</translation>
     </message>
     <message>
         <source>Steps of the handshake</source>
@@ -7763,7 +7764,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Brought back</source>
-        <translation>Zurückgeholt</translation>
+        <translation>Zurückgestellt</translation>
     </message>
     <message>
         <source>Verified</source>
@@ -7779,7 +7780,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Stopped by an error</source>
-        <translation>Durch Fehler gestoppt</translation>
+        <translation>Durch Fehler angehalten</translation>
     </message>
     <message>
         <source>The position will then read %1%2.</source>
@@ -7795,7 +7796,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Brings the encoder back</source>
-        <translation>Holt den Geber zurück</translation>
+        <translation>Stellt den Geber zurück</translation>
     </message>
     <message>
         <source>&amp;Report</source>
@@ -7803,7 +7804,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Writes the values from before again.</source>
-        <translation>Schreibt die Werte von vorher wieder.</translation>
+        <translation>Schreibt die vorigen Werte wieder.</translation>
     </message>
     <message>
         <source>&amp;End the service</source>
@@ -7819,7 +7820,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The remaining steps follow each other as the encoder confirms them.</source>
-        <translation>Die übrigen Schritte folgen einander, wie der Geber sie bestätigt.</translation>
+        <translation>Die übrigen Schritte laufen nacheinander ab, sobald der Geber quittiert.</translation>
     </message>
 </context>
 <context>
@@ -7870,7 +7871,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The low byte of the device code, hexadecimal: kind and direction</source>
-        <translation>Das niedrige Byte des Gerätecodes, hexadezimal: Art und Richtung</translation>
+        <translation>Das niederwertige Byte des Gerätecodes, hexadezimal: Art und Richtung</translation>
     </message>
     <message>
         <source>Length code</source>
@@ -7878,7 +7879,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The high byte of the device code, hexadecimal: data width</source>
-        <translation>Das hohe Byte des Gerätecodes, hexadezimal: Datenbreite</translation>
+        <translation>Das höherwertige Byte des Gerätecodes, hexadezimal: Datenbreite</translation>
     </message>
     <message>
         <source>Place</source>
@@ -7914,15 +7915,15 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Codes are two hexadecimal digits, such as BEh and 81h.</source>
-        <translation>Codes haben zwei Hexadezimalziffern, etwa BEh und 81h.</translation>
+        <translation>Codes haben zwei Hexziffern, etwa BEh und 81h.</translation>
     </message>
     <message>
         <source>Close the insert panel</source>
-        <translation>Einfügefeld schließen</translation>
+        <translation>Einfügebereich schließen</translation>
     </message>
     <message>
         <source>Closes this panel (Esc)</source>
-        <translation>Schließt dieses Feld (Esc)</translation>
+        <translation>Schließt diesen Bereich (Esc)</translation>
     </message>
     <message>
         <source>Search the catalog: maker or name</source>
@@ -7937,7 +7938,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <name>codewheel::JobReview</name>
     <message>
         <source>EEPROM writes by this program so far: %1; by this at most %2.</source>
-        <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1; hierdurch höchstens %2.</translation>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm: bisher %1; hierdurch höchstens %2 weitere.</translation>
     </message>
     <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>
@@ -7965,7 +7966,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Back; nothing is sent (Esc)</source>
-        <translation>Zurück; es wird nichts gesendet (Esc)</translation>
+        <translation>Zurück; gesendet wird nichts (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7976,7 +7977,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Ends the job; asks how to leave the encoder</source>
-        <translation>Beendet den Auftrag; fragt, wie der Geber zurückbleiben soll</translation>
+        <translation>Beendet den Auftrag; fragt, in welchem Zustand der Geber bleiben soll</translation>
     </message>
     <message>
         <source>Progress of the job</source>
@@ -8004,7 +8005,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Ends the job, after asking how to leave the encoder; the others are not begun</source>
-        <translation>Beendet den Auftrag, nach der Frage, wie der Geber zurückbleiben soll; die anderen werden nicht begonnen</translation>
+        <translation>Beendet den Auftrag, nach der Frage, in welchem Zustand der Geber bleiben soll; die anderen werden nicht begonnen</translation>
     </message>
     <message>
         <source>Encoder %1 of %2: %3.</source>
@@ -8023,7 +8024,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>the disk is full.</source>
-        <translation>die Platte ist voll.</translation>
+        <translation>der Datenträger ist voll.</translation>
     </message>
     <message>
         <source>it is not writable.</source>
@@ -8039,7 +8040,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Qt&apos;s driver for SQLite is missing on this computer.</source>
-        <translation>Qts Treiber für SQLite fehlt auf diesem Rechner.</translation>
+        <translation>der Qt-Treiber für SQLite fehlt auf diesem Rechner.</translation>
     </message>
     <message>
         <source>it is the database of another program.</source>
@@ -8051,19 +8052,19 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Message &quot;%1&quot; of another version of Codewheel.</source>
-        <translation>Meldung &quot;%1&quot; einer anderen Version von Codewheel.</translation>
+        <translation>Meldung „%1“ einer anderen Version von Codewheel.</translation>
     </message>
     <message>
         <source>Message &quot;%1&quot; of another version of Codewheel: %2</source>
-        <translation>Meldung &quot;%1&quot; einer anderen Version von Codewheel: %2</translation>
+        <translation>Meldung „%1“ einer anderen Version von Codewheel: %2</translation>
     </message>
     <message>
         <source>it is no file.</source>
-        <translation>es ist keine Datei.</translation>
+        <translation>sie ist keine Datei.</translation>
     </message>
     <message>
         <source>it is no database, and was left as it was.</source>
-        <translation>es ist keine Datenbank und blieb, wie es war.</translation>
+        <translation>sie ist keine Datenbank und blieb unverändert.</translation>
     </message>
     <message>
         <source>another program has locked it.</source>
@@ -8075,7 +8076,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>This is no time as 2026-03-01T13:00:00.000Z.</source>
-        <translation>Das ist keine Zeit wie 2026-03-01T13:00:00.000Z.</translation>
+        <translation>Das ist keine Zeitangabe der Form 2026-03-01T13:00:00.000Z.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
@@ -8091,7 +8092,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
-        <translation>Nur Version %1 des Formats kann gelesen werden.</translation>
+        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
     </message>
 </context>
 <context>
@@ -8106,7 +8107,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not known here. Known are: %2.</source>
-        <translation>&quot;%1&quot; ist hier unbekannt. Bekannt sind: %2.</translation>
+        <translation>„%1“ ist hier unbekannt. Bekannt sind: %2.</translation>
     </message>
     <message>
         <source>This key is missing.</source>
@@ -8158,7 +8159,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>A word is a text of up to 8 hexadecimal digits, such as &quot;020000FF&quot;.</source>
-        <translation>Ein Wort ist ein Text aus bis zu 8 Hexadezimalziffern, etwa &quot;020000FF&quot;.</translation>
+        <translation>Ein Wort ist ein Text aus bis zu 8 Hexziffern, etwa &quot;020000FF&quot;.</translation>
     </message>
 </context>
 <context>
@@ -8173,7 +8174,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;Tell</source>
-        <translation>A&amp;ngeben</translation>
+        <translation>&amp;Eintragen</translation>
     </message>
     <message>
         <source>It is in &amp;position mode</source>
@@ -8189,7 +8190,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Say what the encoder has, for instance from its papers. Nothing is sent.</source>
-        <translation>Angeben, was der Geber hat, etwa laut Unterlagen. Nichts wird gesendet.</translation>
+        <translation>Eintragen, was der Geber hat, etwa aus seinen Unterlagen. Gesendet wird nichts.</translation>
     </message>
     <message>
         <source>Say that the encoder is in position mode, not in velocity or cam mode. Setting the position would change a cam otherwise.</source>
@@ -8197,11 +8198,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Reading sends words: the position is away for some cycles. Needs Operate.</source>
-        <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur beim Bedienen.</translation>
+        <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur in Bedienen möglich.</translation>
     </message>
     <message>
         <source>The %1 has no read-out. Known is only what was written from here, or what you tell.</source>
-        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder angegeben wurde.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder von Hand eingetragen wurde.</translation>
     </message>
     <message>
         <source>Mode not known: position, velocity or cam</source>
@@ -8241,7 +8242,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Reads all values.</source>
-        <translation>Liest alle Werte.</translation>
+        <translation>Liest alle Werte aus.</translation>
     </message>
     <message>
         <source>Reading sends requests, which change nothing.</source>
@@ -8257,7 +8258,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation>Bekannt durch</translation>
+        <translation>Herkunft</translation>
     </message>
 </context>
 <context>
@@ -8279,7 +8280,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Stop the bus</source>
-        <translation>Bus stoppen</translation>
+        <translation>Bus anhalten</translation>
     </message>
     <message>
         <source>Not all OUT words are 00000000.</source>
@@ -8287,7 +8288,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Shall they be set to 00000000 (normal running) first?</source>
-        <translation>Sollen sie erst auf 00000000 (Normalbetrieb) gesetzt werden?</translation>
+        <translation>Sollen sie zuerst auf 00000000 (Normalbetrieb) gesetzt werden?</translation>
     </message>
     <message>
         <source>Set to &amp;00000000</source>
@@ -8299,11 +8300,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Nothing can be sent now: the bus is stopped, or in Watch</source>
-        <translation>Jetzt ist kein Senden möglich: Der Bus ist gestoppt oder wird nur beobachtet</translation>
+        <translation>Jetzt lässt sich nichts senden: Der Bus ist angehalten oder steht auf Beobachten</translation>
     </message>
     <message>
         <source>&amp;Leave as they are</source>
-        <translation>So &amp;lassen</translation>
+        <translation>&amp;Unverändert lassen</translation>
     </message>
     <message>
         <source>Goes on without sending anything</source>
@@ -8326,7 +8327,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>BA, bus active: on while data cycles run, blinking while they do not</source>
-        <translation>BA, Bus Active: an, während Datenzyklen laufen, sonst blinkend</translation>
+        <translation>BA, Bus Active: leuchtet, während Datenzyklen laufen, sonst blinkt sie</translation>
     </message>
     <message>
         <source>RBDA, remote bus disabled: the outgoing bus is switched off</source>
@@ -8365,11 +8366,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Shows what passes on the line, and sends what you type</source>
-        <translation>Zeigt, was über die Leitung geht, und sendet, was Sie eintippen</translation>
+        <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
     </message>
     <message>
         <source>&amp;Figures of the line</source>
-        <translation>&amp;Zahlen der Leitung</translation>
+        <translation>Stat&amp;istik der Leitung</translation>
     </message>
     <message>
         <source>Port, state, answers and time-outs of the line</source>
@@ -8409,7 +8410,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder is not asked any more; what it has stays as it is</source>
-        <translation>Der Geber wird nicht mehr abgefragt; was er hat, bleibt, wie es ist</translation>
+        <translation>Der Geber wird nicht mehr abgefragt; sein Stand bleibt unverändert</translation>
     </message>
 </context>
 <context>
@@ -8424,7 +8425,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Supply of the encoder; it keeps what was written</source>
-        <translation>Versorgung des Gebers; Geschriebenes behält er</translation>
+        <translation>Versorgung des Gebers; was geschrieben wurde, bleibt erhalten</translation>
     </message>
     <message>
         <source>Silent</source>
@@ -8432,7 +8433,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>It hears and acts, and says nothing</source>
-        <translation>Er hört und handelt, sagt aber nichts</translation>
+        <translation>Er empfängt und handelt, antwortet aber nicht</translation>
     </message>
     <message>
         <source>Battery nearly flat</source>
@@ -8440,7 +8441,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Warning: soon to be changed</source>
-        <translation>Warnung: bald zu wechseln</translation>
+        <translation>Warnung: bald tauschen</translation>
     </message>
     <message>
         <source>Battery flat</source>
@@ -8492,7 +8493,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
-        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, auf die Welle gesehen</translation>
+        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, mit Blick auf die Welle</translation>
     </message>
     <message>
         <source>Stop the shaft</source>
@@ -8535,7 +8536,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Of 1000 bytes, both ways; one bit is another</source>
-        <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist ein anderes</translation>
+        <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist gekippt</translation>
     </message>
     <message>
         <source>Wrong bytes: %1 of 1000.</source>
@@ -8579,7 +8580,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>They hear and act, and say nothing</source>
-        <translation>Sie hören und handeln, sagen aber nichts</translation>
+        <translation>Sie empfangen und handeln, antworten aber nicht</translation>
     </message>
     <message>
         <source>Adapter unplugged</source>
@@ -8751,7 +8752,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>port is gone</source>
-        <translation>Anschluss ist weg</translation>
+        <translation>Anschluss fehlt</translation>
     </message>
     <message>
         <source>searching</source>
@@ -8803,7 +8804,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>what is on its way ends, and nothing follows</source>
-        <translation>was unterwegs ist, endet, und nichts folgt</translation>
+        <translation>was unterwegs ist, läuft zu Ende, danach folgt nichts</translation>
     </message>
 </context>
 <context>
@@ -8846,11 +8847,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Figures of the line and its encoders</source>
-        <translation>Zahlen der Leitung und ihrer Geber</translation>
+        <translation>Statistik der Leitung und ihrer Geber</translation>
     </message>
     <message>
         <source>Since the line was opened. Times are from the end of a request to the end of its answer; the median is that of the newest 1000.</source>
-        <translation>Seit dem Öffnen der Leitung. Zeiten gehen vom Ende einer Anfrage bis zum Ende ihrer Antwort; der Median ist der der neuesten 1000.</translation>
+        <translation>Seit dem Öffnen der Leitung. Die Zeiten gehen vom Ende einer Anfrage bis zum Ende ihrer Antwort; der Median gilt für die neuesten 1000.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -8882,7 +8883,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Watch: only reads are sent</source>
-        <translation>Beobachten: nur Lesen wird gesendet</translation>
+        <translation>Beobachten: Es wird nur gelesen</translation>
     </message>
     <message>
         <source>%1 rows of the terminal were lost: the window was busy for too long.</source>
@@ -8912,7 +8913,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Whether the adapter hands over bytes at once. Where it does not, time-outs are longer, and positions come more slowly</source>
-        <translation>Ob der Adapter Bytes sofort weitergibt. Tut er es nicht, sind die Zeitgrenzen länger, und Positionen kommen langsamer</translation>
+        <translation>Ob der Adapter Bytes sofort weitergibt. Tut er es nicht, gelten längere Zeitgrenzen, und Positionen kommen langsamer</translation>
     </message>
     <message>
         <source>Another adapter is plugged in</source>
@@ -8930,11 +8931,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <name>codewheel::LineRecordView</name>
     <message>
         <source>Rows of the saved session</source>
-        <translation>Zeilen der gespeicherten Sitzung</translation>
+        <translation>Zeilen der Aufzeichnung</translation>
     </message>
     <message>
         <source>Requests sent again</source>
-        <translation>Wieder gesendete Anfragen</translation>
+        <translation>Noch einmal gesendete Anfragen</translation>
     </message>
     <message>
         <source>&amp;Replay</source>
@@ -8942,7 +8943,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Sends the requests of this session again, and compares the answers (Alt+R)</source>
-        <translation>Sendet die Anfragen dieser Sitzung noch einmal und vergleicht die Antworten (Alt+W)</translation>
+        <translation>Sendet die Anfragen dieser Aufzeichnung noch einmal und vergleicht die Antworten (Alt+W)</translation>
     </message>
     <message>
         <source>Cance&amp;l</source>
@@ -8958,7 +8959,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Closes this session (Alt+K)</source>
-        <translation>Schließt diese Sitzung (Alt+Z)</translation>
+        <translation>Schließt diese Aufzeichnung (Alt+Z)</translation>
     </message>
     <message>
         <source>%1: %2, %3 Bd, %4; %5 rows</source>
@@ -8967,7 +8968,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>This session holds no request to send, except position polls: clear &quot;Hide position polls&quot; to send those again.</source>
-        <translation>Diese Sitzung enthält außer Positionsabfragen keine Anfrage zum Senden: &quot;Positionsabfragen ausblenden&quot; abwählen, um diese zu senden.</translation>
+        <translation>Diese Aufzeichnung enthält außer Positionsabfragen keine Anfrage zum Senden: „Positionsabfragen ausblenden“ abwählen, um diese zu senden.</translation>
     </message>
     <message numerus="yes">
         <source>and %n more, listed below</source>
@@ -8978,15 +8979,15 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>%1 of the %2 requests write to encoders: %3.</source>
-        <translation>%1 der %2 Anfragen schreiben in Geber: %3.</translation>
+        <translation>Davon schreiben in Geber: %1 von %2 Anfragen: %3.</translation>
     </message>
     <message>
         <source>Send re&amp;ads only</source>
-        <translation>&amp;Nur Lesen senden</translation>
+        <translation>&amp;Nur Lesendes senden</translation>
     </message>
     <message>
         <source>Send &amp;writes too</source>
-        <translation>Auch &amp;Schreiben senden</translation>
+        <translation>Auch &amp;Schreibendes senden</translation>
     </message>
     <message>
         <source>The program only watches: they are left out. Switch to Operate to send them.</source>
@@ -9021,7 +9022,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Shows the bytes as text, control characters as pictures</source>
-        <translation>Zeigt die Bytes als Text, Steuerzeichen als Bilder</translation>
+        <translation>Zeigt die Bytes als Text, Steuerzeichen als Symbole</translation>
     </message>
     <message>
         <source>Shows the bytes as hexadecimal numbers</source>
@@ -9063,7 +9064,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Ask at the &amp;master address 00 first</source>
-        <translation>Zuerst an der Masteradresse 00 &amp;fragen</translation>
+        <translation>Zuerst die Masteradresse 00 ab&amp;fragen</translation>
     </message>
     <message>
         <source>No search yet</source>
@@ -9071,7 +9072,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Each address is asked for its serial number. Nothing is written.</source>
-        <translation>Jede Adresse wird nach ihrer Seriennummer gefragt. Nichts wird geschrieben.</translation>
+        <translation>Von jeder Adresse wird die Seriennummer abgefragt. Nichts wird geschrieben.</translation>
     </message>
     <message>
         <source>Search for encoders</source>
@@ -9083,7 +9084,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Adds the ticked encoders to the bus structure</source>
-        <translation>Nimmt die angekreuzten Geber in die Busstruktur auf</translation>
+        <translation>Nimmt die angehakten Geber in den Busaufbau auf</translation>
     </message>
     <message>
         <source>t&amp;o</source>
@@ -9115,7 +9116,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Any encoder answers there: only where a single one is on the line, since several would answer at once</source>
-        <translation>Dort antwortet jeder Geber: nur, wo ein einziger an der Leitung ist, denn mehrere antworten zugleich</translation>
+        <translation>Dort antwortet jeder Geber: nur verwenden, wenn ein einziger an der Leitung ist, denn mehrere antworten zugleich</translation>
     </message>
     <message>
         <source>&amp;Search</source>
@@ -9147,7 +9148,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>%1 of %2 asked</source>
-        <translation>%1 von %2 gefragt</translation>
+        <translation>%1 von %2 abgefragt</translation>
     </message>
     <message numerus="yes">
         <source>Requests sent: %n.</source>
@@ -9177,7 +9178,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Check: the address and the baud rate (search all three); the wiring, both pairs the right way round, termination; the supply of the encoder; with RS-422 that the input ST (pin 7) is tied to +UB, without it no command works.</source>
-        <translation>Prüfen: Adresse und Baudrate (alle drei absuchen); die Verdrahtung, beide Paare richtig herum, Abschluss; die Versorgung des Gebers; bei RS-422, dass der Eingang ST (Pin 7) an +UB liegt, ohne das geht kein Befehl.</translation>
+        <translation>Prüfen: Adresse und Baudrate (alle drei absuchen); Verdrahtung (beide Paare richtig herum) und Abschluss; Versorgung des Gebers; bei RS-422, dass der Eingang ST (Pin 7) an +UB liegt: Ohne das wirkt kein Befehl.</translation>
     </message>
     <message>
         <source>Asks one address after the other (Alt+S)</source>
@@ -9193,7 +9194,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>As which encoder those that are ticked are taken over: they do not tell whether they have RS-422 or RS-485</source>
-        <translation>Als welche Geber die angekreuzten übernommen werden: Sie sagen nicht, ob sie RS-422 oder RS-485 haben</translation>
+        <translation>Als welche Geber die angehakten übernommen werden: Sie melden nicht, ob sie RS-422 oder RS-485 haben</translation>
     </message>
     <message>
         <source>&amp;Kind</source>
@@ -9209,7 +9210,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no address. Give two hexadecimal digits, 01 to 1F.</source>
-        <translation>&quot;%1&quot; ist keine Adresse. Zwei hexadezimale Ziffern angeben, 01 bis 1F.</translation>
+        <translation>„%1“ ist keine Adresse. Zwei Hexziffern angeben, 01 bis 1F.</translation>
     </message>
 </context>
 <context>
@@ -9304,7 +9305,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Between position requests of one encoder; 10 ms is the shortest of the manual</source>
-        <translation>Zwischen den Positionsanfragen eines Gebers; 10 ms sind nach dem Handbuch das kürzeste</translation>
+        <translation>Zwischen den Positionsanfragen eines Gebers; kürzester Wert laut Handbuch: 10 ms</translation>
     </message>
     <message>
         <source>&amp;Time-out</source>
@@ -9324,11 +9325,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>&amp;Quiet time after a write</source>
-        <translation>&amp;Ruhe nach einem Schreiben</translation>
+        <translation>&amp;Ruhezeit nach einem Schreiben</translation>
     </message>
     <message>
         <source>How long nothing is sent after a write: the encoder stores it</source>
-        <translation>Wie lange nach einem Schreiben nichts gesendet wird: Der Geber speichert es</translation>
+        <translation>Wie lange nach einem Schreiben nichts gesendet wird: Solange speichert der Geber</translation>
     </message>
     <message>
         <source>Fraction bits of the scalin&amp;g factor</source>
@@ -9336,7 +9337,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>29 fits the example of the manual; it can be determined from a device</source>
-        <translation>29 passt zum Beispiel des Handbuchs; am Gerät lässt es sich bestimmen</translation>
+        <translation>29 passt zum Beispiel des Handbuchs; der Wert lässt sich am Gerät bestimmen</translation>
     </message>
     <message>
         <source> 1/min</source>
@@ -9373,7 +9374,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)</source>
-        <translation>Bittet den Adapter, Bytes sofort weiterzugeben. Viele sammeln sie bis zu 16 ms (Alt+K)</translation>
+        <translation>Lässt den Adapter Bytes sofort weitergeben. Viele sammeln sie bis zu 16 ms (Alt+K)</translation>
     </message>
     <message>
         <source>Fraction bits of the scaling factor</source>
@@ -9437,7 +9438,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <name>codewheel::LineTerminal</name>
     <message>
         <source>Nothing was sent: a job is running on this line. Wait until it has ended, or cancel it.</source>
-        <translation>Nichts wurde gesendet: Auf dieser Leitung läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
+        <translation>Nichts gesendet: An dieser Leitung läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>Send and &amp;write</source>
@@ -9449,7 +9450,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>No answer to %1. Whether it was carried out is unknown: read the value back. It is not sent again by itself.</source>
-        <translation>Keine Antwort auf %1. Ob es ausgeführt wurde, ist unbekannt: den Wert zurücklesen. Von selbst wird es nicht noch einmal gesendet.</translation>
+        <translation>Keine Antwort auf %1. Ob es ausgeführt wurde, ist unbekannt: Den Wert zurücklesen. Von selbst wird es nicht noch einmal gesendet.</translation>
     </message>
     <message>
         <source>No answer to %1. Check address and baud rate, or look for encoders.</source>
@@ -9457,20 +9458,20 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
+        <translation>Aufzeichnung speichern</translation>
     </message>
     <message>
         <source>line-session.json</source>
         <comment>name of a file</comment>
-        <translation>leitungssitzung.json</translation>
+        <translation>leitung.json</translation>
     </message>
     <message>
         <source>Line sessions (*.json)</source>
-        <translation>Leitungssitzungen (*.json)</translation>
+        <translation>Aufzeichnungen (*.json)</translation>
     </message>
     <message>
         <source>Open a session</source>
-        <translation>Sitzung öffnen</translation>
+        <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>Export the rows</source>
@@ -9487,7 +9488,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
-        <translation>Adresse und Befehl, wie in 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
+        <translation>Adresse und Befehl, etwa 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
     </message>
     <message>
         <source>Sends the request (Enter)</source>
@@ -9507,11 +9508,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>What is sent and answered on a serial line stands here. Connect one, or open a saved session.</source>
-        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine verbinden oder eine gespeicherte Sitzung öffnen.</translation>
+        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Mitlaufen</translation>
+        <translation>Automatisch folgen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
@@ -9539,7 +9540,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Keep all rows in a file, to be looked at and sent again</source>
-        <translation>Alle Zeilen in einer Datei behalten, zum Ansehen und Wiedersenden</translation>
+        <translation>Alle Zeilen in einer Datei ablegen, zum Ansehen und erneuten Senden</translation>
     </message>
     <message>
         <source>Open</source>
@@ -9547,7 +9548,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Look at a saved session, and send it again</source>
-        <translation>Eine gespeicherte Sitzung ansehen und noch einmal senden</translation>
+        <translation>Eine Aufzeichnung ansehen und noch einmal senden</translation>
     </message>
     <message>
         <source>Export</source>
@@ -9587,14 +9588,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Show the rows again that Clear removed</source>
-        <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
+        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
     </message>
 </context>
 <context>
     <name>codewheel::LineTrainingPanel</name>
     <message>
         <source>The simulated line, or the encoder on it, that is moved and disturbed here</source>
-        <translation>Die simulierte Leitung oder der Geber daran, der hier bewegt und gestört wird</translation>
+        <translation>Die simulierte Leitung, oder der Geber daran, der hier bewegt und gestört wird</translation>
     </message>
     <message>
         <source>Serial line</source>
@@ -9605,7 +9606,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <name>codewheel::LineViews</name>
     <message>
         <source>&amp;Use this adapter</source>
-        <translation>Diesen Adapter &amp;benutzen</translation>
+        <translation>Diesen Adapter ver&amp;wenden</translation>
     </message>
 </context>
 <context>
@@ -9624,7 +9625,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Sets up, watches and diagnoses absolute encoders on INTERBUS.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolutgeber am INTERBUS ein, beobachtet sie und findet Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Pages in the middle</source>
@@ -9644,7 +9645,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>The bus that this page is of</source>
-        <translation>Der Bus, von dem diese Seite ist</translation>
+        <translation>Der Bus, zu dem diese Seite gehört</translation>
     </message>
 </context>
 <context>
@@ -9686,11 +9687,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Keeps</source>
-        <translation>Behält</translation>
+        <translation>Gespeicherte Konfiguration</translation>
     </message>
     <message>
         <source>The configuration the master keeps, by its file</source>
-        <translation>Die Konfiguration, die der Master behält, nach ihrer Datei</translation>
+        <translation>Die im Master gespeicherte Konfiguration, mit dem Namen ihrer Datei</translation>
     </message>
     <message>
         <source>Start</source>
@@ -9714,7 +9715,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Stops the ring, finds its devices one by one, and starts it again</source>
-        <translation>Hält den Ring an, findet seine Teilnehmer einen nach dem anderen und startet ihn wieder</translation>
+        <translation>Hält den Ring an, sucht seine Teilnehmer der Reihe nach und startet ihn wieder</translation>
     </message>
     <message>
         <source>Confirm diagnostics</source>
@@ -9835,7 +9836,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Show only messages of this severity or worse</source>
-        <translation>Nur Meldungen dieser oder einer schlimmeren Stufe zeigen</translation>
+        <translation>Nur Meldungen dieser oder einer höheren Stufe zeigen</translation>
     </message>
     <message>
         <source>All places</source>
@@ -9922,7 +9923,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Date and time</source>
-        <translation>Datum und Zeit</translation>
+        <translation>Datum und Uhrzeit</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -9972,7 +9973,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Mitlaufen</translation>
+        <translation>Automatisch folgen</translation>
     </message>
     <message>
         <source>Keep the newest message in sight (Ctrl+End)</source>
@@ -9988,7 +9989,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation>Exportieren…</translation>
+        <translation>Exportieren...</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -10012,7 +10013,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Change it, or show all messages.</source>
-        <translation>Ihn ändern oder alle Meldungen zeigen.</translation>
+        <translation>Den Filter ändern oder alle Meldungen zeigen.</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -10041,7 +10042,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>%1 could not be written: %2. Choose another folder or name.</source>
-        <translation>%1 war nicht schreibbar: %2. Einen anderen Ordner oder Namen wählen.</translation>
+        <translation>%1 ließ sich nicht schreiben: %2. Einen anderen Ordner oder Namen wählen.</translation>
     </message>
     <message>
         <source>State of the search</source>
@@ -10053,7 +10054,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Hide all messages up to now; they are kept on disk</source>
-        <translation>Alle Meldungen bis jetzt ausblenden; auf der Platte bleiben sie</translation>
+        <translation>Alle Meldungen bis jetzt ausblenden; auf der Festplatte bleiben sie erhalten</translation>
     </message>
     <message>
         <source>Bring back what was cleared</source>
@@ -10084,7 +10085,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>The messages up to now are hidden. They are kept on disk.</source>
-        <translation>Die Meldungen bis jetzt sind ausgeblendet. Auf der Platte bleiben sie.</translation>
+        <translation>Die Meldungen bis jetzt sind ausgeblendet. Auf der Festplatte bleiben sie erhalten.</translation>
     </message>
     <message>
         <source>Page (*.html)</source>
@@ -10118,19 +10119,19 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <name>codewheel::MonitorArea</name>
     <message>
         <source>No monitor is open</source>
-        <translation>Kein Monitor ist offen</translation>
+        <translation>Kein Monitor geöffnet</translation>
     </message>
     <message>
         <source>%1 has no words to show: it takes no part in the process data.</source>
-        <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
+        <translation>%1 hat keine Worte zu zeigen: Prozessdaten gibt es hier nicht.</translation>
     </message>
     <message>
         <source>%1 has no words: its position stands in the panels, what passes on its bus in the terminal.</source>
-        <translation>%1 hat keine Wörter: seine Position steht in den Feldern, was über seinen Bus geht, im Terminal.</translation>
+        <translation>%1 hat keine Worte: Die Position steht in den Bereichen am Rand, der Verkehr auf dem Bus im Terminal.</translation>
     </message>
     <message>
         <source>%1 is not connected: its words are shown once it is.</source>
-        <translation>%1 ist nicht verbunden: Seine Worte werden gezeigt, sobald es verbunden ist.</translation>
+        <translation>%1 ist nicht verbunden: Die Worte werden gezeigt, sobald die Verbindung besteht.</translation>
     </message>
     <message>
         <source>A monitor shows the words of a device, and lets you set the bits of its OUT word. Choose a device in the bus structure.</source>
@@ -10149,7 +10150,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Type the key on the label of the encoder. Spaces, dots and dashes do not matter.</source>
-        <translation>Den Schlüssel vom Typenschild des Gebers eingeben. Leerzeichen, Punkte und Striche sind gleichgültig.</translation>
+        <translation>Den Schlüssel vom Typenschild des Gebers eingeben. Leerzeichen, Punkte und Striche spielen keine Rolle.</translation>
     </message>
     <message>
         <source>Encoder</source>
@@ -10161,7 +10162,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Takes the device for this encoder from now on. Nothing is sent; what was known of it is forgotten.</source>
-        <translation>Nimmt das Gerät ab jetzt für diesen Geber. Gesendet wird nichts; was über ihn bekannt war, ist vergessen.</translation>
+        <translation>Das Gerät gilt ab jetzt als dieser Geber. Gesendet wird nichts; was über ihn bekannt war, ist vergessen.</translation>
     </message>
     <message>
         <source>Label key</source>
@@ -10173,7 +10174,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>%1 has been named. Choose &quot;make not known&quot; to take that back.</source>
-        <translation>%1 ist benannt. &quot;Hersteller unbekannt&quot; nimmt das zurück.</translation>
+        <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
     </message>
     <message>
         <source>make not known</source>
@@ -10282,11 +10283,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>This code stands here twice.</source>
-        <translation>Dieser Code steht hier zweimal.</translation>
+        <translation>Dieser Code steht hier doppelt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; and &quot;%2&quot; cannot be told apart: one begins with the other.</source>
-        <translation>&quot;%1&quot; und &quot;%2&quot; sind nicht zu unterscheiden: Eines beginnt mit dem anderen.</translation>
+        <translation>„%1“ und „%2“ lassen sich nicht unterscheiden: Eines beginnt mit dem anderen.</translation>
     </message>
     <message>
         <source>A part has either codes or any.</source>
@@ -10306,11 +10307,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Only the last part may be optional.</source>
-        <translation>Nur der letzte Teil darf fehlen können.</translation>
+        <translation>Nur der letzte Teil darf optional sein.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; in the example is not understood by the parts.</source>
-        <translation>&quot;%1&quot; im Beispiel passt zu keinem der Teile.</translation>
+        <translation>„%1“ im Beispiel passt zu keinem der Teile.</translation>
     </message>
 </context>
 <context>
@@ -10341,7 +10342,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Folge</translation>
+        <translation>Sequenz</translation>
     </message>
     <message>
         <source>Device</source>
@@ -10361,14 +10362,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Shows or hides the panel &quot;%1&quot;</source>
-        <translation>Zeigt oder verbirgt das Feld &quot;%1&quot;</translation>
+        <translation>Blendet den Bereich „%1“ ein oder aus</translation>
     </message>
 </context>
 <context>
     <name>codewheel::ParameterDelegate</name>
     <message>
         <source>as it is</source>
-        <translation>wie er ist</translation>
+        <translation>unverändert</translation>
     </message>
     <message>
         <source>Wanted: %1</source>
@@ -10387,7 +10388,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>as it is</source>
-        <translation>wie er ist</translation>
+        <translation>unverändert</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -10404,7 +10405,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation>verschieden</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>the same</source>
@@ -10420,7 +10421,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Registers of the bus chip</source>
-        <translation>Register des Buschips</translation>
+        <translation>Register des Busbausteins</translation>
     </message>
     <message>
         <source>%1, open</source>
@@ -10432,7 +10433,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>What the encoder tells and nobody can write</source>
-        <translation>Was der Geber meldet und niemand schreiben kann</translation>
+        <translation>Was der Geber meldet und sich nicht schreiben lässt</translation>
     </message>
     <message>
         <source>Click, or Enter: folds the registers away</source>
@@ -10440,11 +10441,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
-        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest &quot;Auslesen&quot; sie mit.</translation>
+        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Bausteins. Solange sie gezeigt werden, liest „Auslesen“ sie mit.</translation>
     </message>
     <message>
         <source>tell it</source>
-        <translation>angeben</translation>
+        <translation>eintragen</translation>
     </message>
     <message>
         <source>from its label</source>
@@ -10454,11 +10455,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>%1
 It is told of an encoder that is connected.</source>
         <translation>%1
-Mitgeteilt wird er von einem verbundenen Geber.</translation>
+Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>Not connected: what the encoder has is not known.</source>
-        <translation>Nicht verbunden: Was der Geber hat, ist nicht bekannt.</translation>
+        <translation>Nicht verbunden: Was der Geber hat, ist unbekannt.</translation>
     </message>
 </context>
 <context>
@@ -10501,19 +10502,19 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&amp;Tell what the encoder has...</source>
-        <translation>&amp;Angeben, was der Geber hat...</translation>
+        <translation>&amp;Eintragen, was der Geber hat...</translation>
     </message>
     <message>
         <source>Take &amp;known values as wanted</source>
-        <translation>&amp;Bekannte Werte als gewünschte nehmen</translation>
+        <translation>&amp;Bekannte Werte als gewünschte übernehmen</translation>
     </message>
     <message>
         <source>&amp;Leave all as they are</source>
-        <translation>Alle lassen, &amp;wie sie sind</translation>
+        <translation>Alle &amp;unverändert lassen</translation>
     </message>
     <message>
         <source>The %1 has no read-out. Known is what was written from here or told.</source>
-        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder angegeben wurde.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder von Hand eingetragen wurde.</translation>
     </message>
     <message>
         <source>Reading takes the position away for some cycles.</source>
@@ -10521,19 +10522,19 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>1 value differs</source>
-        <translation>1 Wert verschieden</translation>
+        <translation>1 Wert weicht ab</translation>
     </message>
     <message>
         <source>%1 values differ</source>
-        <translation>%1 Werte verschieden</translation>
+        <translation>%1 Werte weichen ab</translation>
     </message>
     <message>
         <source>No value is wanted. Enter what you want in the column &quot;Wanted&quot; first.</source>
-        <translation>Kein Wert ist gewünscht. Erst in der Spalte &quot;Gewünscht&quot; eingeben.</translation>
+        <translation>Kein Wert ist gewünscht. Erst einen in die Spalte „Gewünscht“ eintragen.</translation>
     </message>
     <message>
         <source>Take over, clear or tell values; modes, preset and reset</source>
-        <translation>Werte übernehmen, löschen oder angeben; Betriebsarten, Preset und Zurücksetzen</translation>
+        <translation>Werte übernehmen, löschen oder eintragen; Betriebsarten, Preset und Zurücksetzen</translation>
     </message>
     <message>
         <source>%1 has no parameters here</source>
@@ -10541,7 +10542,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The %1 has no OUT word. It only tells its position: nothing can be read from it or written to it.</source>
-        <translation>%1 hat kein OUT-Wort und meldet nur seine Position: Nichts kann aus ihm gelesen oder in ihn geschrieben werden.</translation>
+        <translation>%1 hat kein OUT-Wort und meldet nur die Position: Es lässt sich nichts auslesen und nichts schreiben.</translation>
     </message>
     <message>
         <source>What words set up a %1 is in no source, so none are sent. Its position is shown.</source>
@@ -10549,7 +10550,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&amp;Set the position...</source>
-        <translation>Position &amp;setzen ...</translation>
+        <translation>Position &amp;setzen...</translation>
     </message>
     <message>
         <source>%1: the encoder has</source>
@@ -10562,11 +10563,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&amp;Tell</source>
-        <translation>A&amp;ngeben</translation>
+        <translation>&amp;Eintragen</translation>
     </message>
     <message>
         <source>Takes the value as known by telling; nothing is sent. An empty field takes it back.</source>
-        <translation>Nimmt den Wert als angegeben; nichts wird gesendet. Ein leeres Feld nimmt ihn zurück.</translation>
+        <translation>Trägt den Wert von Hand als bekannt ein; gesendet wird nichts. Ein leeres Feld nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>The position here is to be</source>
@@ -10582,19 +10583,19 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Not connected: nothing can be read or written. What is wanted is kept in the project.</source>
-        <translation>Nicht verbunden: Nichts lässt sich lesen oder schreiben. Was gewünscht ist, bleibt im Projekt.</translation>
+        <translation>Nicht verbunden: Es lässt sich nichts lesen oder schreiben. Was gewünscht ist, bleibt im Projekt.</translation>
     </message>
     <message>
         <source>From its papers or its label; nothing is sent</source>
-        <translation>Aus seinen Papieren oder vom Typenschild; nichts wird gesendet</translation>
+        <translation>Aus seinen Unterlagen oder vom Typenschild; gesendet wird nichts</translation>
     </message>
     <message>
         <source>What the encoder is known to have is wanted from now on</source>
-        <translation>Was der Geber bekanntermaßen hat, ist ab jetzt gewünscht</translation>
+        <translation>Was vom Geber bekannt ist, ist ab jetzt gewünscht</translation>
     </message>
     <message>
         <source>The place where it stands becomes the position you type</source>
-        <translation>Die Stelle, an der er steht, wird zur eingetippten Position</translation>
+        <translation>Die Stelle, an der er steht, bekommt die eingetippte Position</translation>
     </message>
     <message>
         <source>Known values wanted for %1</source>
@@ -10624,7 +10625,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
-        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, wie der Geber zurückbleiben soll.</translation>
+        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, in welchem Zustand der Geber bleiben soll.</translation>
     </message>
     <message>
         <source>To the page before.</source>
@@ -10675,11 +10676,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Devices of this bus keep their places.</source>
-        <translation>Geräte dieses Busses behalten ihre Plätze.</translation>
+        <translation>Die Geräte dieses Busses behalten ihre Plätze.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no address of this bus: type one from %2 to %3.</source>
-        <translation>&quot;%1&quot; ist keine Adresse dieses Busses: eine von %2 bis %3 eingeben.</translation>
+        <translation>„%1“ ist keine Adresse dieses Busses: Eine von %2 bis %3 eingeben.</translation>
     </message>
     <message>
         <source>Another device is planned at %1.</source>
@@ -10687,15 +10688,15 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&quot;%2&quot; is planned at %1.</source>
-        <translation>Bei %1 ist &quot;%2&quot; geplant.</translation>
+        <translation>Bei %1 ist „%2“ geplant.</translation>
     </message>
     <message>
         <source>%1: %2 is additional: it is not configured</source>
-        <translation>%1: %2 ist zusätzlich da: nicht projektiert</translation>
+        <translation>%1: %2 ist zusätzlich da und nicht projektiert</translation>
     </message>
     <message>
         <source>%1: configured %2 is missing</source>
-        <translation>%1: projektiert %2, fehlt</translation>
+        <translation>%1: %2 projektiert, fehlt</translation>
     </message>
     <message>
         <source>%1: %2, as configured</source>
@@ -10706,7 +10707,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <name>codewheel::PortAccess</name>
     <message>
         <source>%1 is no serial port.</source>
-        <translation>%1 ist keine serielle Schnittstelle.</translation>
+        <translation>%1 ist kein serieller Anschluss.</translation>
     </message>
 </context>
 <context>
@@ -10795,11 +10796,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>%1 holds something else than was read or saved here: another program has changed it.</source>
-        <translation>%1 enthält anderes, als hier gelesen oder gespeichert wurde: Ein anderes Programm hat es geändert.</translation>
+        <translation>%1 enthält etwas anderes, als hier gelesen oder gespeichert wurde: Ein anderes Programm hat die Datei geändert.</translation>
     </message>
     <message>
         <source>It was changed at %1. If it is replaced, the project that it holds is kept as %2.</source>
-        <translation>Geändert am %1. Wird es ersetzt, bleibt das Projekt darin als %2 erhalten.</translation>
+        <translation>Geändert: %1. Wird die Datei ersetzt, bleibt das Projekt darin als %2 erhalten.</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
@@ -10807,7 +10808,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Saves the project in another file; this one stays as it is</source>
-        <translation>Speichert das Projekt in einer anderen Datei; diese bleibt, wie sie ist</translation>
+        <translation>Speichert das Projekt in einer anderen Datei; diese bleibt unverändert</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -10838,7 +10839,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>What whoever opens the project next should know</source>
-        <translation>Was wissen soll, wer das Projekt als Nächstes öffnet</translation>
+        <translation>Hinweise für den, der das Projekt als Nächstes öffnet</translation>
     </message>
     <message>
         <source>&amp;Title</source>
@@ -10865,7 +10866,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <name>codewheel::ProjectReader</name>
     <message>
         <source>This is no project: the format is not &quot;%1&quot;.</source>
-        <translation>Das ist kein Projekt: Das Format ist nicht &quot;%1&quot;.</translation>
+        <translation>Das ist kein Projekt: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
         <source>A whole number from 1 is expected here.</source>
@@ -10877,7 +10878,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot stand here: by its place in the list this device is %2 on the remote bus, or %3 on a local bus.</source>
-        <translation>&quot;%1&quot; kann hier nicht stehen: Nach seinem Platz in der Liste ist dieser Teilnehmer %2 am Fernbus oder %3 an einem Lokalbus.</translation>
+        <translation>„%1“ kann hier nicht stehen: Nach seinem Platz in der Liste ist dieser Teilnehmer %2 am Fernbus oder %3 an einem Lokalbus.</translation>
     </message>
     <message>
         <source>A time such as &quot;2026-03-01T14:02:00.000Z&quot; is expected here (UTC).</source>
@@ -10885,19 +10886,19 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;.</source>
-        <translation>Es gibt keinen Parameter &quot;%1&quot;.</translation>
+        <translation>Es gibt keinen Parameter „%1“.</translation>
     </message>
     <message>
         <source>The parameter &quot;%1&quot; stands above already.</source>
-        <translation>Der Parameter &quot;%1&quot; steht schon weiter oben.</translation>
+        <translation>Der Parameter „%1“ steht schon weiter oben.</translation>
     </message>
     <message>
         <source>The address &quot;%1&quot; stands above already.</source>
-        <translation>Die Adresse &quot;%1&quot; steht weiter oben schon.</translation>
+        <translation>Die Adresse „%1“ steht schon weiter oben.</translation>
     </message>
     <message>
         <source>A number of USB has at most four digits, such as &quot;0403h&quot;.</source>
-        <translation>Eine Nummer von USB hat höchstens vier Ziffern, etwa &quot;0403h&quot;.</translation>
+        <translation>Eine USB-Nummer hat höchstens vier Ziffern, etwa &quot;0403h&quot;.</translation>
     </message>
     <message>
         <source>An address from &quot;esc:01&quot; to &quot;esc:1F&quot; is expected here, or &quot;esc:00&quot; for an encoder that is alone on its line.</source>
@@ -10917,11 +10918,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
-        <translation>Der Name eines Busses enthält kein &quot;/&quot;: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
     </message>
     <message>
         <source>A bus needs a name, such as &quot;Ring&quot;.</source>
-        <translation>Ein Bus braucht einen Namen, etwa &quot;Ring&quot;.</translation>
+        <translation>Ein Bus braucht einen Namen, etwa „Ring“.</translation>
     </message>
 </context>
 <context>
@@ -10932,7 +10933,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Codewheel ended without asking. Changes of %1 are kept as they were at %2.</source>
-        <translation>Codewheel endete, ohne zu fragen. Änderungen an %1 sind erhalten, wie sie um %2 waren.</translation>
+        <translation>Codewheel wurde unerwartet beendet. Die Änderungen an %1 sind erhalten, Stand: %2.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -10967,7 +10968,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Removes this sequence from the project; can be undone</source>
-        <translation>Entfernt diese Sequenz aus dem Projekt; lässt sich zurücknehmen</translation>
+        <translation>Entfernt diese Sequenz aus dem Projekt; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Se&amp;quence</source>
@@ -11009,7 +11010,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Type the key on the label. Spaces, dots and dashes do not matter.</source>
-        <translation>Den Schlüssel vom Typenschild eintippen. Leerzeichen, Punkte und Striche sind gleichgültig.</translation>
+        <translation>Den Schlüssel vom Typenschild eintippen. Leerzeichen, Punkte und Striche spielen keine Rolle.</translation>
     </message>
     <message>
         <source>Serial number of the new encoder</source>
@@ -11045,7 +11046,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>It fits: as far as the project tells, it is like the one before.</source>
-        <translation>Er passt: Soweit das Projekt es sagt, ist er wie der vorige.</translation>
+        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
     </message>
     <message>
         <source>The key is not that of the chosen encoder. Choose the encoder of the label, or clear the key.</source>
@@ -11119,7 +11120,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The shaft must stand where it stood then. The zero offset of the encoder before is not written: setting the position makes a new one. A preset that the project wants is written last, and does not act by itself.</source>
-        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunktverschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt will, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
+        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunktverschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt wünscht, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
     </message>
     <message>
         <source>The position that was seen last, and when</source>
@@ -11127,7 +11128,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>From a note, or from what the machine stands at</source>
-        <translation>Aus einer Notiz oder nach dem Stand der Maschine</translation>
+        <translation>Aus Notizen oder nach dem Stand der Maschine</translation>
     </message>
     <message>
         <source>Nothing is set: the machine has to be referenced another way</source>
@@ -11151,7 +11152,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Give the position as a whole number, 0 or more, or leave it as it is.</source>
-        <translation>Die Position als ganze Zahl ab 0 angeben oder lassen, wie sie ist.</translation>
+        <translation>Die Position als ganze Zahl ab 0 angeben oder unverändert lassen.</translation>
     </message>
     <message>
         <source>Position kept in the pro&amp;ject</source>
@@ -11167,11 +11168,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>&amp;Position %1, shown at %2; not away since</source>
-        <translation>&amp;Position %1, gezeigt um %2; seither nicht weg</translation>
+        <translation>&amp;Position %1, gezeigt um %2; seitdem ununterbrochen da</translation>
     </message>
     <message>
         <source>The encoder has not been away since: it may still be the one before</source>
-        <translation>Der Geber war seither nicht weg: Es kann noch der vorige sein</translation>
+        <translation>Der Geber war seitdem ununterbrochen da: Es kann noch der vorige sein</translation>
     </message>
     <message>
         <source>The position the encoder before showed last</source>
@@ -11233,7 +11234,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation>anders</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>no answer</source>
@@ -11249,7 +11250,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Saved answer</source>
-        <translation>Gespeicherte Antwort</translation>
+        <translation>Aufgezeichnete Antwort</translation>
     </message>
     <message>
         <source>Answer now</source>
@@ -11322,7 +11323,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation>anders</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>Cam</source>
@@ -11346,7 +11347,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>%1, the largest position of a cam; the total range is unknown</source>
-        <translation>%1, die größte Position eines Nockens; der Gesamtbereich ist nicht bekannt</translation>
+        <translation>%1, die größte Position eines Nockens; der Gesamtbereich ist unbekannt</translation>
     </message>
     <message>
         <source>Cam program %1, wanted</source>
@@ -11479,13 +11480,13 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>No encoder is known to have anything else than what is wanted.</source>
-        <translation>Von keinem Geber ist bekannt, dass er etwas anderes hat als gewünscht.</translation>
+        <translation>Von keinem Geber ist bekannt, dass er vom Gewünschten abweicht.</translation>
     </message>
     <message numerus="yes">
         <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>
         <translation>
-            <numerusform>%n gewünschter Wert oder Nockenprogramm ließ sich nicht vergleichen: Was die Geber dort haben, ist nicht bekannt.</numerusform>
-            <numerusform>%n gewünschte Werte oder Nockenprogramme ließen sich nicht vergleichen: Was die Geber dort haben, ist nicht bekannt.</numerusform>
+            <numerusform>%n gewünschter Wert oder Nockenprogramm ließ sich nicht vergleichen: Was die Geber dort haben, ist unbekannt.</numerusform>
+            <numerusform>%n gewünschte Werte oder Nockenprogramme ließen sich nicht vergleichen: Was die Geber dort haben, ist unbekannt.</numerusform>
         </translation>
     </message>
     <message>
@@ -11524,7 +11525,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>%1 revolutions, %2 steps per revolution</source>
-        <translation>%1 Umdrehungen, %2 Schritte pro Umdrehung</translation>
+        <translation>%1 Umdrehungen, %2 Schritte je Umdrehung</translation>
     </message>
     <message>
         <source>Serial number</source>
@@ -11588,7 +11589,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Known values are: read, the encoder told it when it was read; echoed, the encoder confirmed it in a handshake and went into operation with it; told, somebody said so and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
-        <translation>Bekannte Werte sind: gelesen, der Geber hat ihn beim Auslesen gemeldet; bestätigt, der Geber hat ihn in einem Handshake bestätigt und ist damit in Betrieb gegangen; angegeben, jemand hat es gesagt und der Geber wurde nicht gefragt; unbekannt, niemand weiß, was der Geber hat.</translation>
+        <translation>Herkunft bekannter Werte: gelesen: vom Geber beim Auslesen gemeldet; quittiert: vom Geber im Handshake quittiert und mit Run übernommen; von Hand: eingetragen, der Geber wurde nicht gefragt; unbekannt: Der Wert im Geber ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The project has no encoders.</source>
@@ -11636,11 +11637,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>echoed</source>
-        <translation>bestätigt</translation>
+        <translation>quittiert</translation>
     </message>
     <message>
         <source>told</source>
-        <translation>angegeben</translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -11749,7 +11750,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Bytes of process data: %1, remote bus devices: %2, km of cable: %3.</source>
-        <translation>Byte Prozessdaten: %1, Fernbusteilnehmer: %2, km Kabel: %3.</translation>
+        <translation>Prozessdaten in Byte: %1, Fernbusteilnehmer: %2, Kabel in km: %3.</translation>
     </message>
     <message>
         <source>Address</source>
@@ -11828,11 +11829,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Words that will be sent, in this order:</source>
-        <translation>Worte, die gesendet werden, in dieser Folge:</translation>
+        <translation>Worte, die gesendet werden, in dieser Reihenfolge:</translation>
     </message>
     <message>
         <source>there already, not written</source>
-        <translation>schon da, nicht geschrieben</translation>
+        <translation>schon vorhanden, nicht geschrieben</translation>
     </message>
     <message>
         <source>read, written if it differs</source>
@@ -11848,7 +11849,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The position cannot be set: the mode of the encoder is not known, and in cam mode the same word sets a cam. Say on the page What is known that it is in position mode, or do not set the position.</source>
-        <translation>Die Position ist nicht setzbar: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite &quot;Was bekannt ist&quot; den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
+        <translation>Die Position lässt sich nicht setzen: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite „Was bekannt ist“ den Positionsbetrieb angeben oder die Position nicht setzen.</translation>
     </message>
     <message>
         <source>Afterwards each written value is read back.</source>
@@ -11856,7 +11857,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>This encoder cannot be read: its confirmation, and operation after run, are the evidence.</source>
-        <translation>Dieser Geber ist nicht auslesbar: Der Nachweis sind seine Quittung und der Betrieb nach Run.</translation>
+        <translation>Dieser Geber lässt sich nicht auslesen: Der Nachweis sind seine Quittung und der Betrieb nach Run.</translation>
     </message>
     <message>
         <source>&amp;Start the handshake</source>
@@ -11868,19 +11869,19 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The encoder is in cam mode, which refuses parameters. Switch it to position mode first, with the functions of the parameter panel.</source>
-        <translation>Der Geber ist im Nockenbetrieb, der Parameter ablehnt. Erst mit den Funktionen des Parameterfelds in den Positionsbetrieb schalten.</translation>
+        <translation>Der Geber ist im Nockenbetrieb, der Parameter ablehnt. Erst mit den Funktionen im Bereich „Parameter“ in den Positionsbetrieb schalten.</translation>
     </message>
     <message>
         <source>Each step waits until you press Next step.</source>
-        <translation>Jeder Schritt wartet, bis Sie Nächster Schritt drücken.</translation>
+        <translation>Jeder Schritt wartet auf „Nächster Schritt“.</translation>
     </message>
     <message>
         <source>The steps follow each other as the encoder confirms them.</source>
-        <translation>Die Schritte folgen einander, wie der Geber sie bestätigt.</translation>
+        <translation>Die Schritte laufen nacheinander ab, sobald der Geber quittiert.</translation>
     </message>
     <message>
         <source>Requests that will be sent, in this order:</source>
-        <translation>Anfragen, die gesendet werden, in dieser Folge:</translation>
+        <translation>Anfragen, die gesendet werden, in dieser Reihenfolge:</translation>
     </message>
     <message>
         <source>The encoder gives no valid position now. If that stays so, the values are written, and the position is not set.</source>
@@ -11919,7 +11920,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Leaves the ring: work goes on offline</source>
-        <translation>Verlässt den Ring: Weiter geht es offline</translation>
+        <translation>Trennt die Verbindung zum Ring; offline geht es weiter</translation>
     </message>
     <message>
         <source>&amp;Read in the ring</source>
@@ -11927,7 +11928,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The master finds the devices of the ring anew; data cycles stop meanwhile. Needs Operate.</source>
-        <translation>Der Master sucht die Geräte des Rings neu; die Datenzyklen stehen so lange still. Braucht Bedienen.</translation>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still. Nur in Bedienen möglich.</translation>
     </message>
     <message>
         <source>&amp;Confirm diagnostics</source>
@@ -11935,7 +11936,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Confirms peripheral faults; one whose cause is still there comes back. Needs Operate.</source>
-        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder. Braucht Bedienen.</translation>
+        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder. Nur in Bedienen möglich.</translation>
     </message>
     <message>
         <source>Switch se&amp;gment off or on</source>
@@ -11943,7 +11944,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, after asking, or puts it back. Needs Operate.</source>
-        <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
+        <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder schaltet es wieder zu. Nur in Bedienen möglich.</translation>
     </message>
     <message>
         <source>The ring is not connected.</source>
@@ -11966,7 +11967,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
-        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still</translation>
     </message>
     <message>
         <source>Chosen lines into the &amp;master</source>
@@ -11974,7 +11975,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Downloads the connected ring with the chosen lines as they are planned; the master keeps it</source>
-        <translation>Lädt den angeschlossenen Ring mit den gewählten Zeilen wie geplant in den Master, der ihn behält</translation>
+        <translation>Lädt den angeschlossenen Ring mit den gewählten Zeilen wie geplant in den Master, der ihn speichert</translation>
     </message>
     <message>
         <source>Project into the mas&amp;ter</source>
@@ -11982,15 +11983,15 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>Downloads the planned ring, which the master keeps, and loads it back</source>
-        <translation>Lädt den geplanten Ring in den Master, der ihn behält, und liest ihn zurück</translation>
+        <translation>Lädt den geplanten Ring in den Master, der ihn speichert, und liest ihn zurück</translation>
     </message>
     <message>
         <source>What the master &amp;keeps into the project</source>
-        <translation>&amp;Was der Master hält, ins Projekt</translation>
+        <translation>&amp;Konfiguration des Masters ins Projekt</translation>
     </message>
     <message>
         <source>Loads the configuration that the master keeps, and plans the ring as it says; can be undone</source>
-        <translation>Lädt die Konfiguration, die der Master hält, und plant den Ring danach; lässt sich rückgängig machen</translation>
+        <translation>Lädt die im Master gespeicherte Konfiguration und plant den Ring danach; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Load the configuration of the master</source>
@@ -11999,30 +12000,30 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message numerus="yes">
         <source>The ring is planned as the master keeps it: %1, %n devices.</source>
         <translation>
-            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Gerät.</numerusform>
-            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Geräte.</numerusform>
+            <numerusform>Der Ring ist geplant, wie im Master gespeichert: %1, %n Teilnehmer.</numerusform>
+            <numerusform>Der Ring ist geplant, wie im Master gespeichert: %1, %n Teilnehmer.</numerusform>
         </translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message numerus="yes">
         <source>The master keeps %1 with %n devices.</source>
         <translation>
-            <numerusform>Der Master hat %1 mit %n Teilnehmer.</numerusform>
-            <numerusform>Der Master hat %1 mit %n Teilnehmern.</numerusform>
+            <numerusform>Im Master ist %1 mit %n Teilnehmer gespeichert.</numerusform>
+            <numerusform>Im Master ist %1 mit %n Teilnehmern gespeichert.</numerusform>
         </translation>
     </message>
     <message>
         <source>Loaded back, it is the project&apos;s.</source>
-        <translation>Zurückgelesen ist sie die des Projekts.</translation>
+        <translation>Zurückgelesen stimmt sie mit dem Projekt überein.</translation>
     </message>
     <message numerus="yes">
         <source>Loaded back, %n lines differ from the project.</source>
         <translation>
-            <numerusform>Zurückgelesen ist %n Zeile anders als im Projekt.</numerusform>
-            <numerusform>Zurückgelesen sind %n Zeilen anders als im Projekt.</numerusform>
+            <numerusform>Beim Zurücklesen weicht %n Zeile vom Projekt ab.</numerusform>
+            <numerusform>Beim Zurücklesen weichen %n Zeilen vom Projekt ab.</numerusform>
         </translation>
     </message>
 </context>
@@ -12168,7 +12169,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>all OUT words become 0, and jobs end</source>
-        <translation>alle OUT-Wörter werden 0, und Aufträge enden</translation>
+        <translation>alle OUT-Worte werden 0, und Aufträge enden</translation>
     </message>
 </context>
 <context>
@@ -12179,7 +12180,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>How addresses in the process image are shown and typed</source>
-        <translation>Wie Adressen im Prozessabbild gezeigt und getippt werden</translation>
+        <translation>Wie Adressen im Prozessabbild angezeigt und eingegeben werden</translation>
     </message>
     <message>
         <source>First address</source>
@@ -12195,7 +12196,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>With a Step 5 PLC encoders must stand above P127: checks that</source>
-        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: prüft das</translation>
+        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: Das wird geprüft</translation>
     </message>
     <message>
         <source>About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters</source>
@@ -12274,7 +12275,7 @@ Zustand: %7</translation>
     <name>codewheel::RingPlanRules</name>
     <message>
         <source>It has no such words.</source>
-        <translation>Solche Worte hat es nicht.</translation>
+        <translation>Worte dieser Art hat das Gerät nicht.</translation>
     </message>
     <message>
         <source>Bytes %1 to %2</source>
@@ -12286,7 +12287,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Counted in ring order. Type a number to give it by hand.</source>
-        <translation>In Ringreihenfolge gezählt. Eine Zahl tippen, um sie von Hand zu vergeben.</translation>
+        <translation>In Ringreihenfolge gezählt. Eine Zahl eintippen, um sie von Hand zu vergeben.</translation>
     </message>
     <message>
         <source>Number</source>
@@ -12440,18 +12441,18 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
-        <translation>vielleicht ein anderer: daneben fehlt einer derselben Art oder ist einer zusätzlich da</translation>
+        <translation>vielleicht ein anderer: Daneben fehlt einer derselben Art oder ist zusätzlich da</translation>
     </message>
 </context>
 <context>
     <name>codewheel::RodConsequences</name>
     <message>
         <source>The resolution can be told once the measuring length is known or wanted.</source>
-        <translation>Die Auflösung ist bestimmbar, sobald die Messlänge bekannt oder gewünscht ist.</translation>
+        <translation>Die Auflösung lässt sich bestimmen, sobald die Messlänge bekannt oder gewünscht ist.</translation>
     </message>
     <message>
         <source>Positions from 0 to %1. For mm, calculate the measuring length from the length of the rod, or tell that length under What is known.</source>
-        <translation>Positionen von 0 bis %1. Für mm die Messlänge aus der Stablänge berechnen oder die Stablänge unter dem Bekannten angeben.</translation>
+        <translation>Positionen von 0 bis %1. Für mm die Messlänge aus der Stablänge berechnen oder die Stablänge unter „Was bekannt ist“ eintragen.</translation>
     </message>
     <message>
         <source>Positions from 0 to %1 over %2 mm: %3.</source>
@@ -12510,11 +12511,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Speed in mm per second</source>
-        <translation>Geschwindigkeit in mm je Sekunde</translation>
+        <translation>Geschwindigkeit in mm pro Sekunde</translation>
     </message>
     <message>
         <source>mm per second; positive is away from the head. The magnet turns round at the ends.</source>
-        <translation>mm je Sekunde; positiv ist vom Kopf weg. An den Enden kehrt der Magnet um.</translation>
+        <translation>mm pro Sekunde; positiv ist vom Kopf weg. An den Enden kehrt der Magnet um.</translation>
     </message>
     <message>
         <source>Stop the magnet</source>
@@ -12522,7 +12523,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Speed, mm/s</source>
-        <translation>Tempo, mm/s</translation>
+        <translation>Geschw., mm/s</translation>
     </message>
     <message>
         <source>Magnet moved to %1 mm.</source>
@@ -12557,7 +12558,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&amp;Tell</source>
-        <translation>A&amp;ngeben</translation>
+        <translation>&amp;Eintragen</translation>
     </message>
     <message>
         <source>Reads why the error bit is set. That clears it, once the magnet is back.</source>
@@ -12565,7 +12566,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Takes the length as known by telling. Nothing is sent.</source>
-        <translation>Übernimmt die Länge als angegeben. Gesendet wird nichts.</translation>
+        <translation>Trägt die Länge von Hand ein. Gesendet wird nichts.</translation>
     </message>
     <message>
         <source>Rod &amp;length, from its label:</source>
@@ -12585,7 +12586,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>mm unknown: tell the rod length from its label.</source>
-        <translation>mm unbekannt: die Stablänge vom Typenschild angeben.</translation>
+        <translation>mm unbekannt: Die Stablänge vom Typenschild eintragen.</translation>
     </message>
 </context>
 <context>
@@ -12624,7 +12625,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Puts this measuring length among the wanted values, and takes the length of the rod as told.</source>
-        <translation>Nimmt diese Messlänge in die gewünschten Werte auf und die Stablänge als angegeben.</translation>
+        <translation>Übernimmt diese Messlänge in die gewünschten Werte und trägt die Stablänge von Hand ein.</translation>
     </message>
     <message>
         <source>%1 steps (%2): %3, %4 mm off over %5 mm.</source>
@@ -12693,7 +12694,7 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::SavedReport</name>
     <message>
         <source>no font is installed</source>
-        <translation>keine Schrift ist installiert</translation>
+        <translation>es ist keine Schriftart installiert</translation>
     </message>
     <message>
         <source>the sheets could not be painted</source>
@@ -12716,7 +12717,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Turn the shaft in thought, clockwise; negative: counter-clockwise.</source>
-        <translation>Die Welle in Gedanken drehen, im Uhrzeigersinn; negativ: gegen ihn.</translation>
+        <translation>Gedachte Drehung der Welle im Uhrzeigersinn; negativ: gegen den Uhrzeigersinn.</translation>
     </message>
 </context>
 <context>
@@ -12754,7 +12755,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>on</source>
-        <translation>an</translation>
+        <translation>zugeschaltet</translation>
     </message>
 </context>
 <context>
@@ -12792,7 +12793,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&amp;Unacknowledged words for</source>
-        <translation>Worte &amp;unbestätigt für</translation>
+        <translation>&amp;Unquittierte Worte für</translation>
     </message>
     <message>
         <source>No encoder is selected</source>
@@ -12800,7 +12801,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>A sequence is a list of words that are sent to an encoder one after the other. Select an encoder in the bus structure.</source>
-        <translation>Eine Folge ist eine Liste von Worten, die nacheinander an einen Geber gehen. Einen Geber im Busaufbau wählen.</translation>
+        <translation>Eine Sequenz ist eine Liste von Worten, die nacheinander an einen Geber gehen. Einen Geber im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Words to send</source>
@@ -12824,7 +12825,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation>Hoch</translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Move the word up</source>
@@ -12832,7 +12833,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation>Runter</translation>
+        <translation>Ab</translation>
     </message>
     <message>
         <source>Move the word down</source>
@@ -12852,15 +12853,15 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Read a sequence from a file</source>
-        <translation>Eine Folge aus einer Datei lesen</translation>
+        <translation>Eine Sequenz aus einer Datei lesen</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation>Sichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Keep this sequence in a file</source>
-        <translation>Diese Folge in einer Datei sichern</translation>
+        <translation>Diese Sequenz in einer Datei speichern</translation>
     </message>
     <message>
         <source> cycles</source>
@@ -12869,23 +12870,23 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Cycles for words that nothing acknowledges</source>
-        <translation>Zyklen für Worte, die nichts bestätigt</translation>
+        <translation>Zyklen für Worte, die nichts quittiert</translation>
     </message>
     <message>
         <source>How long a word stands that nothing acknowledges; others stand until they are</source>
-        <translation>Wie lange ein Wort steht, das nichts bestätigt; andere stehen bis zur Bestätigung</translation>
+        <translation>Wie lange ein Wort steht, das nichts quittiert; andere stehen bis zur Quittung</translation>
     </message>
     <message>
         <source>Send the sequence</source>
-        <translation>Die Folge senden</translation>
+        <translation>Die Sequenz senden</translation>
     </message>
     <message>
         <source>Stop the sequence</source>
-        <translation>Die Folge stoppen</translation>
+        <translation>Die Sequenz anhalten</translation>
     </message>
     <message>
         <source>End the sequence, and choose what becomes of the encoder</source>
-        <translation>Die Folge beenden und wählen, was aus dem Geber wird</translation>
+        <translation>Die Sequenz beenden und wählen, in welchem Zustand der Geber bleibt</translation>
     </message>
     <message>
         <source>&amp;Run: end the parameterization with what the encoder has taken</source>
@@ -12893,23 +12894,23 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&amp;Leave the encoder as it is, OUT back to 0</source>
-        <translation>&amp;Geber lassen, wie er ist, OUT zurück auf 0</translation>
+        <translation>Geber un&amp;verändert lassen, OUT zurück auf 0</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation>Folge öffnen</translation>
+        <translation>Sequenz öffnen</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation>Folgen (*.json)</translation>
+        <translation>Sequenzen (*.json)</translation>
     </message>
     <message>
         <source>Save the sequence</source>
-        <translation>Folge sichern</translation>
+        <translation>Sequenz speichern</translation>
     </message>
     <message>
         <source>sequence.json</source>
-        <translation>folge.json</translation>
+        <translation>sequenz.json</translation>
     </message>
     <message>
         <source>%1 was not read. %2</source>
@@ -12919,7 +12920,7 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
-        <translation>%1 wurde nicht gesichert: %2</translation>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
     <message numerus="yes">
         <source>All %n words were sent.</source>
@@ -12946,7 +12947,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
-        <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
+        <translation>Die Worte nacheinander an %1 senden, jedes bis zur Quittung</translation>
     </message>
     <message>
         <source>%1 is on a serial line</source>
@@ -12966,7 +12967,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Words can be sent to it once its bus is connected.</source>
-        <translation>Wörter lassen sich senden, sobald der Bus verbunden ist.</translation>
+        <translation>Worte lassen sich senden, sobald der Bus verbunden ist.</translation>
     </message>
 </context>
 <context>
@@ -12984,11 +12985,11 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::ShaftConsequences</name>
     <message>
         <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
-        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Zählrichtung bekannt oder gewünscht sind.</translation>
+        <translation>Auflösung und Bereich lassen sich bestimmen, sobald Schritte, Umdrehungen und Zählrichtung bekannt oder gewünscht sind.</translation>
     </message>
     <message>
         <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
-        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
+        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunktverschiebung oder Skalierung ist unbekannt.</translation>
     </message>
     <message>
         <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>
@@ -13023,11 +13024,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Speed in revolutions per minute</source>
-        <translation>Drehzahl in Umdrehungen je Minute</translation>
+        <translation>Drehzahl in Umdrehungen pro Minute</translation>
     </message>
     <message>
         <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
-        <translation>Umdrehungen je Minute; positiv ist im Uhrzeigersinn, Blick auf die Welle</translation>
+        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, mit Blick auf die Welle</translation>
     </message>
     <message>
         <source>Stop the shaft</source>
@@ -13058,7 +13059,7 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::ShaftDial</name>
     <message>
         <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
-        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
+        <translation>Rohwort %1. Betriebsart unbekannt: Die Anlaufbetriebsart unter Parameter eintragen.</translation>
     </message>
     <message>
         <source>Raw word %1, in cam mode: there is no position.</source>
@@ -13066,11 +13067,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
-        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
+        <translation>Rohwort %1. Codierung unbekannt: Unter Parameter schreiben oder eintragen.</translation>
     </message>
     <message>
         <source>Not known: %1. The disc needs it to turn.</source>
-        <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
+        <translation>Unbekannt: %1. Ohne das dreht sich die Scheibe nicht.</translation>
     </message>
     <message>
         <source>No position while the encoder sends its velocity.</source>
@@ -13078,7 +13079,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>The steps per turn of this encoder are not described: the disc cannot turn.</source>
-        <translation>Die Schritte je Umdrehung dieses Gebers sind nicht beschrieben: Die Scheibe kann nicht drehen.</translation>
+        <translation>Die Schritte je Umdrehung dieses Gebers sind nicht beschrieben: Die Scheibe kann sich nicht drehen.</translation>
     </message>
     <message>
         <source>The position comes in Gray code.</source>
@@ -13090,7 +13091,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
-        <translation>Rohwort %1. Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung: Den Geber im Busaufbau benennen.</translation>
+        <translation>Rohwort %1. Der Hersteller des Gebers ist unbekannt und damit auch die Codierung: Den Geber im Busaufbau benennen.</translation>
     </message>
 </context>
 <context>
@@ -13190,7 +13191,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation>gescheitert</translation>
+        <translation>fehlgeschlagen</translation>
     </message>
     <message>
         <source>Back to normal running</source>
@@ -13289,7 +13290,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation>Hoch</translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Move before its neighbour</source>
@@ -13297,7 +13298,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation>Runter</translation>
+        <translation>Ab</translation>
     </message>
     <message>
         <source>Move behind its neighbour</source>
@@ -13353,7 +13354,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Drag devices to move them. F2 or a double click edits station, group, serial number, note and addresses.</source>
-        <translation>Geräte ziehen, um sie zu verschieben. F2 oder ein Doppelklick ändert Station, Gruppe, Seriennummer, Notiz und Adressen.</translation>
+        <translation>Geräte ziehen, um sie zu verschieben. F2 oder ein Doppelklick bearbeitet Station, Gruppe, Seriennummer, Notiz und Adressen.</translation>
     </message>
     <message>
         <source>not planned yet</source>
@@ -13385,7 +13386,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Insert the first one, or connect the bus and take it over.</source>
-        <translation>Das erste einfügen, oder den Bus verbinden und ihn übernehmen.</translation>
+        <translation>Das erste einfügen, oder den Bus verbinden und den Aufbau übernehmen.</translation>
     </message>
 </context>
 <context>
@@ -13428,7 +13429,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Choose a device to see it in the panels. Enter opens its monitors.</source>
-        <translation>Ein Gerät wählen, um es in den Feldern zu sehen. Eingabe öffnet seine Monitore.</translation>
+        <translation>Ein Gerät wählen, um es in den Bereichen am Rand zu sehen. Eingabe öffnet seine Monitore.</translation>
     </message>
     <message>
         <source>The bus does not tell which make %1 is.</source>
@@ -13451,7 +13452,7 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::TablesReader</name>
     <message>
         <source>This stands here twice.</source>
-        <translation>Das steht hier zweimal.</translation>
+        <translation>Das steht hier doppelt.</translation>
     </message>
     <message>
         <source>At least one row is expected here.</source>
@@ -13459,7 +13460,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be on and blink.</source>
-        <translation>&quot;%1&quot; kann nicht zugleich leuchten und blinken.</translation>
+        <translation>„%1“ kann nicht zugleich leuchten und blinken.</translation>
     </message>
 </context>
 <context>
@@ -13478,7 +13479,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Mitlaufen</translation>
+        <translation>Automatisch folgen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
@@ -13490,7 +13491,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Hold the table; rows that come are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen werden behalten und danach gezeigt</translation>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -13506,7 +13507,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Save all rows as a CSV file</source>
-        <translation>Alle Zeilen als CSV-Datei sichern</translation>
+        <translation>Alle Zeilen als CSV-Datei speichern</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -13551,7 +13552,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Show the rows again that Clear removed</source>
-        <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
+        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
     </message>
     <message>
         <source>%1 is not connected</source>
@@ -13691,7 +13692,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Switch the encoder off and on again after 50 ms</source>
-        <translation>Den Geber ausschalten und nach 50 ms wieder ein</translation>
+        <translation>Den Geber ausschalten und nach 50 ms wieder einschalten</translation>
     </message>
     <message>
         <source>Power off and on.</source>
@@ -13719,7 +13720,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>EEPROM worn out</source>
-        <translation>EEPROM verbraucht</translation>
+        <translation>EEPROM verschlissen</translation>
     </message>
     <message>
         <source>Error 13 when run is to store parameters</source>
@@ -13727,7 +13728,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Code disc faulty</source>
-        <translation>Codescheibe fehlerhaft</translation>
+        <translation>Codescheibe defekt</translation>
     </message>
     <message>
         <source>Error 15, by itself</source>
@@ -13735,7 +13736,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>EEPROM worn out.</source>
-        <translation>EEPROM verbraucht.</translation>
+        <translation>EEPROM verschlissen.</translation>
     </message>
     <message>
         <source>EEPROM in order.</source>
@@ -13743,7 +13744,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Code disc faulty.</source>
-        <translation>Codescheibe fehlerhaft.</translation>
+        <translation>Codescheibe defekt.</translation>
     </message>
     <message>
         <source>Code disc in order; run ends the error.</source>
@@ -13762,7 +13763,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>A device number such as &quot;6.1&quot; is expected here.</source>
-        <translation>Hier wird eine Gerätenummer wie &quot;6.1&quot; erwartet.</translation>
+        <translation>Hier wird eine Teilnehmernummer wie &quot;6.1&quot; erwartet.</translation>
     </message>
     <message>
         <source>The participants must stand in the order of the ring.</source>
@@ -13774,11 +13775,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>There is no device &quot;%1&quot; in the catalog.</source>
-        <translation>Im Katalog gibt es kein Gerät &quot;%1&quot;.</translation>
+        <translation>Im Katalog gibt es kein Gerät „%1“.</translation>
     </message>
     <message>
         <source>The device &quot;%1&quot; cannot be simulated.</source>
-        <translation>Das Gerät &quot;%1&quot; kann nicht simuliert werden.</translation>
+        <translation>Das Gerät „%1“ lässt sich nicht simulieren.</translation>
     </message>
     <message>
         <source>Only a FRABA K3 has this.</source>
@@ -13794,7 +13795,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>The device has no parameter &quot;%1&quot;.</source>
-        <translation>Das Gerät hat keinen Parameter &quot;%1&quot;.</translation>
+        <translation>Das Gerät hat keinen Parameter „%1“.</translation>
     </message>
 </context>
 <context>
@@ -13805,23 +13806,23 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Write what the project wants</source>
-        <translation>Schreiben, was das Projekt will</translation>
+        <translation>Projektwerte schreiben</translation>
     </message>
     <message>
         <source>Write what the project has stored</source>
-        <translation>Schreiben, was im Projekt abgelegt ist</translation>
+        <translation>Abgelegte Werte schreiben</translation>
     </message>
     <message>
         <source>Store in the project what encoders have</source>
-        <translation>Im Projekt ablegen, was die Geber haben</translation>
+        <translation>Geberwerte im Projekt ablegen</translation>
     </message>
     <message>
         <source>Give the values of one encoder to others</source>
-        <translation>Anderen die Werte eines Gebers geben</translation>
+        <translation>Werte eines Gebers an andere übertragen</translation>
     </message>
     <message>
         <source>Restore values from before</source>
-        <translation>Werte von vorher wiederherstellen</translation>
+        <translation>Vorige Werte wiederherstellen</translation>
     </message>
     <message>
         <source>What is transferred</source>
@@ -13841,7 +13842,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Values from before</source>
-        <translation>Werte von vorher</translation>
+        <translation>Vorige Werte</translation>
     </message>
     <message>
         <source>What the encoder had before this program wrote to it</source>
@@ -13849,7 +13850,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Cam programs are read in the cam mode of each; leaving one that was changed before costs an EEPROM write.</source>
-        <translation>Nockenprogramme werden im Nockenbetrieb eines jeden gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
+        <translation>Jedes Nockenprogramm wird in seinem eigenen Nockenbetrieb gelesen; ein zuvor geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
         <source>&amp;Transfer</source>
@@ -13864,15 +13865,15 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::TransferLines</name>
     <message>
         <source>not there</source>
-        <translation>nicht da</translation>
+        <translation>nicht vorhanden</translation>
     </message>
     <message>
         <source>already there</source>
-        <translation>schon da</translation>
+        <translation>schon vorhanden</translation>
     </message>
     <message>
         <source>The encoder has it: it is left out.</source>
-        <translation>Der Geber hat es: Es wird ausgelassen.</translation>
+        <translation>Steht schon im Geber: wird ausgelassen.</translation>
     </message>
     <message>
         <source>Cam program %1</source>
@@ -13884,7 +13885,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>another</source>
-        <translation>anders</translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -13892,7 +13893,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>It is read first, and written where it differs.</source>
-        <translation>Es wird zuerst gelesen und geschrieben, wo es abweicht.</translation>
+        <translation>Wird zuerst gelesen und bei Abweichung geschrieben.</translation>
     </message>
     <message>
         <source>It cannot be read: what is known of it is stored.</source>
@@ -13900,11 +13901,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Values to read: %1. It shows no position meanwhile.</source>
-        <translation>Zu lesende Werte: %1. So lange zeigt er keine Position.</translation>
+        <translation>Zu lesende Werte: %1. Solange zeigt er keine Position.</translation>
     </message>
     <message>
         <source>Its cam programs are read in the cam mode of each. A program that was changed before is stored when it is left: one EEPROM write.</source>
-        <translation>Seine Nockenprogramme werden im Nockenbetrieb eines jeden gelesen. Ein vorher geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+        <translation>Jedes seiner Nockenprogramme wird in dessen Nockenbetrieb gelesen. Ein zuvor geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
         <source>Known now, beside what the project has stored</source>
@@ -14042,7 +14043,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Reads the chosen encoders, and keeps what they have in the project. Those of a ring show no position meanwhile</source>
-        <translation>Liest die gewählten Geber und legt im Projekt ab, was sie haben. Die eines Rings zeigen so lange keine Position</translation>
+        <translation>Liest die gewählten Geber aus und legt ihre Werte im Projekt ab. Die eines Rings zeigen solange keine Position</translation>
     </message>
     <message>
         <source>Sends what is shown above to the chosen encoders, one after the other</source>
@@ -14053,7 +14054,7 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::TransferPages</name>
     <message>
         <source>No encoder is chosen.</source>
-        <translation>Es ist kein Geber gewählt.</translation>
+        <translation>Kein Geber gewählt.</translation>
     </message>
     <message>
         <source>Gives a new encoder in its place the values and the position of the one before</source>
@@ -14061,7 +14062,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Restore &amp;values from before...</source>
-        <translation>&amp;Werte von vorher wiederherstellen...</translation>
+        <translation>Vorige &amp;Werte wiederherstellen...</translation>
     </message>
     <message>
         <source>Restore &amp;values of %1...</source>
@@ -14073,7 +14074,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Not connected: nothing can be sent.</source>
-        <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
+        <translation>Nicht verbunden: Es lässt sich nichts senden.</translation>
     </message>
 </context>
 <context>
@@ -14084,11 +14085,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Values of one encoder given to others</source>
-        <translation>Werte eines Gebers an andere gegeben</translation>
+        <translation>Werte eines Gebers an andere übertragen</translation>
     </message>
     <message>
         <source>Values from before restored</source>
-        <translation>Werte von vorher wiederhergestellt</translation>
+        <translation>Vorige Werte wiederhergestellt</translation>
     </message>
     <message>
         <source>Encoder replaced</source>
@@ -14096,7 +14097,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>Device</source>
@@ -14132,7 +14133,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation>Verlassen</translation>
+        <translation>Zustand danach</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -14194,11 +14195,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>echoed</source>
-        <translation>bestätigt</translation>
+        <translation>quittiert</translation>
     </message>
     <message>
         <source>told</source>
-        <translation>angegeben</translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>Written</source>
@@ -14206,11 +14207,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Was there already</source>
-        <translation>War schon da</translation>
+        <translation>War schon vorhanden</translation>
     </message>
     <message>
         <source>Value from before restored</source>
-        <translation>Wert von vorher wiederhergestellt</translation>
+        <translation>Voriger Wert wiederhergestellt</translation>
     </message>
     <message>
         <source>Not done</source>
@@ -14222,7 +14223,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Written, confirmed by the handshake</source>
-        <translation>Geschrieben, im Handshake bestätigt</translation>
+        <translation>Geschrieben, im Handshake quittiert</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -14234,7 +14235,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>in parameterization: it gives no position until run is sent</source>
-        <translation>in Parametrierung: Er liefert keine Position, bis Run gesendet wird</translation>
+        <translation>in der Parametrierung: Er liefert keine Position, bis Run gesendet wird</translation>
     </message>
     <message>
         <source>in the error state: it gives no valid position</source>
@@ -14246,15 +14247,15 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>in service mode: it gives no position until the service bit is 0</source>
-        <translation>im Servicebetrieb: Er liefert keine Position, bis das Servicebit 0 ist</translation>
+        <translation>im Dienstbetrieb: Er liefert keine Position, bis das Dienst-Bit 0 ist</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>Cam programs are read, written where they differ, and stored when they are left.</source>
-        <translation>Nockenprogramme werden gelesen, geschrieben, wo sie anders sind, und beim Verlassen gespeichert.</translation>
+        <translation>Nockenprogramme werden gelesen, bei Abweichung geschrieben und beim Verlassen gespeichert.</translation>
     </message>
     <message>
         <source>The position is set to %1 at the end of it.</source>
@@ -14270,7 +14271,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>All of it is there: nothing is sent.</source>
-        <translation>Alles ist da: Es wird nichts gesendet.</translation>
+        <translation>Alles ist schon vorhanden: Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Values and cam programs to write: %1. EEPROM writes: at most %2.</source>
@@ -14282,7 +14283,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>All of it was there: nothing was sent.</source>
-        <translation>Alles war da: Es wurde nichts gesendet.</translation>
+        <translation>Alles war schon vorhanden: Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>Done.</source>
@@ -14294,7 +14295,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>It has %2 physical steps per turn, the one before had %1.</source>
-        <translation>Er hat %2 physikalische Schritte pro Umdrehung, der vorige hatte %1.</translation>
+        <translation>Er hat %2 physikalische Schritte je Umdrehung, der vorige hatte %1.</translation>
     </message>
     <message>
         <source>It has %2 turns, the one before had %1.</source>
@@ -14302,7 +14303,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>It has no &quot;%1&quot;: the value %2 is not written.</source>
-        <translation>Er hat kein &quot;%1&quot;: Der Wert %2 wird nicht geschrieben.</translation>
+        <translation>Er hat „%1“ nicht: Der Wert %2 wird nicht geschrieben.</translation>
     </message>
     <message>
         <source>It has no cams: the cam programs are not written.</source>
@@ -14310,7 +14311,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>silent: it does not answer</source>
-        <translation>stumm: er antwortet nicht</translation>
+        <translation>stumm: antwortet nicht</translation>
     </message>
     <message>
         <source>Taken, but not valid until run is sent</source>
@@ -14318,7 +14319,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Sent: it is not known whether the encoder has it</source>
-        <translation>Gesendet: Es ist nicht bekannt, ob der Geber es hat</translation>
+        <translation>Gesendet: ob der Geber es hat, ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -14329,7 +14330,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>The file cannot be read: %1.</source>
-        <translation>Die Datei ist nicht lesbar: %1.</translation>
+        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
     </message>
     <message>
         <source>The file is larger than 1 MiB: it is no device description.</source>
@@ -14344,7 +14345,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Leaves everything as it is (Esc)</source>
-        <translation>Lässt alles, wie es ist (Esc)</translation>
+        <translation>Lässt alles unverändert (Esc)</translation>
     </message>
 </context>
 <context>
@@ -14359,11 +14360,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>After run, 40000000 makes the place where the shaft stands the preset value.</source>
-        <translation>Nach Run macht 40000000 die Stelle, an der die Welle steht, zum Presetwert.</translation>
+        <translation>Nach Run setzt 40000000 die Position dort, wo die Welle steht, auf den Presetwert.</translation>
     </message>
     <message>
         <source>as it is</source>
-        <translation>wie er ist</translation>
+        <translation>unverändert</translation>
     </message>
     <message>
         <source>now %1</source>
@@ -14383,11 +14384,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>After the values, service 6 makes the place where the magnet stands this position.</source>
-        <translation>Nach den Werten macht Dienst 6 den Ort des Magneten zu dieser Position.</translation>
+        <translation>Nach den Werten setzt Dienst 6 die Position dort, wo der Magnet steht, auf diesen Wert.</translation>
     </message>
     <message>
         <source>After the values, GP makes the place where the shaft stands this position.</source>
-        <translation>Nach den Werten macht GP die Stelle, an der die Welle steht, zu dieser Position.</translation>
+        <translation>Nach den Werten setzt GP die Position dort, wo die Welle steht, auf diesen Wert.</translation>
     </message>
 </context>
 <context>
@@ -14413,7 +14414,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Saves the handshake trace as a CSV file</source>
-        <translation>Sichert das Handshake-Protokoll als CSV-Datei</translation>
+        <translation>Speichert das Handshake-Protokoll als CSV-Datei</translation>
     </message>
     <message>
         <source>Export &amp;messages...</source>
@@ -14421,7 +14422,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Saves the messages as a CSV file</source>
-        <translation>Sichert die Meldungen als CSV-Datei</translation>
+        <translation>Speichert die Meldungen als CSV-Datei</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -14453,7 +14454,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation>S&amp;toppen</translation>
+        <translation>A&amp;nhalten</translation>
     </message>
     <message>
         <source>&amp;Device</source>
@@ -14461,7 +14462,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Parameter &amp;wizard</source>
-        <translation>&amp;Parametrier-Assistent</translation>
+        <translation>&amp;Parametrierassistent</translation>
     </message>
     <message>
         <source>Sets up the chosen encoder step by step</source>
@@ -14489,7 +14490,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Felder</translation>
+        <translation>Be&amp;reiche</translation>
     </message>
     <message>
         <source>&amp;Default layout</source>
@@ -14497,7 +14498,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Puts all panels back to their places</source>
-        <translation>Bringt alle Felder an ihren Platz zurück</translation>
+        <translation>Bringt alle Bereiche an ihren Platz zurück</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
@@ -14533,7 +14534,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Larger bits and buttons, for gloves</source>
-        <translation>Größere Bits und Tasten, für Handschuhe</translation>
+        <translation>Größere Bits und Schaltflächen, zur Bedienung mit Handschuhen</translation>
     </message>
     <message>
         <source>Less m&amp;otion</source>
@@ -14541,7 +14542,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Nothing on the screen is animated</source>
-        <translation>Nichts auf dem Bildschirm ist animiert</translation>
+        <translation>Auf dem Bildschirm wird nichts animiert</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -14637,7 +14638,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Wiederherstellen</translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Takes back the last change of the project</source>
@@ -14645,7 +14646,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Does again what was taken back</source>
-        <translation>Macht Zurückgenommenes wieder</translation>
+        <translation>Stellt die zurückgenommene Änderung wieder her</translation>
     </message>
     <message>
         <source>&amp;Bus structure</source>
@@ -14669,7 +14670,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Values of several encoders: written from the project, stored in it, given from one to others</source>
-        <translation>Werte mehrerer Geber: aus dem Projekt geschrieben, darin abgelegt, von einem an andere gegeben</translation>
+        <translation>Werte mehrerer Geber: aus dem Projekt schreiben, darin ablegen oder von einem an andere übertragen</translation>
     </message>
     <message>
         <source>&amp;Replace encoder</source>
@@ -14677,15 +14678,15 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Restore &amp;values from before...</source>
-        <translation>&amp;Werte von vorher wiederherstellen...</translation>
+        <translation>Vorige &amp;Werte wiederherstellen...</translation>
     </message>
     <message>
         <source>Not connected: nothing can be sent.</source>
-        <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
+        <translation>Nicht verbunden: Es lässt sich nichts senden.</translation>
     </message>
     <message>
         <source>Edits the cam programs planned for the chosen encoder</source>
-        <translation>Bearbeitet die Nockenprogramme, die für den gewählten Geber geplant sind</translation>
+        <translation>Bearbeitet die für den gewählten Geber geplanten Nockenprogramme</translation>
     </message>
     <message>
         <source>&amp;Project...</source>
@@ -14717,7 +14718,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Shows what is configured for the chosen bus beside what is connected</source>
-        <translation>Zeigt, was für den gewählten Bus projektiert ist, neben dem, was angeschlossen ist</translation>
+        <translation>Stellt den projektierten Aufbau des gewählten Busses dem angeschlossenen gegenüber</translation>
     </message>
     <message>
         <source>No connected device with an OUT word is chosen.</source>
@@ -14812,7 +14813,7 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 has no OUT word: nothing can be sent to it.</source>
         <comment>1.0</comment>
-        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
+        <translation>%1 hat kein OUT-Wort: Es lässt sich nichts dorthin senden.</translation>
     </message>
     <message>
         <source>Copy as hexadecimal</source>
@@ -14824,7 +14825,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>%1 has a command bit or a parameter number, so it is not sent at once. Send it?</source>
-        <translation>%1 hat ein Befehlsbit oder eine Parameternummer und geht deshalb nicht sofort hinaus. Senden?</translation>
+        <translation>%1 hat ein Befehlsbit oder eine Parameternummer und wird deshalb nicht sofort gesendet. Senden?</translation>
     </message>
     <message>
         <source>Send %1</source>
@@ -14866,7 +14867,7 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Write %1</source>
         <comment>Write OUT 1.0</comment>
-        <translation>Schreiben %1</translation>
+        <translation>Schreiben: %1</translation>
     </message>
     <message>
         <source>Send this word to the encoder; it stands there until another is sent (Ctrl+Return)</source>
@@ -14875,7 +14876,7 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Discard %1</source>
         <comment>Discard OUT 1.0</comment>
-        <translation>Verwerfen %1</translation>
+        <translation>Verwerfen: %1</translation>
     </message>
     <message>
         <source>Back to the word that stands on the bus (Esc)</source>
@@ -14942,11 +14943,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>The encoder is known to have all wanted values. There is nothing to write.</source>
-        <translation>Der Geber hat bekanntlich alle gewünschten Werte. Es gibt nichts zu schreiben.</translation>
+        <translation>Alle gewünschten Werte stehen schon im Geber. Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>Left out because they are there already: %1.</source>
-        <translation>Entfallen, weil schon da: %1.</translation>
+        <translation>Entfallen, weil schon vorhanden: %1.</translation>
     </message>
     <message>
         <source>The preset acts once it is initialised (40000000).</source>
@@ -14966,7 +14967,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>The word that will stand in OUT</source>
-        <translation>Das Wort, das in OUT stehen wird</translation>
+        <translation>Das Wort, das dann in OUT steht</translation>
     </message>
     <message>
         <source>What will be sent, between ESC and CR LF</source>
@@ -14997,7 +14998,7 @@ Worte: IN %3, OUT %4</translation>
     <name>codewheel::WriteWords</name>
     <message>
         <source>The encoder is read first; what it already has is not written again.</source>
-        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+        <translation>Der Geber wird zuerst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
     </message>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
