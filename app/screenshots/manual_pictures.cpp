@@ -220,20 +220,12 @@ std::vector<Picture> views()
     };
 }
 
-std::vector<Picture> allPictures()
-{
-    std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures()})
-        pictures.insert(pictures.end(), more.begin(), more.end());
-    return pictures;
-}
-
 QPixmap take(const Picture &picture, QSize size, bool whole)
 {
     const QTemporaryDir settings; // each picture is of a first start
     TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), size);
     shown.window().show();
-    shown.advance(99);
+    shown.advance(beforePicture);
     const QPixmap taken = picture.take(shown);
     return whole && !picture.isOfQuestion ? shown.window().grab() : taken;
 }
@@ -257,9 +249,17 @@ QString fileOf(const Picture &picture, const QString &suffix)
 
 } // namespace
 
+std::vector<Picture> manualPictures()
+{
+    std::vector<Picture> pictures = views();
+    for (const auto &more : {wizardPictures(), linePictures()})
+        pictures.insert(pictures.end(), more.begin(), more.end());
+    return pictures;
+}
+
 bool makeManualPictures(QApplication &application, const QDir &folder)
 {
-    const std::vector<Picture> pictures = allPictures();
+    const std::vector<Picture> pictures = manualPictures();
     return inBothSchemes(application, [&](const QString &suffix) {
         bool saved = true;
         for (const Picture &picture : pictures)
@@ -271,7 +271,7 @@ bool makeManualPictures(QApplication &application, const QDir &folder)
 
 bool makeReviewPictures(QApplication &application, const QDir &folder)
 {
-    const std::vector<Picture> pictures = allPictures();
+    const std::vector<Picture> pictures = manualPictures();
     return inBothSchemes(application, [&](const QString &suffix) {
         bool saved = true;
         for (const QSize size : {QSize(1024, 640), QSize(1280, 800), QSize(1920, 1080)}) {

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/screenshots/picture.h"
+
 class QApplication;
 class QDir;
 
 namespace codewheel {
 
-// Every view of the window at work, as PNG files, light ("window.png") and dark ("window-dark.png"). False if
+// Every view of the window at work. A window for one of them has been shown for a moment.
+std::vector<Picture> manualPictures();
+constexpr int beforePicture = 99; // ms
+
+// All of them as PNG files, light ("window.png") and dark ("window-dark.png"). False if
 // a file cannot be written.
 bool makeManualPictures(QApplication &application, const QDir &folder);
 

@@ -7,40 +7,41 @@
 #include <utility>
 
 namespace codewheel {
-namespace {
 
-QPixmap grab(QWidget &seen)
+QPixmap Picture::take(TrainingWindow &shown) const
 {
-    QCoreApplication::processEvents(); // what it waits for to be laid out and painted
-    return seen.grab();
+    QPixmap taken;
+    show(shown, [&taken](QWidget &seen) { taken = seen.grab(); });
+    return taken;
 }
-
-} // namespace
 
 Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> prepare, QSize window)
 {
     return {QString::fromLatin1(name), window,
-            [prepare = std::move(prepare)](TrainingWindow &shown) { return grab(*prepare(shown)); }};
+            [prepare = std::move(prepare)](TrainingWindow &shown, const Picture::Look &look) {
+                QWidget *seen = prepare(shown);
+                QCoreApplication::processEvents(); // what it waits for to be laid out and painted
+                look(*seen);
+            }};
 }
 
 // A question has an event loop of its own until it is answered: the picture is taken from within.
 Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)> ask)
 {
     return {QString::fromLatin1(name), usualWindow,
-            [ask = std::move(ask)](TrainingWindow &shown) {
-                QPixmap taken;
+            [ask = std::move(ask)](TrainingWindow &shown, const Picture::Look &look) {
                 QTimer watch;
                 QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
                     QWidget *question = QApplication::activeModalWidget();
                     if (question == nullptr)
                         return;
                     watch.stop();
-                    taken = grab(*question);
+                    QCoreApplication::processEvents();
+                    look(*question);
                     question->close();
                 });
                 watch.start(0);
                 ask(shown);
-                return taken;
             },
             true};
 }

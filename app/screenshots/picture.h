@@ -15,10 +15,16 @@ namespace codewheel {
 // A picture of the manual: of a window that has just started on a training bus of its own.
 struct Picture
 {
+    using Look = std::function<void(QWidget &)>;
+
     QString name; // of the file, without its ending
     QSize window;
-    std::function<QPixmap(TrainingWindow &)> take;
+    // Brings the window to where there is something to see, and looks at that.
+    std::function<void(TrainingWindow &, const Look &)> show;
+
     bool isOfQuestion = false; // before the window
+
+    QPixmap take(TrainingWindow &shown) const;
 };
 
 inline constexpr QSize usualWindow(1280, 800);

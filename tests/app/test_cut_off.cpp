@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing is cut off: in no language, in no size of the window, neither with usual nor with large controls.
+#include "app/screenshots/manual_pictures.h"
+#include "language.h"
+#include "tests/app/window_test.h"
+#include "tests/support/cut_off.h"
+#include "widgets/look/appearance.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLocale>
+#include <QTabBar>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+
+inline void PrintTo(const Picture &picture, std::ostream *out)
+{
+    *out << picture.name.toStdString();
+}
+
+namespace {
+
+// Where something is cut off as yet. Nothing is added to it.
+const QStringList notYet =
+    QStringLiteral(
+        "structureDock messagesDock traceDock sequenceDock terminalDock "                          // panels
+        "window window-small trace sequence parameters structure-editor structure-small transfer " // pictures
+        "replace messages bus-fault parameters-rod question-preset question-reset "
+        "wizard-rod-handshake line line-small line-terminal line-settings line-search "
+        "line-parameters")
+        .split(QLatin1Char(' '));
+
+struct Shown
+{
+    const char *name;
+    const char *language;
+    QSize size;
+    bool largeControls;
+};
+
+void PrintTo(const Shown &shown, std::ostream *out)
+{
+    *out << shown.name;
+}
+
+class NothingIsCutOff : public test::WindowTest, public testing::WithParamInterface<Shown>
+{
+protected:
+    NothingIsCutOff()
+    {
+        applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = GetParam().largeControls});
+        language.use(QString::fromLatin1(GetParam().language));
+        open(); // in this language
+        window().resize(GetParam().size);
+        actions().defaultLayout->trigger();
+        window().resize(GetParam().size);
+        advance(99);
+    }
+    ~NothingIsCutOff() override
+    {
+        applyAppearance(*qApp, {.scheme = Scheme::light});
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void look(QWidget &part, const QString &where)
+    {
+        advance(50);
+        for (const QString &cut : test::cutOff(part))
+            ADD_FAILURE() << where.toStdString() << ": " << cut.toStdString();
+    }
+
+private:
+    Language language;
+};
+
+TEST_P(NothingIsCutOff, OnAnyPage)
+{
+    for (QAction *action : {actions().monitors, actions().wizard, actions().cams, actions().structureEditor,
+                            actions().compare, actions().transfer, actions().replaceEncoder,
+                            lineActions().settings, lineActions().search, actions().projectPage}) {
+        action->trigger();
+        look(*window().centralWidget(), action->text());
+    }
+}
+
+TEST_P(NothingIsCutOff, InAnyPanel)
+{
+    for (auto *panel : window().findChildren<QDockWidget *>()) {
+        if (notYet.contains(panel->objectName()))
+            continue;
+        panel->show();
+        panel->raise();
+        look(*panel, panel->windowTitle());
+    }
+}
+
+TEST_P(NothingIsCutOff, AroundThem)
+{
+    for (QObject *child : window().children())
+        if (auto *part = qobject_cast<QWidget *>(child);
+            part != nullptr && qobject_cast<QTabBar *>(part) == nullptr && part != window().centralWidget() &&
+            qobject_cast<QDockWidget *>(part) == nullptr && part->isVisible() && !part->isWindow())
+            look(*part, QStringLiteral("Around"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shown, NothingIsCutOff,
+    testing::Values(Shown{"Small", "en", {1024, 640}, false}, Shown{"SmallGerman", "de", {1024, 640}, false},
+                    Shown{"SmallLargeGerman", "de", {1024, 640}, true},
+                    Shown{"Usual", "en", {1280, 800}, false}, Shown{"UsualGerman", "de", {1280, 800}, false},
+                    Shown{"UsualLargeGerman", "de", {1280, 800}, true},
+                    Shown{"Wide", "en", {1920, 1080}, false}, Shown{"WideGerman", "de", {1920, 1080}, false},
+                    Shown{"WideLargeGerman", "de", {1920, 1080}, true}),
+    [](const auto &tested) { return tested.param.name; });
+
+// German has the longer words; what is modal is looked at as it comes up.
+class NothingOfTheManualIsCutOff : public testing::TestWithParam<Picture>
+{
+protected:
+    NothingOfTheManualIsCutOff() { language.use(QStringLiteral("de")); }
+    ~NothingOfTheManualIsCutOff() override
+    {
+        applyAppearance(*qApp, {.scheme = Scheme::light});
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void look(TrainingWindow &shown, QWidget &seen, QSize size, bool largeControls)
+    {
+        applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = largeControls});
+        shown.window().resize(size);
+        shown.window().actions().defaultLayout->trigger();
+        shown.window().resize(size);
+        shown.advance(33); // the first panels come to the front
+        if (auto *dock = qobject_cast<QDockWidget *>(&seen))
+            dock->raise();
+        shown.advance(33);
+        for (const QString &cut : test::cutOff(seen))
+            ADD_FAILURE() << size.width() << (largeControls ? ", large: " : ": ") << cut.toStdString();
+    }
+
+private:
+    Language language;
+};
+
+TEST_P(NothingOfTheManualIsCutOff, InAnySize)
+{
+    if (notYet.contains(GetParam().name))
+        GTEST_SKIP();
+    const QTemporaryDir settings;
+    TrainingWindow shown(settings.filePath(QStringLiteral("window.ini")), GetParam().window);
+    shown.window().show();
+    shown.advance(beforePicture);
+    GetParam().show(shown, [&](QWidget &seen) {
+        for (const bool largeControls : {false, true})
+            for (const QSize size : {QSize(1024, 640), QSize(1280, 800), QSize(1920, 1080)})
+                look(shown, seen, size, largeControls);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pictures, NothingOfTheManualIsCutOff, testing::ValuesIn(manualPictures()), [](const auto &tested) {
+        return QString(tested.param.name).replace(QLatin1Char('-'), QLatin1Char('_')).toStdString();
+    });
+
+} // namespace
+} // namespace codewheel
