@@ -73,13 +73,6 @@ void StructureEditor::openInsertPanel()
     m_insert->focusSearch();
 }
 
-template <PlanStep step>
-void StructureEditor::move()
-{
-    if (const auto id = current())
-        say(m_edits.move(*id, step));
-}
-
 void StructureEditor::remove()
 {
     say(m_edits.remove(selected()));

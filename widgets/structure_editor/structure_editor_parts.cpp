@@ -76,6 +76,13 @@ QAction *StructureEditor::addTool(const Tool &tool, Slot slot)
     return action;
 }
 
+template <PlanStep step>
+void StructureEditor::move()
+{
+    if (const auto id = current())
+        say(m_edits.move(*id, step));
+}
+
 void StructureEditor::makeTools()
 {
     m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
