@@ -45,7 +45,7 @@ void RingStatus::show(const RingSession &bus)
 {
     const Snapshot &snapshot = bus.latest();
     const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();
-    m_line.setState(masterRole(snapshot), called(nameAmongOthers(bus.id()), masterText(snapshot)));
+    m_line.setState(masterRole(snapshot), called(nameAmongOthers(bus.id()), masterStateName(snapshot.state)));
     m_line.show(m_cycle,
                 period > 0 ? tr("cycle %1 ms").arg(QLocale().toString(period, 'f', 1)) : tr("virtual time"));
     m_line.show(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));

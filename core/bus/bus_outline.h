@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
-#include "encoder/role.h"
+#include "bus/fault.h"
 
 #include <QCoreApplication>
 
@@ -32,7 +31,10 @@ struct NodeState
 {
     StateWord shown;
     std::optional<std::int64_t> position;
-    bool isOld = false; // the position
+    bool isOld = false;                     // the position
+    std::optional<std::int64_t> velocity{}; // revolutions per minute, shown in place of a position
+    bool isCutOff = false;                  // a fault lies before it, or it is switched off
+    bool isBehindBreak = false;             // the fault is between it and the device before it
 
     friend bool operator==(const NodeState &, const NodeState &) = default;
 };
@@ -55,6 +57,8 @@ public:
     virtual std::vector<BusNode> nodes() const = 0;
     // By its place in nodes(); of one that is not there any more nothing is told.
     virtual NodeState state(std::size_t node) const = 0;
+    // What is wrong with the bus and what hangs on it, in the order of the bus.
+    virtual std::vector<Fault> faults() const { return {}; }
     // All that is told of a node that is called so ("hoist: FRABA OCD-IB K3").
     virtual QString toolTip(std::size_t node, const QString &called) const = 0;
 

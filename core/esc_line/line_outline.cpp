@@ -5,6 +5,7 @@
 #include "encoder/line_address.h"
 #include "encoder/sentence.h"
 #include "esc/esc_bits.h"
+#include "esc_line/line_faults.h"
 #include "esc_line/line_session.h"
 
 #include <QLocale>
@@ -19,16 +20,6 @@ struct LineText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineOutline)
 };
-
-// The warnings that somebody has to do something about; the others tell how the shaft turns and where it is.
-bool isTrouble(std::uint16_t warnings)
-{
-    return std::ranges::any_of(esc::bitsOf(esc::Command::warnings), [warnings](const esc::BitRow &row) {
-        const bool isSet = (warnings >> row.bit & 1) != 0;
-        return isSet && (row.id == esc::BitId::positionWarning || row.id == esc::BitId::batteryLimit ||
-                         row.id == esc::BitId::lightControl || row.id == esc::BitId::frequencyExceeded);
-    });
-}
 
 QStringList bitLines(const Reading &reading)
 {
@@ -86,10 +77,10 @@ StateWord LineOutline::state() const
     if (m_line.state() == BusState::opening)
         return connecting();
     if (!m_line.isOpen())
-        return {Role::inactive, tr("not connected")};
+        return {Role::inactive, tr("offline")};
     const LineSnapshot &line = m_line.latest();
     if (!line.connected)
-        return {Role::fault, tr("port is gone")};
+        return {Role::fault, tr("no port")};
     if (line.scanning)
         return {Role::attention, tr("searching")};
     if (!line.polling)
@@ -112,7 +103,15 @@ NodeState LineOutline::state(std::size_t node) const
         return {};
     const Place place = places[node];
     const EncoderSession &encoder = *m_line.encoder(place);
-    return {shown(place), encoder.latest().position, encoder.freshness().isOld()};
+    return {.shown = shown(place),
+            .position = encoder.latest().position,
+            .isOld = encoder.freshness().isOld(),
+            .isCutOff = m_line.isOpen() && !m_line.latest().connected};
+}
+
+std::vector<Fault> LineOutline::faults() const
+{
+    return lineFaults(m_line);
 }
 
 StateWord LineOutline::shown(Place place) const
@@ -121,20 +120,20 @@ StateWord LineOutline::shown(Place place) const
     const EncoderSession &encoder = *m_line.encoder(place);
     const Reading &reading = encoder.latest();
     if (!m_line.isOpen() || !line.connected)
-        return {Role::inactive, tr("not reachable")};
+        return {Role::inactive, tr("cut off")};
     if (encoder.runningJob())
-        return {Role::attention, tr("job running")};
+        return {Role::attention, tr("job", "it is running")};
     if (reading.state == EncoderState::silent)
         return {Role::fault, tr("silent")};
     if (!line.polling)
         return {Role::inactive, tr("stopped")};
     if (reading.state == EncoderState::notSeen)
-        return {Role::inactive, tr("not seen yet")};
+        return {Role::inactive, tr("not seen")};
     if (reading.alarms.value_or(0) != 0)
         return {Role::fault, tr("alarm")};
     if (reading.suspect)
-        return {Role::attention, tr("suspect position")};
-    if (isTrouble(reading.warnings.value_or(0)))
+        return {Role::attention, tr("suspect", "position")};
+    if (!troubles(reading).isEmpty())
         return {Role::attention, tr("warning")};
     return {Role::running, tr("ok")};
 }

@@ -23,6 +23,7 @@ public:
     StateWord state() const override;
     std::vector<BusNode> nodes() const override;
     NodeState state(std::size_t node) const override;
+    std::vector<Fault> faults() const override;
     QString toolTip(std::size_t node, const QString &called) const override;
 
 private:

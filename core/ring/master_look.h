@@ -17,13 +17,4 @@ inline Role masterRole(const Snapshot &ring)
     return ring.state == MasterState::run ? Role::running : Role::inactive;
 }
 
-// "RUN", and the name of the fault where there is one: "BUS FAIL: 0D10 at ...".
-inline QString masterText(const Snapshot &ring)
-{
-    const QString state = masterStateName(ring.state);
-    return ring.master && ring.master->isFaulty()
-               ? QStringLiteral("%1: %2").arg(state, ring.master->faultText())
-               : state;
-}
-
 } // namespace codewheel

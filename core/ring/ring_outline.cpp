@@ -4,12 +4,14 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "encoder/device_error_name.h"
 #include "encoder/encoder_session.h"
 #include "ring/device_leds.h"
+#include "ring/encoder_faults.h"
 #include "ring/master_look.h"
+#include "ring/ring_faults.h"
 #include "ring/ring_session.h"
 #include "ring/ring_tree.h"
+#include "ring/segment_reach.h"
 
 #include <algorithm>
 
@@ -25,18 +27,6 @@ struct RingText
 QString idCodeText(unsigned code)
 {
     return QStringLiteral("%1 = %2").arg(hexCode(code, 2)).arg(code);
-}
-
-// By its number, as the manual's table has it; 0 is none of them. An LA-66 has but one error, and names it.
-QString errorText(const EncoderSession *encoder, const Reading &reading)
-{
-    const unsigned number = reading.errorNumber.value_or(0);
-    const DeviceError *error = encoder == nullptr ? nullptr : encoder->device().findError(number);
-    if (error != nullptr && encoder->device().profile == Profile::la66)
-        return deviceErrorName(error->meaning);
-    if (number == 0)
-        return deviceErrorName(RefusalId::noValidPosition);
-    return RingText::tr("error %1").arg(number);
 }
 
 // Nobody named the device, and the catalog has some that it could be.
@@ -118,7 +108,7 @@ StateWord RingOutline::state() const
         return {Role::fault, tr("link lost")};
     if (!m_bus.isOpen())
         return offline();
-    return {masterRole(m_bus.latest()), masterText(m_bus.latest())};
+    return {masterRole(m_bus.latest()), masterStateName(m_bus.latest().state)};
 }
 
 std::vector<BusNode> RingOutline::nodes() const
@@ -136,46 +126,51 @@ NodeState RingOutline::state(std::size_t node) const
     NodeState state{.shown = shown(node), .position = {}, .isOld = false};
     const EncoderSession *encoder = m_bus.encoder(m_bus.structure()[node].number);
     state.isOld = encoder != nullptr && encoder->freshness().isOld();
-    if (node < m_bus.latest().devices.size())
-        state.position = m_bus.latest().devices[node].reading.position;
+    if (node >= m_bus.latest().devices.size())
+        return state;
+    const Snapshot::Device &device = m_bus.latest().devices[node];
+    state.position = device.reading.position;
+    state.velocity = device.reading.velocity;
+    state.isCutOff = m_bus.isOpen() && !device.inRing;
+    state.isBehindBreak = state.isCutOff && isBehindBreak(node);
     return state;
 }
 
 StateWord RingOutline::shown(std::size_t node) const
 {
     if (node >= m_bus.latest().devices.size())
-        return {Role::inactive, tr("not seen yet")};
+        return {Role::inactive, tr("not seen")};
     const NodeId number = m_bus.structure()[node].number;
     const Snapshot::Device &device = m_bus.latest().devices[node];
     const WordChannel *channel = m_bus.channel(number);
     if (auto fault = faultOf(node))
         return *fault;
     if (!device.inRing)
-        return {Role::inactive, tr("not in the ring")};
+        return {Role::inactive, isSwitchedOff(node) ? tr("off", "switched off") : tr("cut off")};
     if (!m_bus.isRunning())
         return {Role::inactive, tr("stopped")};
     const bool exchanged = m_bus.latest().cycle > 0;
     if (exchanged && m_bus.encoder(number) == nullptr) // no driver that could tell more
         return {Role::running, tr("ok")};
     if (device.reading.state == EncoderState::error)
-        return {Role::fault, errorText(m_bus.encoder(number), device.reading)};
+        return errorWord(m_bus.encoder(number), device.reading);
     if (device.heldByJob)
-        return {Role::attention, tr("job running")};
+        return {Role::attention, tr("job", "it is running")};
     if (channel != nullptr && channel->staged())
-        return {Role::attention, tr("OUT not sent")};
+        return {Role::attention, tr("unsent", "a staged word")};
     switch (device.reading.state) {
     case EncoderState::parameterization:
-        return {Role::attention, tr("parameterization")};
+        return {Role::attention, tr("parameters", "parameterization")};
     case EncoderState::readOut:
         return {Role::attention, tr("read-out")};
     case EncoderState::service:
-        return {Role::attention, tr("service mode")};
+        return {Role::attention, tr("service", "service mode")};
     case EncoderState::silent:
         return {Role::fault, tr("silent")};
     case EncoderState::unknown:
-        return {Role::attention, tr("unknown state")};
+        return {Role::attention, tr("unknown", "state")};
     case EncoderState::notSeen:
-        return {Role::inactive, tr("not seen yet")};
+        return {Role::inactive, tr("not seen")};
     case EncoderState::operation:
     case EncoderState::error:
         break;
@@ -191,12 +186,45 @@ std::optional<StateWord> RingOutline::faultOf(std::size_t node) const
         return std::nullopt;
     const NodeId number = m_bus.structure()[node].number;
     const auto at = master->faultPlace();
-    if (at && at->number == number)
-        return StateWord{Role::fault, master->faultText()};
     if (node < master->devices.size() && master->devices[node].peripheralFault)
-        return StateWord{Role::fault,
-                         busFaultText(bus_error::peripheralFault, diagnosticParameterOf({.number = number}))};
+        return StateWord{Role::fault, tr("periphery", "fault of it")};
+    if (at && at->number == number)
+        return StateWord{Role::fault, tr("fault")};
     return std::nullopt;
+}
+
+bool RingOutline::isSwitchedOff(std::size_t node) const
+{
+    const MasterStatus *master = m_bus.master();
+    return master != nullptr &&
+           std::ranges::any_of(master->segments, [&](const MasterStatus::Segment &segment) {
+               return segment.switchedOff &&
+                      std::ranges::count(placesBehindSegment(m_bus.structure(), segment.segment), node) > 0;
+           });
+}
+
+// The first one that is not reached for a fault.
+bool RingOutline::isBehindBreak(std::size_t node) const
+{
+    if (m_bus.latest().state != MasterState::busFail || isSwitchedOff(node))
+        return false;
+    for (std::size_t i = 0; i < node; ++i)
+        if (!m_bus.latest().devices[i].inRing && !isSwitchedOff(i))
+            return false;
+    return true;
+}
+
+std::vector<Fault> RingOutline::faults() const
+{
+    return ringFaults(m_bus);
+}
+
+// What is wrong with this very device, in full.
+QString RingOutline::faultText(std::size_t node) const
+{
+    const std::vector<Fault> all = faults();
+    const auto its = std::ranges::find(all, m_bus.structure()[node].number, &Fault::node);
+    return its == all.end() ? QString() : its->text;
 }
 
 // How the position stands in IN, where it is not plain binary.
@@ -225,7 +253,7 @@ QString RingOutline::toolTip(std::size_t node, const QString &called) const
     if (node >= m_bus.structure().size())
         return {};
     const Participant &participant = m_bus.structure()[node];
-    QStringList lines{toolTipOf(participant, called, shown(node).word), ledsText(node),
+    QStringList lines{toolTipOf(participant, called, shown(node).word), faultText(node), ledsText(node),
                       codingText(participant)};
     lines.removeAll(QString());
     return lines.join(u'\n');

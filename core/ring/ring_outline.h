@@ -25,11 +25,15 @@ public:
     StateWord state() const override;
     std::vector<BusNode> nodes() const override;
     NodeState state(std::size_t node) const override;
+    std::vector<Fault> faults() const override;
     QString toolTip(std::size_t node, const QString &called) const override;
 
 private:
     StateWord shown(std::size_t node) const;
     std::optional<StateWord> faultOf(std::size_t node) const;
+    bool isSwitchedOff(std::size_t node) const;
+    bool isBehindBreak(std::size_t node) const;
+    QString faultText(std::size_t node) const;
     QString codingText(const Participant &participant) const;
     QString ledsText(std::size_t node) const;
 

@@ -169,6 +169,10 @@ void RingSession::showLatest()
     const auto shown = d->engine.latest();
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
+    d->doubts.look(*shown, [this](std::size_t place) {
+        const auto &session = d->sessions[place];
+        return session ? std::optional(session->device().profile) : std::nullopt;
+    });
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
     tellState(std::exchange(d->toldState, shown->state) != shown->state);

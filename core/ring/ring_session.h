@@ -20,6 +20,7 @@ namespace codewheel {
 
 class Catalog;
 class CrcHistory;
+class WordDoubts;
 
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
@@ -65,6 +66,7 @@ public:
     // What the ring's master says; null where the link reaches none.
     const MasterStatus *master() const;
     const CrcHistory &crcHistory() const;
+    const WordDoubts &doubts() const;
     bool isOperating() const override;
     bool isRunning() const override;
     Instant now() const override { return latest().at; }

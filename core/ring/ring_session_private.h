@@ -10,6 +10,7 @@
 #include "ring/ring_outline.h"
 #include "ring/ring_runner.h"
 #include "ring/ring_session.h"
+#include "ring/word_doubts.h"
 
 #include <deque>
 #include <memory>
@@ -63,6 +64,7 @@ struct RingSession::Private
     unsigned generation = 0; // of the ring; 0: none is used yet
     bool readingIn = false;
     CrcHistory crcHistory;
+    WordDoubts doubts;
     MasterState toldState = MasterState::ready;
     BusEngine<RingRunner, RingSession> engine; // ends before what its drivers use
 };

@@ -129,6 +129,11 @@ const CrcHistory &RingSession::crcHistory() const
     return d->crcHistory;
 }
 
+const WordDoubts &RingSession::doubts() const
+{
+    return d->doubts;
+}
+
 void RingSession::readIn()
 {
     if (!isOpen())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/bus_outline.h"
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
@@ -77,7 +78,7 @@ TEST_F(MasterPanelTest, ShowsAHealthyMaster)
     EXPECT_EQ(table().model()->rowCount(), 6);
 }
 
-TEST_F(MasterPanelTest, NamesAFaultAsTreeAndMessagesDo)
+TEST_F(MasterPanelTest, NamesAFaultAsBannerAndMessagesDo)
 {
     QString told;
     QObject::connect(&ring.bus, &RingSession::messaged, &panel, [&](const Message &message) {
@@ -96,9 +97,10 @@ TEST_F(MasterPanelTest, NamesAFaultAsTreeAndMessagesDo)
     const auto state = [&](const QModelIndex &row) {
         return row.siblingAtColumn(StructureModel::stateColumn).data().toString();
     };
-    EXPECT_EQ(state(model.index(0, 0)), QStringLiteral("BUS FAIL: %1").arg(name));
-    EXPECT_EQ(state(model.indexOf("3.0"_ring)), name);
-    EXPECT_EQ(state(model.indexOf(fourth)), QStringLiteral("not in the ring"));
+    EXPECT_EQ(ring.bus.outline().faults().front().code, name);
+    EXPECT_EQ(state(model.index(0, 0)), QStringLiteral("BUS FAIL"));
+    EXPECT_EQ(state(model.indexOf("3.0"_ring)), QStringLiteral("fault"));
+    EXPECT_EQ(state(model.indexOf(fourth)), QStringLiteral("cut off"));
     EXPECT_EQ(state(model.indexOf(fraba)), QStringLiteral("stopped"));
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/reading.h"
+
+namespace codewheel {
+
+// What an encoder that shows an error by itself has to say: no job asked it for anything.
+Refusal shownError(const DeviceDescription &device, const Reading &reading);
+
+} // namespace codewheel

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/fault.h"
+
+#include <optional>
+
+namespace codewheel {
+
+class RingSession;
+
+// What an encoder of a running ring shows, or leaves in doubt; by its place in the ring.
+std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device);
+// "error 13"; "invalid": it has no valid position.
+StateWord errorWord(const EncoderSession *encoder, const Reading &reading);
+
+} // namespace codewheel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/bus_fault.h"
+#include "ring/participant.h"
+
+namespace codewheel {
+
+// The cable that belongs to the place of a fault, by the devices at its ends.
+struct RingBreak
+{
+    NodeId before; // none: the master
+    NodeId behind; // none: nothing hangs there
+};
+
+// Of an outgoing interface the cable behind it; of a device the one before it. Where both a local bus and a
+// branch hang on an outgoing local interface, it is the one that is `cutOff`.
+RingBreak breakAt(const RingStructure &ring, const FaultPlace &place, const std::vector<bool> &cutOff);
+
+} // namespace codewheel

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/profile.h"
+#include "ring/snapshot.h"
+
+#include <functional>
+#include <vector>
+
+namespace codewheel {
+
+// What the words of an encoder alone do not tell for certain, and what their course makes likely. An encoder
+// without power shows 00000000, which is position 0 too. Used by RingSession, with each snapshot.
+class WordDoubts
+{
+public:
+    using ProfileOf = std::function<std::optional<Profile>(std::size_t device)>; // nothing: no encoder
+
+    void look(const Snapshot &ring, const ProfileOf &profileOf);
+
+    // IN fell to 00000000 from a position far away, though OUT stayed as it was.
+    bool mayBeOff(std::size_t device) const
+    {
+        return device < m_devices.size() && m_devices[device].mayBeOff;
+    }
+    // The last OUT word that took longer to be confirmed than encoders need, told for a while, so that a job
+    // of many words is one doubt; nothing: there was none.
+    std::optional<Word> slowlyConfirmed(std::size_t device) const;
+
+private:
+    struct Device
+    {
+        Word in = 0;
+        Word out = 0;
+        std::optional<std::int64_t> position{};
+        bool mayBeOff = false;
+        std::optional<Instant> waitsSince{}; // for a confirmation
+        std::optional<Instant> slowAt{};
+        Word slowWord = 0;
+    };
+    static void lookAtZero(Device &before, const Snapshot::Device &now);
+    void lookAtConfirmation(Device &before, const Snapshot::Device &now, Profile profile) const;
+
+    std::vector<Device> m_devices;
+    unsigned m_generation = 0;
+    Instant m_now{};
+};
+
+} // namespace codewheel
