@@ -7,8 +7,10 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
+#include "widgets/models/place_drag.h"
 #include "widgets/monitor/word_card.h"
 
+#include <QDragEnterEvent>
 #include <QJsonArray>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -33,6 +35,7 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     , m_empty(new EmptyState(Icon::monitor, {}, {}, this))
     , m_scroll(new QScrollArea(this))
 {
+    setAcceptDrops(true);
     layOut<QVBoxLayout>(this, 0)->addWidget(m_pages);
     m_pages->addWidget(m_empty);
     auto *column = new QWidget;
@@ -130,6 +133,21 @@ void MonitorArea::pin(Place place)
     else
         add(place, true);
     notePinned(place, true);
+}
+
+void MonitorArea::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (const auto place = draggedPlace(*event->mimeData()); place && canShow(*place))
+        event->acceptProposedAction();
+}
+
+void MonitorArea::dropEvent(QDropEvent *event)
+{
+    const auto place = draggedPlace(*event->mimeData());
+    if (!place)
+        return;
+    pin(*place);
+    event->acceptProposedAction();
 }
 
 void MonitorArea::notePinned(Place place, bool pinned)

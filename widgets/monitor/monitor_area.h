@@ -47,6 +47,10 @@ public:
     // That of before, too: a monitor for each word, all of them pinned.
     void restoreState(const QJsonObject &state);
 
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
 private:
     bool canShow(Place place) const;
     QString whyNot(Place place) const;

@@ -4,6 +4,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "project/bus_kind.h"
+#include "widgets/models/place_drag.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -266,7 +267,8 @@ void StructureModel::refreshRow(const BusBranch &branch, Row &row, const NodeSta
 {
     if (row.state == state)
         return;
-    const bool isOnlyPosition = row.state.shown == state.shown;
+    const bool isOnlyPosition = row.state.shown == state.shown && row.state.isCutOff == state.isCutOff &&
+                                row.state.isBehindBreak == state.isBehindBreak;
     row.state = state;
     const auto place = static_cast<std::size_t>(&row - branch.rows.data());
     const int first = isOnlyPosition ? positionColumn : deviceColumn;
@@ -378,6 +380,23 @@ int StructureModel::rowCount(const QModelIndex &parent) const
 int StructureModel::columnCount(const QModelIndex &) const
 {
     return columns;
+}
+
+Qt::ItemFlags StructureModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags usual = QAbstractItemModel::flags(index);
+    return placeAt(index) ? usual | Qt::ItemIsDragEnabled : usual;
+}
+
+QStringList StructureModel::mimeTypes() const
+{
+    return {QLatin1String(placeMimeType)};
+}
+
+QMimeData *StructureModel::mimeData(const QModelIndexList &indexes) const
+{
+    const auto place = indexes.isEmpty() ? std::nullopt : placeAt(indexes.front());
+    return place ? dragged(*place) : nullptr;
 }
 
 } // namespace codewheel

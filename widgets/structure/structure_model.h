@@ -28,6 +28,11 @@ public:
         wordsColumn,
         columns
     };
+    enum Role {
+        nameRole = Qt::UserRole, // the station, else the place and the name of the device
+        detailRole,              // place and name behind a station
+        isBehindBreakRole,       // the fault of the bus is between it and the device before it
+    };
 
     explicit StructureModel(QObject *parent = nullptr);
 
@@ -53,6 +58,9 @@ public:
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QStringList mimeTypes() const override;
+    QMimeData *mimeData(const QModelIndexList &indexes) const override; // of the first device
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:

@@ -12,19 +12,40 @@
 namespace codewheel {
 namespace {
 
-QString positionText(std::optional<std::int64_t> position)
+QString positionText(const NodeState &state)
 {
-    return position ? QLocale().toString(qlonglong{*position}) : QString();
+    if (state.velocity)
+        return StructureModel::tr("%1 rpm").arg(QLocale().toString(qlonglong{*state.velocity}));
+    return state.position ? QLocale().toString(qlonglong{*state.position}) : QString();
 }
 
 // Grey, and said to those who do not see it.
-QVariant oldPositionLook(std::optional<std::int64_t> position, int role)
+QVariant oldPositionLook(const NodeState &state, int role)
 {
     if (role == Qt::ForegroundRole)
         return QGuiApplication::palette().brush(QPalette::PlaceholderText);
-    if (role == Qt::AccessibleTextRole && position)
-        return StructureModel::tr("%1, not up to date", "a position").arg(positionText(position));
+    if (role == Qt::AccessibleTextRole && (state.position || state.velocity))
+        return StructureModel::tr("%1, not up to date", "a position").arg(positionText(state));
     return {};
+}
+
+QString placeAndName(const BusNode &node)
+{
+    return QStringLiteral("%1  %2").arg(node.node.toString(), node.name);
+}
+
+QString nameText(const BusBranch::Row &row)
+{
+    const QString device = placeAndName(row.node);
+    return row.station.isEmpty() ? device : QStringLiteral("%1  %2").arg(row.station, device);
+}
+
+// For those who do not see where the tree is broken.
+QVariant spokenName(const BusBranch::Row &row)
+{
+    return row.state.isBehindBreak
+               ? StructureModel::tr("%1, the bus is interrupted before it").arg(nameText(row))
+               : QVariant();
 }
 
 QVariant stateIcon(const StateWord &state)
@@ -39,6 +60,8 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
     static constexpr const char *titles[] = {QT_TR_NOOP("Device"),   QT_TR_NOOP("State"),
                                              QT_TR_NOOP("Position"), QT_TR_NOOP("Profile"),
                                              QT_TR_NOOP("ID code"),  QT_TR_NOOP("Words IN / OUT")};
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == positionColumn)
+        return int{Qt::AlignRight | Qt::AlignVCenter};
     const bool isTitle =
         orientation == Qt::Horizontal && role == Qt::DisplayRole && section >= 0 && section < columnCount();
     return isTitle ? tr(titles[section]) : QVariant();
@@ -80,8 +103,18 @@ QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int
     if (role == Qt::ToolTipRole)
         return toolTip(branch, row);
     if (column == positionColumn && row.state.isOld)
-        if (QVariant look = oldPositionLook(row.state.position, role); look.isValid())
+        if (QVariant look = oldPositionLook(row.state, role); look.isValid())
             return look;
+    if (role == Qt::ForegroundRole && row.state.isCutOff)
+        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == isBehindBreakRole)
+        return row.state.isBehindBreak;
+    if (role == nameRole)
+        return row.station.isEmpty() ? placeAndName(row.node) : row.station;
+    if (role == detailRole)
+        return row.station.isEmpty() ? QString() : placeAndName(row.node);
+    if (role == Qt::AccessibleTextRole && column == deviceColumn)
+        return spokenName(row);
     if (role == Qt::DecorationRole && column == deviceColumn)
         return lineIcon(row.node.isCoupler ? Icon::ring : Icon::encoder);
     if (role == Qt::DecorationRole && column == stateColumn)
@@ -90,11 +123,11 @@ QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int
         return {};
     switch (column) {
     case deviceColumn:
-        return QStringLiteral("%1  %2").arg(row.node.node.toString(), calledText(row.station, row.node.name));
+        return nameText(row);
     case stateColumn:
         return row.state.shown.word;
     case positionColumn:
-        return positionText(row.state.position);
+        return positionText(row.state);
     case profileColumn:
         return row.node.profile;
     case codeColumn:

@@ -6,11 +6,15 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/may_elide.h"
+#include "widgets/structure/name_delegate.h"
+#include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_tree.h"
+#include "widgets/structure/tree_filter.h"
 
+#include <QEvent>
 #include <QHeaderView>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -18,7 +22,6 @@
 namespace codewheel {
 namespace {
 
-constexpr int maxPosition = 33'554'431;     // of 25 bit
 constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
 
 int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
@@ -35,7 +38,9 @@ StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
     , m_model(new StructureModel(this))
     , m_tree(describe(new StructureTree(this), "structure", tr("Bus structure"),
-                      tr("Choose a device to see it in the panels. Enter opens its monitors.")))
+                      tr("Choose a device to see it in the panels. Enter opens its monitors; dragged onto "
+                         "them, it is pinned there.")))
+    , m_filter(nullptr)
     , m_empty(
           new EmptyState(Icon::ring, tr("No bus is connected."), tr("The project has no devices yet."), this))
     , m_question(new InlineMessage(this))
@@ -48,15 +53,24 @@ StructureView::StructureView(QWidget *parent)
     m_question->setObjectName(QStringLiteral("makeQuestion"));
 
     m_tree->setModel(m_model);
+    m_filter = new TreeFilter(*m_tree, this);
+    layout->insertWidget(0, m_filter);
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setIndentation(indentation);
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setExpandsOnDoubleClick(false);
+    m_tree->setDragDropMode(QAbstractItemView::DragOnly);
     m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
-    m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Interactive);
+    m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Stretch);
     m_tree->header()->setStretchLastSection(false);
+    m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_tree->setItemDelegateForColumn(StructureModel::deviceColumn, new NameDelegate(this));
+    for (const int column :
+         {StructureModel::deviceColumn, StructureModel::stateColumn, StructureModel::positionColumn})
+        allowEliding(*m_tree, column);
+    m_tree->viewport()->installEventFilter(this);
     m_tree->hide();
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -93,74 +107,26 @@ StructureView::StructureView(QWidget *parent)
     connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_rowBefore = row(); });
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::restoreRow);
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
-    connect(m_model, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) {
-        if (first.column() != StructureModel::positionColumn) // it has room for any
-            m_measuring.start();
-    });
-    m_measuring.setSingleShot(true); // several rows that change at once are measured once
-    connect(&m_measuring, &QTimer::timeout, this, &StructureView::measureColumns);
     setFocusProxy(m_tree);
 }
 
-// So that the columns stay where they are while positions run.
-int StructureView::widestPosition() const
-{
-    return m_tree->fontMetrics().horizontalAdvance(QLocale().toString(maxPosition)) + 2 * grid::margin;
-}
-
-int StructureView::roomForNames() const
-{
-    return narrowestName() + m_tree->fontMetrics().horizontalAdvance(QStringLiteral("FRABA OCD-IB"));
-}
-
-// The number of a device has its room.
-int StructureView::narrowestName() const
-{
-    return m_levels * indentation + grid::smallIcon + 2 * grid::margin +
-           m_tree->fontMetrics().horizontalAdvance(QStringLiteral("10.10 ..."));
-}
-
-int StructureView::narrowestState() const
-{
-    return grid::smallIcon + 2 * grid::margin +
-           m_tree->fontMetrics().horizontalAdvance(QStringLiteral("m..."));
-}
-
-void StructureView::measureColumns()
-{
-    for (int column = 0; column < StructureModel::columns; ++column)
-        m_tree->resizeColumnToContents(column);
-    m_tree->setColumnWidth(StructureModel::positionColumn, widestPosition());
-    m_widestName = m_tree->columnWidth(StructureModel::deviceColumn);
-    m_widestState = m_tree->columnWidth(StructureModel::stateColumn);
-    placeColumns();
-}
-
-// The state is seen before the whole name is, and the number before a long state; the tooltip has all of it.
 void StructureView::placeColumns()
 {
-    const int all = m_tree->viewport()->width();
-    int left = all - m_widestState;
-    const int beside = left - m_tree->columnWidth(StructureModel::positionColumn);
-    if (beside >= std::min(m_widestName, roomForNames())) // the position is seen too where there is room
-        left = beside;
-    const int name = std::min(m_widestName, std::max(left, narrowestName()));
-    m_tree->setColumnWidth(StructureModel::deviceColumn, name);
-    m_tree->setColumnWidth(StructureModel::stateColumn,
-                           std::min(m_widestState, std::max(all - name, narrowestState()))); // elided
-}
-
-void StructureView::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    placeColumns();
+    codewheel::placeColumns(*m_tree, m_levels);
 }
 
 void StructureView::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        m_measuring.start();
+        placeColumns();
+}
+
+bool StructureView::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize) // a scroll bar comes or goes, too
+        placeColumns();
+    return QWidget::eventFilter(watched, event);
 }
 
 void StructureView::showTitles()
@@ -224,6 +190,15 @@ void StructureView::chooseRow(Place row)
         choose(row);
 }
 
+void StructureView::reveal(Place row)
+{
+    const QModelIndex index = row.isEmpty() ? m_model->indexOf(row.bus) : m_model->indexOf(row);
+    if (m_tree->isRowHidden(index.row(), index.parent()))
+        m_filter->clear();
+    chooseRow(row);
+    m_tree->scrollTo(index);
+}
+
 void StructureView::setProject(const ProjectDocument &project, const Catalog &catalog)
 {
     m_model->setProject(project, catalog);
@@ -236,7 +211,7 @@ void StructureView::showWhetherEmpty()
     m_tree->expandAll();
     m_tree->setVisible(!isEmpty);
     m_empty->setVisible(isEmpty);
-    measureColumns();
+    placeColumns();
 }
 
 // The ID code tells the profile, never the make. A device that nobody named is asked for where the catalog

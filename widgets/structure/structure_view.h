@@ -3,7 +3,6 @@
 
 #include "encoder/place.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -18,6 +17,7 @@ class EncoderBus;
 class InlineMessage;
 class ProjectDocument;
 class StructureModel;
+class TreeFilter;
 
 // The bus structure as a tree. The chosen device is what the panels beside it show; Enter or a double click
 // opens its monitors.
@@ -43,6 +43,7 @@ public:
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
     void chooseRow(Place row);
+    void reveal(Place row); // chosen, and to be seen, whatever was filtered out
 
 Q_SIGNALS:
     void chosen(codewheel::Place place);
@@ -56,15 +57,10 @@ Q_SIGNALS:
     void busMenuRequested(codewheel::BusId bus, const QPoint &globalPosition);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
-    int narrowestName() const;
-    int narrowestState() const;
-    int widestPosition() const;
-    int roomForNames() const;
-    void measureColumns();
     void placeColumns();
     void showWhetherEmpty();
     void restoreRow();
@@ -72,12 +68,10 @@ private:
 
     StructureModel *m_model;
     QTreeView *m_tree;
+    TreeFilter *m_filter;
     EmptyState *m_empty;
     InlineMessage *m_question;
-    QTimer m_measuring;
     std::optional<Place> m_rowBefore; // that was chosen before the rows were made anew
-    int m_widestName = 0;             // px
-    int m_widestState = 0;            // px
     int m_levels = 0;                 // of the tree, the master one of them
 };
 

@@ -5,11 +5,14 @@
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_card.h"
+#include "widgets/structure/structure_model.h"
 
 #include <QCoreApplication>
+#include <QDragEnterEvent>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMimeData>
 #include <QTest>
 #include <QToolButton>
 
@@ -220,6 +223,27 @@ TEST_F(MonitorAreaTest, MonitorsGoAndComeBackWithTheirBus)
     ring.bus.advance(5);
     EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0"), QStringLiteral("2.0 pinned")}));
     EXPECT_EQ(area.state(), kept);
+}
+
+TEST_F(MonitorAreaTest, ADeviceThatIsDroppedOnItIsPinned)
+{
+    StructureModel structure;
+    structure.addBus(ring.bus);
+    const auto drop = [&](Place place) {
+        const std::unique_ptr<QMimeData> data(structure.mimeData({structure.indexOf(place)}));
+        QDragEnterEvent enter({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+        enter.ignore();
+        QCoreApplication::sendEvent(&area, &enter);
+        if (enter.isAccepted()) {
+            QDropEvent dropped({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+            QCoreApplication::sendEvent(&area, &dropped);
+        }
+        return enter.isAccepted();
+    };
+    EXPECT_TRUE(drop(baumer));
+    EXPECT_TRUE(open().contains(QStringLiteral("2.0 pinned")));
+    EXPECT_FALSE(drop(test::busTerminal)) << "it has no words";
+    EXPECT_FALSE(structure.flags(structure.indexOf(firstRing)).testFlag(Qt::ItemIsDragEnabled));
 }
 
 } // namespace

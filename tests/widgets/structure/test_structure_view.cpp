@@ -9,6 +9,7 @@
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/structure/tree_filter.h"
 
 #include <QAbstractItemModel>
 #include <QModelIndex>
@@ -94,7 +95,7 @@ TEST_F(StructureTest, AShaftThatTurnsTooFastHasNoValidPosition)
     ring.controls->setSpeed(fraba.node, 6000);
     ring.bus.advance(20);
     EXPECT_EQ(ring.encoder(fraba).latest().in, Word{0x8000'0000});
-    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("no valid position"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("invalid"));
 }
 
 TEST_F(StructureTest, StatesFollowTheBus)
@@ -108,10 +109,10 @@ TEST_F(StructureTest, StatesFollowTheBus)
     EXPECT_EQ(changes, 0) << "a moving position changes no state";
 
     ring.channel(fraba).stage(0x0200'00FF);
-    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("OUT not sent"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("unsent"));
     ASSERT_TRUE(ring.channel(fraba).write());
     ring.bus.advance(10);
-    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("parameterization"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("parameters"));
     EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
     ring.bus.setRunning(false);
     ring.bus.advance(1);
@@ -160,7 +161,7 @@ TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
     ASSERT_EQ(model.rowCount(), 2);
     EXPECT_EQ(model.indexOf(firstLine).data().toString(), QStringLiteral("Serial line (ttyUSB0)"));
     EXPECT_TRUE(text(encoder.place(), StructureModel::deviceColumn)
-                    .startsWith(QStringLiteral("esc:05  slide: Kübler")));
+                    .startsWith(QStringLiteral("slide  esc:05  Kübler")));
     EXPECT_EQ(text(encoder.place(), StructureModel::stateColumn), QStringLiteral("planned"));
     EXPECT_EQ(text(encoder.place(), StructureModel::codeColumn), QStringLiteral("05h (5)"));
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
@@ -209,7 +210,7 @@ TEST_F(StructureTest, EveryPlannedBusIsShownButTheRingOfANewProject)
     EXPECT_TRUE(model.indexOf(secondRing).isValid());
 }
 
-TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
+TEST_F(StructureTest, StationsOfDevicesThatFitComeFirst)
 {
     ProjectDocument project;
     project.setProject(projectOf(ring.bus.structure()), {});
@@ -217,7 +218,7 @@ TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
     model.setProject(project, ring.catalog);
     const auto name = [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); };
     project.editDevice(baumer, {}, name);
-    EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("2.0  hoist: Baumer GXP6W K3"));
+    EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("hoist  2.0  Baumer GXP6W K3"));
     Project after = project.project();
     after.devices[1].participant.deviceCode = 0x0136;
     project.edit(after, {});
@@ -270,48 +271,139 @@ TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
     EXPECT_EQ(view.current(), std::nullopt) << "the master";
 }
 
-TEST_F(StructureTest, TheStateIsSeenInANarrowPanelWhateverTheNames)
+class StructureColumns : public StructureTest
 {
+protected:
+    StructureColumns()
+    {
+        view.resize(340, 300);
+        view.show();
+        view.addBus(ring.bus);
+    }
+
+    std::vector<int> widths() const
+    {
+        std::vector<int> all;
+        for (int column = 0; column < StructureModel::columns; ++column)
+            all.push_back(tree().columnWidth(column)); // 0: hidden
+        return all;
+    }
+    const QTreeView &tree() const { return *view.findChild<QTreeView *>(); }
+    int ofCharacters(int count) const { return count * tree().fontMetrics().averageCharWidth(); }
+    int roomForName(Place place) const
+    {
+        const auto &shown = static_cast<const StructureModel &>(*tree().model());
+        return tree().visualRect(shown.indexOf(place)).width() - tree().iconSize().width();
+    }
+
     StructureView view;
-    view.resize(200, 300);
-    view.show();
-    view.addBus(ring.bus);
-    const auto &tree = *view.findChild<QTreeView *>();
-    const QModelIndex state = tree.model()->index(0, StructureModel::stateColumn, tree.model()->index(0, 0));
-    EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
-    view.resize(280, 300);
-    const int shortState = tree.columnWidth(StructureModel::stateColumn);
+};
+
+TEST_F(StructureColumns, StayAsTheyAreWhateverStandsInThem)
+{
+    const std::vector<int> before = widths();
     ring.channel(fraba).stage(0x0200'00FF);
     ASSERT_TRUE(ring.channel(fraba).write());
     ring.bus.advance(10);
-    EXPECT_EQ(state.data().toString(), QStringLiteral("parameterization"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.columnWidth(StructureModel::stateColumn) > shortState; }));
-    EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
-    const int narrow = tree.columnWidth(StructureModel::deviceColumn);
-    ring.channel(fraba).stage(0x8000'0000);
-    ASSERT_TRUE(ring.channel(fraba).write());
-    ring.bus.advance(30);
-    EXPECT_EQ(state.data().toString(), QStringLiteral("ok"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.columnWidth(StructureModel::deviceColumn) > narrow; }))
-        << "the name has its room again";
-}
-
-TEST_F(StructureTest, TheNumbersAreSeenInANarrowPanelHoweverLongTheStates)
-{
-    StructureView view;
-    view.resize(200, 300);
-    view.show();
-    view.addBus(ring.bus);
-    const auto &tree = *view.findChild<QTreeView *>();
+    QTest::qWait(20);
+    EXPECT_EQ(widths(), before);
     ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
     ring.bus.advance(40);
+    QTest::qWait(20);
+    EXPECT_EQ(widths(), before) << "the fault is told elsewhere";
+}
+
+TEST_F(StructureColumns, TheNameKeepsItsRoomInAnyPanel)
+{
+    for (const int width : {200, 240, 280, 340, 500, 900}) {
+        view.resize(width, 300);
+        int all = 0;
+        for (const int column : widths())
+            all += column;
+        EXPECT_LE(all, tree().viewport()->width()) << width;
+        EXPECT_GE(tree().columnWidth(StructureModel::stateColumn), tree().iconSize().width()) << width;
+        if (width >= 240) {
+            EXPECT_GE(roomForName(test::onLoop), ofCharacters(16)) << width;
+        }
+    }
+    EXPECT_FALSE(tree().isColumnHidden(StructureModel::wordsColumn)) << "a wide panel shows all";
+    view.resize(340, 300);
+    EXPECT_TRUE(tree().isColumnHidden(StructureModel::profileColumn));
+    EXPECT_FALSE(tree().isColumnHidden(StructureModel::positionColumn));
+}
+
+TEST_F(StructureTest, WhatIsBehindABreakIsGreyAndSaidToBe)
+{
+    model.addBus(ring.bus);
+    ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
+    ring.bus.advance(40);
+    const QModelIndex cut = model.indexOf(test::multiTurn);
+    EXPECT_TRUE(cut.data(StructureModel::isBehindBreakRole).toBool());
+    EXPECT_EQ(cut.data(Qt::AccessibleTextRole).toString(),
+              QStringLiteral("4.0  FRABA OCD-IB K2, the bus is interrupted before it"));
+    EXPECT_TRUE(cut.data(Qt::ForegroundRole).isValid());
+    EXPECT_TRUE(model.indexOf(test::onLoop).data(Qt::ForegroundRole).isValid());
+    EXPECT_FALSE(model.indexOf(test::onLoop).data(StructureModel::isBehindBreakRole).toBool());
+    EXPECT_FALSE(model.indexOf(fraba).data(Qt::ForegroundRole).isValid());
+    EXPECT_TRUE(model.indexOf(test::singleTurn)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("State: fault")));
+    EXPECT_TRUE(
+        cut.data(Qt::ToolTipRole).toString().contains(QStringLiteral("Check plug, shield and 24 V.")));
+}
+
+TEST_F(StructureTest, ASpeedStandsInPlaceOfThePosition)
+{
+    model.addBus(ring.bus);
+    ring.controls->setSpeed(fraba.node, 120);
+    ring.encoder(fraba).tell(Parameter::startUpMode, 1);
+    ring.bus.advance(10);
+    ring.channel(fraba).stage(0x2040'0001); // velocity on
+    ASSERT_TRUE(ring.channel(fraba).write());
+    ring.bus.advance(500);
+    ASSERT_TRUE(ring.encoder(fraba).latest().velocity);
+    EXPECT_EQ(text(fraba, StructureModel::positionColumn), QStringLiteral("120 rpm"));
+}
+
+TEST_F(StructureTest, AFilterIsThereWhereThereAreManyDevices)
+{
+    StructureView view;
+    view.show();
+    view.addBus(ring.bus);
+    auto &filter = *view.findChild<TreeFilter *>();
+    EXPECT_FALSE(filter.isVisible());
+    Project plan = projectOf(ring.bus.structure());
+    changeLine(plan, [](LinePlan &) {});
+    std::vector<ProjectDevice> encoders;
+    for (int address = 1; address <= 6; ++address) {
+        ProjectDevice encoder;
+        encoder.standAt(placeOnLine({static_cast<std::uint8_t>(address)}));
+        encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        encoder.station = QStringLiteral("slide %1").arg(address);
+        encoders.push_back(encoder);
+    }
+    setEncodersOnLine(plan, encoders);
+    ProjectDocument project;
+    project.setProject(plan, {});
+    view.setProject(project, ring.catalog);
+    ASSERT_TRUE(filter.isVisible());
+    const auto &tree = *view.findChild<QTreeView *>();
     const auto &shown = static_cast<const StructureModel &>(*tree.model());
-    QTest::qWait(50); // columns are measured once rows have changed
-    EXPECT_LE(tree.columnWidth(StructureModel::deviceColumn) + tree.columnWidth(StructureModel::stateColumn),
-              tree.viewport()->width())
-        << "it is elided, not cut off";
-    const int number = tree.fontMetrics().horizontalAdvance(QStringLiteral("6.1"));
-    EXPECT_GT(tree.visualRect(shown.indexOf(test::onLoop)).width(), tree.iconSize().width() + number);
+    const auto isSeen = [&](Place place) { return tree.visualRect(shown.indexOf(place)).isValid(); };
+    QTest::keyClicks(&filter, QStringLiteral("SLIDE 3"));
+    EXPECT_TRUE(isSeen(placeOnLine({3})));
+    EXPECT_FALSE(isSeen(placeOnLine({2})));
+    EXPECT_FALSE(isSeen(fraba));
+    filter.setText(QStringLiteral("loop"));
+    EXPECT_TRUE(isSeen(test::onLoop)) << "with the terminal it hangs on";
+    view.reveal(fraba);
+    EXPECT_TRUE(filter.text().isEmpty());
+    EXPECT_TRUE(isSeen(fraba));
+    EXPECT_EQ(view.current(), fraba);
+    QTest::keyClicks(&filter, QStringLiteral("slide"));
+    QTest::keyClick(&filter, Qt::Key_Escape);
+    EXPECT_TRUE(isSeen(fraba));
 }
 
 TEST(TheTreeOfTheStructure, PaintsNoMoreThanTheColumnThatChanged)
