@@ -3417,6 +3417,13 @@
     </message>
 </context>
 <context>
+    <name>codewheel::BusFaults</name>
+    <message>
+        <source>The fault is not told any more, but the bus is stopped. Start it again.</source>
+        <translation>Die Störung wird nicht mehr gemeldet, aber der Bus ist angehalten. Neu starten.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::BusList</name>
     <message>
         <source>Buses of the project</source>
@@ -7282,6 +7289,39 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::EncoderFaults</name>
+    <message>
+        <source>IN is 0</source>
+        <translation>IN ist 0</translation>
+    </message>
+    <message>
+        <source>IN of %1 fell to 00000000: the encoder has no supply, or stands at position 0. Check its supply, or turn the shaft to see it change.</source>
+        <translation>IN von %1 fiel auf 00000000: Der Geber hat keine Versorgung oder steht auf Position 0. Versorgung prüfen, oder die Welle drehen und sehen, ob sich IN ändert.</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <comment>to confirm</comment>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <comment>position</comment>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>no magnet</source>
+        <translation>kein Magnet</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>%1 takes long to confirm OUT %2, or does not know the word. Wait; if nothing comes, check which encoder it is, and switch it off and on.</source>
+        <translation>%1 braucht lange, um OUT %2 zu quittieren, oder kennt das Wort nicht. Warten; kommt nichts, prüfen, welcher Geber es ist, und ihn aus- und einschalten.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::EncoderFunctions</name>
     <message>
         <source>P&amp;osition mode</source>
@@ -7414,6 +7454,46 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
         <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FaultBanner</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Chooses the place of the fault, and shows what is known of it</source>
+        <translation>Wählt den Platz der Störung und zeigt, was davon bekannt ist</translation>
+    </message>
+    <message>
+        <source>The other faults; choose one to see where it is</source>
+        <translation>Die anderen Störungen; eine wählen, um zu sehen, wo sie ist</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>bus: its fault</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>faults</comment>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Other faults</source>
+        <translation>Weitere Störungen</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>What can be done about the fault</source>
+        <translation>Was gegen die Störung getan werden kann</translation>
     </message>
 </context>
 <context>
@@ -8517,6 +8597,45 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineFaults</name>
+    <message>
+        <source>Have its battery replaced, and check the position.</source>
+        <translation>Batterie ersetzen lassen und die Position prüfen.</translation>
+    </message>
+    <message>
+        <source>Let it cool down, and look what heats it.</source>
+        <translation>Abkühlen lassen und nachsehen, was ihn erwärmt.</translation>
+    </message>
+    <message>
+        <source>Switch it off and on; if the alarm comes back, replace the encoder.</source>
+        <translation>Aus- und einschalten; kommt der Alarm wieder, den Geber ersetzen.</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>No encoder answers on %1 at %2 Bd. Check the wires (A and B may be swapped), the supply of the encoders, and the baud rate.</source>
+        <translation>Kein Geber antwortet an %1 mit %2 Bd. Adern (A und B können vertauscht sein), Versorgung der Geber und Baudrate prüfen.</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>%1 gives an alarm: %2. %3</source>
+        <translation>%1 meldet einen Alarm: %2. %3</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>%1 warns: %2. See to it before it becomes an alarm.</source>
+        <translation>%1 warnt: %2. Beheben, bevor ein Alarm daraus wird.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineFaultsBox</name>
     <message>
         <source>Lost bytes</source>
@@ -8747,14 +8866,6 @@ Zustand: %3
 Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
-        <source>not connected</source>
-        <translation>nicht verbunden</translation>
-    </message>
-    <message>
-        <source>port is gone</source>
-        <translation>Anschluss fehlt</translation>
-    </message>
-    <message>
         <source>searching</source>
         <translation>sucht</translation>
     </message>
@@ -8767,28 +8878,12 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>offen</translation>
     </message>
     <message>
-        <source>not reachable</source>
-        <translation>nicht erreichbar</translation>
-    </message>
-    <message>
-        <source>job running</source>
-        <translation>Auftrag läuft</translation>
-    </message>
-    <message>
         <source>silent</source>
         <translation>antwortet nicht</translation>
     </message>
     <message>
-        <source>not seen yet</source>
-        <translation>noch nicht gesehen</translation>
-    </message>
-    <message>
         <source>alarm</source>
         <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>suspect position</source>
-        <translation>verdächtige Position</translation>
     </message>
     <message>
         <source>warning</source>
@@ -8805,6 +8900,32 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>what is on its way ends, and nothing follows</source>
         <translation>was unterwegs ist, läuft zu Ende, danach folgt nichts</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>offline</translation>
+    </message>
+    <message>
+        <source>no port</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgetrennt</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <comment>it is running</comment>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <comment>position</comment>
+        <translation>fraglich</translation>
     </message>
 </context>
 <context>
@@ -9607,6 +9728,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&amp;Use this adapter</source>
         <translation>Diesen Adapter ver&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>Asks for positions again</source>
+        <translation>Fragt wieder nach Positionen</translation>
     </message>
 </context>
 <context>
@@ -12071,6 +12200,63 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Faulty data cycles of 1000 in the segment of the device</source>
         <translation>Fehlerhafte Datenzyklen von 1000 im Segment des Teilnehmers</translation>
     </message>
+    <message>
+        <source>The cable behind %1 is interrupted. Check plug and shield.</source>
+        <translation>Das Kabel hinter %1 ist unterbrochen. Stecker und Schirm prüfen.</translation>
+    </message>
+    <message>
+        <source>The cable between %1 and %2 is interrupted, or %2 has no supply. Check plug, shield and 24 V.</source>
+        <translation>Das Kabel zwischen %1 und %2 ist unterbrochen, oder %2 hat keine Versorgung. Stecker, Schirm und 24 V prüfen.</translation>
+    </message>
+    <message>
+        <source>the master</source>
+        <translation>dem Master</translation>
+    </message>
+    <message>
+        <source>%1 is not found as configured: it has no supply, the cable between %2 and %1 is interrupted, or another device stands there. Check 24 V, plug, and which device it is.</source>
+        <translation>%1 wird nicht wie konfiguriert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort steht ein anderes Gerät. 24 V, Stecker und Gerät prüfen.</translation>
+    </message>
+    <message>
+        <source>The ring has failed. The master is looking for the place: wait for it.</source>
+        <translation>Der Ring ist ausgefallen. Der Master sucht die Stelle: abwarten.</translation>
+    </message>
+    <message>
+        <source>The ring has failed, but the master finds nothing any more. Check shields, plugs and 24 V, then start again.</source>
+        <translation>Der Ring ist ausgefallen, aber der Master findet nichts mehr. Schirme, Stecker und 24 V prüfen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>The ring has failed, and the master does not tell where. Check plugs, shields and 24 V, and look up its code.</source>
+        <translation>Der Ring ist ausgefallen, und der Master nennt keine Stelle. Stecker, Schirme und 24 V prüfen und den Code nachschlagen.</translation>
+    </message>
+    <message>
+        <source>The ring has failed. Look at the display of its master.</source>
+        <translation>Der Ring ist ausgefallen. Die Anzeige am Master ansehen.</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>The program looks for the ring each second. Check the cable to the master, and whether it is switched on.</source>
+        <translation>Das Programm sucht den Ring jede Sekunde. Das Kabel zum Master prüfen, und ob er eingeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>periphery</source>
+        <comment>fault of it, one word</comment>
+        <translation>Peripherie</translation>
+    </message>
+    <message>
+        <source>%1 reports a fault of its periphery, and the ring runs on. Check what is connected to it, and its supply; then confirm.</source>
+        <translation>%1 meldet eine Peripheriestörung, der Ring läuft weiter. Prüfen, was angeschlossen ist und wie es versorgt wird, dann quittieren.</translation>
+    </message>
+    <message>
+        <source>CRC errors</source>
+        <translation>CRC-Fehler</translation>
+    </message>
+    <message>
+        <source>Many data cycles are faulty: %1 in segment %2. Check plugs and shield of the cable between %3 and %4, and what disturbs it.</source>
+        <translation>Viele Datenzyklen sind fehlerhaft: %1 in Segment %2. Stecker und Schirm des Kabels zwischen %3 und %4 prüfen, und was es stört.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingKind</name>
@@ -12085,10 +12271,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
 </context>
 <context>
     <name>codewheel::RingOutline</name>
-    <message>
-        <source>error %1</source>
-        <translation>Fehler %1</translation>
-    </message>
     <message>
         <source>%1  %2
 ID code %3, device code %4
@@ -12108,14 +12290,6 @@ Zustand: %7</translation>
         <translation>Der Master des Rings ist im Zustand %1.</translation>
     </message>
     <message>
-        <source>not seen yet</source>
-        <translation>noch nicht gesehen</translation>
-    </message>
-    <message>
-        <source>not in the ring</source>
-        <translation>nicht im Ring</translation>
-    </message>
-    <message>
         <source>stopped</source>
         <translation>angehalten</translation>
     </message>
@@ -12124,32 +12298,12 @@ Zustand: %7</translation>
         <translation>ok</translation>
     </message>
     <message>
-        <source>job running</source>
-        <translation>Auftrag läuft</translation>
-    </message>
-    <message>
-        <source>OUT not sent</source>
-        <translation>OUT wartet</translation>
-    </message>
-    <message>
-        <source>parameterization</source>
-        <translation>Parametrierung</translation>
-    </message>
-    <message>
         <source>read-out</source>
         <translation>Auslesen</translation>
     </message>
     <message>
-        <source>service mode</source>
-        <translation>Dienstbetrieb</translation>
-    </message>
-    <message>
         <source>silent</source>
         <translation>antwortet nicht</translation>
-    </message>
-    <message>
-        <source>unknown state</source>
-        <translation>Zustand unbekannt</translation>
     </message>
     <message>
         <source>Position: Gray code</source>
@@ -12170,6 +12324,53 @@ Zustand: %7</translation>
     <message>
         <source>all OUT words become 0, and jobs end</source>
         <translation>alle OUT-Worte werden 0, und Aufträge enden</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <comment>switched off</comment>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgetrennt</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <comment>it is running</comment>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>unsent</source>
+        <comment>a staged word</comment>
+        <translation>ungesendet</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <comment>parameterization</comment>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>service</source>
+        <comment>service mode</comment>
+        <translation>Dienst</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>state</comment>
+        <translation>unklar</translation>
+    </message>
+    <message>
+        <source>periphery</source>
+        <comment>fault of it</comment>
+        <translation>Peripherie</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
     </message>
 </context>
 <context>
@@ -12442,6 +12643,41 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
         <translation>vielleicht ein anderer: Daneben fehlt einer derselben Art oder ist zusätzlich da</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingViews</name>
+    <message>
+        <source>Start again</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>Activates the configuration, and starts data transfer</source>
+        <translation>Aktiviert die Konfiguration und startet die Datenübertragung</translation>
+    </message>
+    <message>
+        <source>The ring is being read in.</source>
+        <translation>Der Ring wird gerade eingelesen.</translation>
+    </message>
+    <message>
+        <source>The program only watches. Switch to Operate first.</source>
+        <translation>Das Programm beobachtet nur. Zuerst auf Bedienen umschalten.</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Confirms the diagnostics; a fault whose cause is still there comes back</source>
+        <translation>Quittiert die Diagnose; eine Störung, deren Ursache noch besteht, kommt wieder</translation>
+    </message>
+    <message>
+        <source>Switch segment off</source>
+        <translation>Segment abschalten</translation>
+    </message>
+    <message>
+        <source>Takes segment %1, and what is behind it, out of the data cycles, after asking. The rest can be started then.</source>
+        <translation>Nimmt Segment %1 und was dahinter liegt nach einer Rückfrage aus den Datenzyklen. Der Rest lässt sich dann starten.</translation>
     </message>
 </context>
 <context>
@@ -13420,16 +13656,20 @@ Worte: IN %3, OUT %4</translation>
         <comment>a position</comment>
         <translation>%1, nicht aktuell</translation>
     </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation>%1 U/min</translation>
+    </message>
+    <message>
+        <source>%1, the bus is interrupted before it</source>
+        <translation>%1, davor ist der Bus unterbrochen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
     <message>
         <source>Bus structure</source>
         <translation>Busaufbau</translation>
-    </message>
-    <message>
-        <source>Choose a device to see it in the panels. Enter opens its monitors.</source>
-        <translation>Ein Gerät wählen, um es in den Bereichen am Rand zu sehen. Eingabe öffnet seine Monitore.</translation>
     </message>
     <message>
         <source>The bus does not tell which make %1 is.</source>
@@ -13446,6 +13686,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>No bus is connected.</source>
         <translation>Kein Bus ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
+        <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore; dorthin gezogen, wird es angeheftet.</translation>
     </message>
 </context>
 <context>
@@ -14320,6 +14564,17 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Sent: it is not known whether the encoder has it</source>
         <translation>Gesendet: ob der Geber es hat, ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TreeFilter</name>
+    <message>
+        <source>Filter devices</source>
+        <translation>Geräte filtern</translation>
+    </message>
+    <message>
+        <source>Shows the devices whose station, place, make or state has these words; Esc shows all</source>
+        <translation>Zeigt die Geräte, in deren Station, Platz, Hersteller oder Zustand diese Wörter stehen; Esc zeigt alle</translation>
     </message>
 </context>
 <context>

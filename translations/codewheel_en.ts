@@ -46,6 +46,17 @@
     </message>
 </context>
 <context>
+    <name>codewheel::FaultBanner</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>faults</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::FaultPlanBar</name>
     <message numerus="yes">
         <source>%1: %n steps</source>

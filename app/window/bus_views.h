@@ -3,6 +3,7 @@
 
 #include "app/window/bus_at_work.h"
 #include "app/window/panels.h"
+#include "widgets/structure/fault_banner.h"
 
 #include <QAction>
 #include <QObject>
@@ -66,6 +67,9 @@ public:
     virtual bool open(Place) { return false; }
     virtual void showPicture() {} // with each picture of the window
     virtual void compare() {}     // it says how its bus differs from the project
+    // What its faults name as an action, as it can be had now; done.
+    virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
+    virtual void act(const Fault &, FaultAction) {}
 
 Q_SIGNALS:
     void panelRequested(const codewheel::Panel &panel); // it is to be seen

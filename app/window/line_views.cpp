@@ -174,6 +174,18 @@ void LineViews::showPicture()
     showStatus();
 }
 
+// A line has nothing that could be switched off or confirmed.
+FaultBanner::Offer LineViews::offer(const Fault &, FaultAction) const
+{
+    return {tr("Start again"), tr("Asks for positions again"), {}};
+}
+
+void LineViews::act(const Fault &, FaultAction)
+{
+    if (m_session)
+        m_session->setRunning(true);
+}
+
 void LineViews::open()
 {
     Q_EMIT panelRequested(linePanel);

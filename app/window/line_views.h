@@ -47,6 +47,8 @@ public:
     void open() override;
     bool open(Place place) override; // its terminal: it has no words
     void showPicture() override;
+    FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
+    void act(const Fault &fault, FaultAction action) override;
 
     void showSettings();
     void showSearch();

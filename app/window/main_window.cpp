@@ -4,13 +4,13 @@
 #include "app/window/alarm_stop.h"
 #include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
+#include "app/window/fault_notice.h"
 #include "app/window/leaving.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
-#include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
@@ -108,6 +108,10 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     });
     makePages();
     makeDocks(messages);
+    m_faults = new FaultNotice(
+        plant, [this](BusId bus) { return viewsOf(bus); },
+        *static_cast<QVBoxLayout *>(centralWidget()->layout()), this);
+    connect(m_faults, &FaultNotice::shown, this, &MainWindow::showFault);
     m_structure->setProject(m_project, plant.catalog());
     m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
     connectViews();
@@ -186,6 +190,7 @@ void MainWindow::showPicture()
     m_buses->pump();
     for (const auto &[bus, views] : m_views)
         views->showPicture();
+    m_faults->showPicture();
     m_status->setOtherFaults(otherFaults());
     m_status->showPicture();
 }
@@ -193,14 +198,18 @@ void MainWindow::showPicture()
 // Of buses whose state the status line does not show, since another one of their kind is chosen.
 QStringList MainWindow::otherFaults() const
 {
-    QStringList faults;
-    for (const EncoderBus *bus : m_buses->open()) {
-        if (m_currentOf.value(m_plant->find(bus->id())->kind()) == bus->id())
-            continue;
-        if (const StateWord state = bus->outline().state(); state.role == Role::fault)
-            faults << QStringLiteral("%1: %2").arg(m_plant->nameOf(bus->id()), state.word);
-    }
-    return faults;
+    return m_faults->inBrief(
+        [this](BusId bus) { return m_currentOf.value(m_plant->find(bus)->kind()) != bus; });
+}
+
+// Its place, and the panel that tells more of it.
+void MainWindow::showFault(BusId bus, const Fault &fault)
+{
+    m_structure->reveal(Place{bus, fault.node});
+    if (fault.extent == Fault::Extent::device)
+        m_panels.show(panel::device);
+    else if (BusViews *views = viewsOf(bus))
+        views->open();
 }
 
 bool MainWindow::hasJob() const

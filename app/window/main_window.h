@@ -28,6 +28,8 @@ class DeviceChoice;
 class DevicePanel;
 class DialPanel;
 class EncoderBus;
+struct Fault;
+class FaultNotice;
 class InlineMessage;
 class Leaving;
 class MessageModel;
@@ -123,6 +125,7 @@ private:
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
     QStringList otherFaults() const;
+    void showFault(BusId bus, const Fault &fault);
     void tellWhose();
     void chooseBusOf(Place place);
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
@@ -154,6 +157,7 @@ private:
     QLabel *m_whosePage; // the bus that the page is of
     QStackedWidget *m_pages;
     ProjectFiles *m_files;
+    FaultNotice *m_faults = nullptr;
     ReportExport *m_report = nullptr;
     StructureEditor *m_editor = nullptr;
     ProjectPage *m_projectPage = nullptr;

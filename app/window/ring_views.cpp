@@ -107,6 +107,36 @@ void RingViews::compare()
         m_connection->tellComparison();
 }
 
+// As the same actions elsewhere: whether the master may change what the ring does is asked again when it is
+// done.
+FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) const
+{
+    if (action == FaultAction::start)
+        return {tr("Start again"), tr("Activates the configuration, and starts data transfer"),
+                m_ring.bus()->isReadingIn() ? tr("The ring is being read in.") : QString()};
+    const QString whyNot =
+        m_ring.bus()->isOperating() ? QString() : tr("The program only watches. Switch to Operate first.");
+    if (action == FaultAction::confirm)
+        return {tr("Confirm"), tr("Confirms the diagnostics; a fault whose cause is still there comes back"),
+                whyNot};
+    return {
+        tr("Switch segment off"),
+        tr("Takes segment %1, and what is behind it, out of the data cycles, after asking. The rest can be "
+           "started then.")
+            .arg(DeviceNumber::of(fault.cutOff).segment),
+        whyNot};
+}
+
+void RingViews::act(const Fault &fault, FaultAction action)
+{
+    if (action == FaultAction::start)
+        m_ring.bus()->setRunning(true);
+    else if (action == FaultAction::confirm)
+        m_connection->confirmDiagnostics();
+    else
+        m_master->toggleSegment(DeviceNumber::of(fault.cutOff).segment);
+}
+
 void RingViews::showCurrent()
 {
     if (!isCurrent())

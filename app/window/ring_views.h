@@ -36,6 +36,8 @@ public:
     void open() override;
     void showPicture() override;
     void compare() override;
+    FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
+    void act(const Fault &fault, FaultAction action) override;
 
 private:
     void showCurrent() override;

@@ -111,7 +111,7 @@ TEST_F(ConnectionTest, StationsOfTheProjectStandInTheTree)
 {
     shown->project().editDevice(baumer, {},
                                 [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
-    EXPECT_EQ(row(1), QStringLiteral("2.0  hoist: Baumer GXP6W K3"));
+    EXPECT_EQ(row(1), QStringLiteral("hoist  2.0  Baumer GXP6W K3"));
     shown->project().undoStack().undo();
     EXPECT_EQ(row(1), QStringLiteral("2.0  Baumer GXP6W K3"));
 }

@@ -95,9 +95,8 @@ TEST_F(LineFaultSentences, AlarmsAndWarningsSayWhatToDo)
         condition.batteryLimit = false;
         condition.batteryFlat = true;
     });
-    expectOne(sufferer.node(),
-              "esc:05 gives an alarm: battery flat, general fault. Have its battery replaced, "
-              "and check the position.");
+    expectOne(sufferer.node(), "esc:05 gives an alarm: battery flat. Have its battery replaced, "
+                               "and check the position.");
     EXPECT_EQ(faults().front().shown.role, Role::fault);
     befall([](EscCondition &condition) {
         condition.batteryFlat = false;

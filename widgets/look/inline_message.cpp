@@ -64,14 +64,13 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
                                 const QString &otherActionText)
 {
     m_role = role;
-    m_sentence->setText(sentence);
+    rephrase(sentence);
     m_action->setText(actionText);
     m_action->setToolTip(sentence);
     m_action->setVisible(!actionText.isEmpty());
     m_otherAction->setText(otherActionText);
     m_otherAction->setToolTip(sentence);
     m_otherAction->setVisible(!otherActionText.isEmpty());
-    setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(role), sentence));
     drawIcon();
     arrange();
     show();
@@ -80,18 +79,58 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
     QAccessible::updateAccessibility(&alert);
 }
 
+void InlineMessage::rephrase(const QString &sentence)
+{
+    m_text = sentence;
+    setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(m_role), sentence));
+    showText();
+}
+
+void InlineMessage::setDetail(const QString &detail)
+{
+    m_detail = detail;
+    showText();
+}
+
+// Names stand in both: what they look like must not matter.
+void InlineMessage::showText()
+{
+    m_sentence->setTextFormat(m_detail.isEmpty() ? Qt::PlainText : Qt::RichText);
+    m_sentence->setText(m_detail.isEmpty()
+                            ? m_text
+                            : QStringLiteral("%1 <span style=\"font-size:small; color:%3\">%2</span>")
+                                  .arg(m_text.toHtmlEscaped(), m_detail.toHtmlEscaped(),
+                                       palette().color(QPalette::PlaceholderText).name()));
+}
+
 void InlineMessage::withdraw()
 {
-    if (m_sentence->text().isEmpty())
+    if (m_text.isEmpty())
         return; // who has nothing to say tells it 30 times a second
     hide();
-    m_sentence->clear();
+    m_text.clear();
+    m_detail.clear();
+    showText();
     setAccessibleName({});
 }
 
 QString InlineMessage::sentence() const
 {
-    return m_sentence->text();
+    return m_text;
+}
+
+void InlineMessage::addButton(QAbstractButton *button)
+{
+    m_buttons->insertWidget(m_buttons->indexOf(m_close), button);
+}
+
+bool InlineMessage::hasActions() const
+{
+    for (int i = 0; i < m_buttons->count(); ++i)
+        if (const QWidget *button = m_buttons->itemAt(i)->widget();
+            button != nullptr && button != m_close && !button->isHidden())
+            return true;
+    return false;
 }
 
 // As with the buttons below the sentence.
@@ -109,10 +148,17 @@ void InlineMessage::resizeEvent(QResizeEvent *event)
     arrange();
 }
 
+// Beside the sentence, unless below it they take less height.
 void InlineMessage::arrange()
 {
-    const bool isNarrow =
-        !m_action->isHidden() && width() < m_buttons->sizeHint().width() + 2 * leastSentence;
+    const int buttons = m_buttons->sizeHint().width();
+    const int around = m_icon->sizeHint().width() + 5 * grid::margin;
+    const auto heightBeside = [&](int taken) {
+        return m_sentence->heightForWidth(std::max(width() - taken - around, leastSentence));
+    };
+    const bool isLower =
+        heightBeside(buttons) > heightBeside(0) + m_buttons->sizeHint().height() + grid::margin;
+    const bool isNarrow = hasActions() && (isLower || width() < buttons + 2 * leastSentence);
     m_parts->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
@@ -126,8 +172,10 @@ void InlineMessage::paintEvent(QPaintEvent *)
 void InlineMessage::changeEvent(QEvent *event)
 {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
         drawIcon();
+        showText();
+    }
 }
 
 void InlineMessage::drawIcon()

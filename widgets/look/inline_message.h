@@ -5,6 +5,7 @@
 
 #include <QFrame>
 
+class QAbstractButton;
 class QBoxLayout;
 class QLabel;
 class QPushButton;
@@ -28,6 +29,8 @@ public:
                      const QString &otherActionText = {});
     void withdraw(); // the cause is gone
     QString sentence() const;
+    // In small type behind the sentence; empty: nothing.
+    void setDetail(const QString &detail);
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
@@ -40,11 +43,19 @@ protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
+    void addButton(QAbstractButton *button); // behind its actions
+    // The same thing is told in other words: nobody is alerted.
+    void rephrase(const QString &sentence);
+    void arrange(); // after buttons came or went
+
 private:
     void drawIcon();
-    void arrange();
+    void showText();
+    bool hasActions() const;
 
     Role m_role = Role::attention;
+    QString m_text;
+    QString m_detail;
     QBoxLayout *m_parts; // the sentence, and the buttons beside or, in a narrow panel, below it
     QBoxLayout *m_buttons;
     QLabel *m_icon;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong anywhere stands above the pages of the window.
+#include "app/window/bus_views.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
+#include "simulator/simulated_line.h"
+#include "tests/app/window_test.h"
+#include "tests/support/plans.h"
+#include "widgets/structure/fault_banner.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace codewheel {
+namespace {
+
+constexpr BusId secondRing{3};
+
+class FaultBannerInWindow : public test::WindowTest
+{
+protected:
+    void befall(TrainingFault fault, Place place, int value = 1)
+    {
+        shown->controls().setFault(fault, place.node, value);
+        advance(99);
+    }
+    FaultBanner &banner() { return *window().findChild<FaultBanner *>(); }
+    QToolButton &button(const char *id) { return *banner().findChild<QToolButton *>(QLatin1String(id)); }
+    void press(const char *id) { QTest::mouseClick(&button(id), Qt::LeftButton); }
+    std::optional<Place> row() { return window().findChild<StructureView *>()->row(); }
+    QStringList listed()
+    {
+        QMenu &menu = *button("otherFaults").menu();
+        Q_EMIT menu.aboutToShow();
+        QStringList texts;
+        for (const QAction *action : menu.actions())
+            texts << action->text();
+        return texts;
+    }
+};
+
+TEST_F(FaultBannerInWindow, ComesWithTheFaultAndGoesWhenTheBusRunsAgain)
+{
+    EXPECT_FALSE(banner().isVisible());
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    ASSERT_TRUE(banner().isVisible());
+    const QString sentence = QStringLiteral(
+        "The cable between 3.0 and 4.0 is interrupted, or 4.0 has no supply. Check plug, shield and 24 V.");
+    EXPECT_EQ(banner().sentence(), sentence);
+    EXPECT_EQ(banner().accessibleName(), roleWord(Role::fault) + QStringLiteral(": ") + sentence);
+
+    press("startAgain");
+    advance(99);
+    EXPECT_EQ(banner().sentence(), sentence) << "the cable is still broken";
+    befall(TrainingFault::wireBreak, "4.0"_ring, 0);
+    EXPECT_TRUE(banner().sentence().endsWith(QStringLiteral("Start it again.")));
+    press("startAgain");
+    advance(99);
+    EXPECT_TRUE(bus().isRunning());
+    EXPECT_FALSE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, ShowLeadsToThePlaceAndToThePanelThatTellsMore)
+{
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    press("showFault");
+    EXPECT_EQ(row(), "4.0"_ring);
+    EXPECT_TRUE(window().findChild<QDockWidget *>(QStringLiteral("masterDock"))->widget()->isVisible());
+}
+
+TEST_F(FaultBannerInWindow, SwitchesTheSegmentOffAfterAsking)
+{
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    actions().watch->trigger();
+    advance(99);
+    EXPECT_FALSE(button("switchFaultOff").isEnabled());
+    EXPECT_EQ(button("switchFaultOff").toolTip(),
+              QStringLiteral("The program only watches. Switch to Operate first."));
+    actions().operate->trigger();
+    advance(99);
+    press("switchFaultOff");
+    auto *question = window().findChild<InlineMessage *>(QStringLiteral("masterMessage"));
+    ASSERT_TRUE(question->isVisible());
+    QTest::mouseClick(question->findChild<QPushButton *>(), Qt::LeftButton);
+    advance(99);
+    press("startAgain");
+    advance(99);
+    EXPECT_TRUE(bus().isRunning()) << "without 4.0 and what is behind it";
+    EXPECT_FALSE(bus().latest().devices[3].inRing);
+    EXPECT_FALSE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, TellsTheWorstAndListsTheOthers)
+{
+    befall(TrainingFault::peripheralFault, "3.0"_ring);
+    EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("3.0 reports a fault")));
+    EXPECT_FALSE(button("otherFaults").isVisible());
+    shown->line().training()->setUnplugged(true);
+    advance(2'000);
+    EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("Line: The serial port")))
+        << banner().sentence().toStdString();
+    EXPECT_EQ(button("otherFaults").text(), QStringLiteral("1 more"));
+    ASSERT_EQ(listed().size(), 1);
+    EXPECT_TRUE(listed().front().startsWith(QStringLiteral("Ring: 3.0 reports a fault")));
+    button("otherFaults").menu()->actions().front()->trigger();
+    EXPECT_EQ(row(), "3.0"_ring);
+    shown->line().training()->setUnplugged(false);
+    advance(3'000);
+    EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("3.0 reports a fault")));
+    befall(TrainingFault::peripheralFault, "3.0"_ring, 0);
+    press("confirmFault");
+    advance(99);
+    EXPECT_FALSE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, ClosedItComesBackForAnotherFaultOnly)
+{
+    befall(TrainingFault::parametersLost, "1.0"_ring);
+    ASSERT_TRUE(banner().isVisible());
+    for (auto *close : banner().findChildren<QToolButton *>())
+        if (close->accessibleName() == QStringLiteral("Close this message"))
+            close->click();
+    advance(99);
+    EXPECT_FALSE(banner().isVisible());
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    EXPECT_TRUE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, GoesWithTheBusThatIsDisconnectedAndStaysOverAnyPage)
+{
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    window().showWizard();
+    advance(99);
+    EXPECT_TRUE(banner().isVisible());
+    bus().close();
+    advance(99);
+    EXPECT_FALSE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, OfTwoRingsItNamesTheOne)
+{
+    Project after = shown->project().project();
+    planBus(after, secondRing, *busKind(u"interbus"));
+    ProjectDevice device = after.devices.front();
+    device.bus = secondRing;
+    setDevicesOn(after, secondRing, {device});
+    shown->project().edit(std::move(after), {});
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("Ring: The cable between 3.0")))
+        << banner().sentence().toStdString();
+}
+
+} // namespace
+} // namespace codewheel
