@@ -56,6 +56,16 @@ void drawName(QPainter &painter, const QRect &where, const QString &name)
     WrappedText(name, painter.font(), where.width(), Qt::AlignLeft).draw(painter, where);
 }
 
+// Small rather than broken within a word: "33.554." and "432" on two lines are misread.
+QFont fontOf(const QString &value, const QFont &usual, int room)
+{
+    const QFontMetrics metrics(usual);
+    for (const QString &word : value.split(u' '))
+        if (metrics.horizontalAdvance(word) > room)
+            return textFont(TextSize::small);
+    return usual;
+}
+
 } // namespace
 
 void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given,
@@ -83,7 +93,8 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     if (index.column() == ParameterModel::nameColumn)
         drawName(*painter, first, value);
     else
-        WrappedText(value, option.font, first.width(), option.displayAlignment).draw(*painter, first);
+        WrappedText(value, fontOf(value, option.font, first.width()), first.width(), option.displayAlignment)
+            .draw(*painter, first);
 
     painter->setFont(textFont(TextSize::small));
     painter->setPen(inkOf(option, true));
@@ -114,9 +125,10 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
     const auto *table = qobject_cast<const QTableView *>(option.widget);
     const int room = table ? roomOf(*table, index) : width;
     // A value that is cut could be another one: it stands on as many lines as it needs.
+    const QString text = index.data().toString();
     const int value = index.column() == ParameterModel::nameColumn
                           ? line
-                          : WrappedText(index.data().toString(), font, room, Qt::AlignRight).height();
+                          : WrappedText(text, fontOf(text, font, room), room, Qt::AlignRight).height();
     return {width + 3 * grid::unit, std::max(line + value + grid::unit, qRound(26 * factor))};
 }
 

@@ -6,6 +6,8 @@
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"
@@ -23,6 +25,7 @@
 #include <QDate>
 #include <QDateTime>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLatin1Char>
@@ -216,6 +219,17 @@ TEST_F(Parameters, AllColumnsFitTheNarrowDock)
     settle();
     EXPECT_EQ(table().horizontalScrollBar()->value(), 0);
     EXPECT_EQ(table().horizontalHeader()->length(), table().viewport()->width());
+}
+
+TEST_F(Parameters, AValueIsSmallRatherThanBrokenWithinAWord)
+{
+    const QModelIndex cell = indexOf(Parameter::steps, ParameterModel::knownColumn);
+    const int usual = table().rowHeight(cell.row());
+    const int room = QFontMetrics(textFont(TextSize::small)).horizontalAdvance(cell.data().toString()) + 1;
+    table().horizontalHeader()->setSectionResizeMode(ParameterModel::knownColumn, QHeaderView::Fixed);
+    table().setColumnWidth(ParameterModel::knownColumn, room + 2 * grid::unit);
+    settle();
+    EXPECT_EQ(table().rowHeight(cell.row()), usual);
 }
 
 TEST_F(Parameters, WhatIsReadOnlyHasTheRoomOfTheWantedValueToo)
