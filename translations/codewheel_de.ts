@@ -1915,11 +1915,11 @@
     </message>
     <message>
         <source>Zero offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt-Verschiebung</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt-Verschiebung</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -5164,7 +5164,7 @@ encoders of the same kind, as &quot;transfer&quot; does. The zero offset is not 
 the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its
 own; leaving one that was changed before costs an EEPROM write.</source>
         <translation>Liest den Geber an FROM aus, der dabei für einige Zyklen keine Position zeigt, und schreibt seine Werte
-wie „transfer“ in Geber derselben Art. Die Nullpunktverschiebung wird nicht mitgenommen: Sie hängt vom
+wie „transfer“ in Geber derselben Art. Die Nullpunkt-Verschiebung wird nicht mitgenommen: Sie hängt vom
 Anbau des Gebers ab. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen Nockenbetrieb
 gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
@@ -5641,7 +5641,7 @@ got all of it.</source>
 geschrieben wird, fragt, trägt den neuen im Projekt ein (Hersteller, Typenschild und Seriennummer; die
 vorige Datei bleibt als FILE~ erhalten) und schreibt, was das Projekt wünscht, und wo nichts gewünscht
 ist, was vom vorigen abgelegt ist. Mit --position wird zum Schluss die Position gesetzt: Die Welle
-muss dabei stehen, wo sie damals stand. Die alte Nullpunktverschiebung wird dann nicht geschrieben,
+muss dabei stehen, wo sie damals stand. Die alte Nullpunkt-Verschiebung wird dann nicht geschrieben,
 denn das Setzen der Position ergibt eine neue. Ein Geber mit mehreren Betriebsarten wird zuerst in den
 Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen hat.</translation>
     </message>
@@ -9633,11 +9633,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Automatisch folgen</translation>
+        <translation>Folgen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
-        <translation>Die neueste Zeile im Blick behalten</translation>
+        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -10102,11 +10102,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Automatisch folgen</translation>
+        <translation>Folgen</translation>
     </message>
     <message>
         <source>Keep the newest message in sight (Ctrl+End)</source>
-        <translation>Die neueste Meldung im Blick behalten (Strg+Ende)</translation>
+        <translation>Automatisch folgen: Die neueste Meldung bleibt im Blick (Strg+Ende)</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -11249,7 +11249,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>The shaft must stand where it stood then. The zero offset of the encoder before is not written: setting the position makes a new one. A preset that the project wants is written last, and does not act by itself.</source>
-        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunktverschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt wünscht, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
+        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunkt-Verschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt wünscht, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
     </message>
     <message>
         <source>The position that was seen last, and when</source>
@@ -13225,7 +13225,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
-        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunktverschiebung oder Skalierung ist unbekannt.</translation>
+        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
     </message>
     <message>
         <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>
@@ -13723,11 +13723,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Automatisch folgen</translation>
+        <translation>Folgen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
-        <translation>Die neueste Zeile im Blick behalten</translation>
+        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -14176,7 +14176,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Encoder and parameter</source>
-        <translation>Geber und Parameter</translation>
+        <translation>Geber, Parameter</translation>
     </message>
     <message>
         <source>Now</source>
