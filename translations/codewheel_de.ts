@@ -4575,7 +4575,7 @@
     </message>
     <message>
         <source>tell what a word means</source>
-        <translation>sagen, was ein Wort bedeutet</translation>
+        <translation>erklären, was ein Wort bedeutet</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. The commands are: %2. See codewheel-cli --help.</source>
@@ -4723,7 +4723,7 @@
     </message>
     <message>
         <source>explain this and stop; also -h</source>
-        <translation>das hier erklären und beenden; auch -h</translation>
+        <translation>diese Hilfe ausgeben und beenden; auch -h</translation>
     </message>
     <message>
         <source>print the version and stop</source>
@@ -4926,7 +4926,7 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>let an encoder show its speed, or its position again</source>
-        <translation>einen Geber die Drehzahl statt der Position zeigen lassen, oder umgekehrt</translation>
+        <translation>einen Geber die Drehzahl statt der Position zeigen lassen oder umgekehrt</translation>
     </message>
     <message>
         <source>not shown in velocity mode</source>
@@ -5178,7 +5178,7 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
     </message>
     <message>
         <source>keep what encoders have in a project</source>
-        <translation>ablegen, was die Geber haben, in einem Projekt</translation>
+        <translation>die Werte der Geber in einem Projekt ablegen</translation>
     </message>
     <message>
         <source>write what was stored of the encoders, not what is wanted</source>
@@ -5282,7 +5282,7 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
     </message>
     <message>
         <source>what the master says, and its services</source>
-        <translation>was der Master sagt, und seine Dienste</translation>
+        <translation>Zustand und Dienste des Masters</translation>
     </message>
     <message>
         <source>information, attention or fault: this or worse</source>
@@ -5627,7 +5627,7 @@ allem mit einem Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>give a new encoder the values and the position of the one before</source>
-        <translation>einem neuen Geber die Werte und die Position des vorigen geben</translation>
+        <translation>einem neuen Geber Werte und Position des vorigen geben</translation>
     </message>
     <message>
         <source>Tells how the new encoder differs from the one the project has at PLACE, shows what will be written,
@@ -5667,7 +5667,7 @@ Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen 
     </message>
     <message>
         <source>write the values again that an encoder had before a write</source>
-        <translation>die Werte wieder schreiben, die ein Geber vor einem Schreiben hatte</translation>
+        <translation>vorige Werte eines Gebers wiederherstellen</translation>
     </message>
     <message>
         <source>The ledger of EEPROM writes keeps with each write what was known of the encoder before, and what was
@@ -5722,7 +5722,7 @@ es verlassen wird.</translation>
     </message>
     <message>
         <source>watch the words of an encoder, or its position</source>
-        <translation>die Worte eines Gebers beobachten, oder seine Position</translation>
+        <translation>die Worte oder die Position eines Gebers beobachten</translation>
     </message>
     <message>
         <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
@@ -5744,7 +5744,7 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
     <message>
         <source>list the participants of the bus, and look for encoders on a serial line</source>
-        <translation>die Teilnehmer des Busses auflisten, und Geber an einer seriellen Leitung suchen</translation>
+        <translation>die Teilnehmer des Busses auflisten und Geber an einer seriellen Leitung suchen</translation>
     </message>
     <message>
         <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
