@@ -11,6 +11,7 @@
 #include "app/window/project_recovery.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
+#include "app/window/window_layouts.h"
 #include "bus/buses.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
@@ -291,7 +292,7 @@ void MainWindow::saveWindow()
 {
     if (m_monitors == nullptr)
         return; // never filled: there is nothing worth keeping
-    m_settings.setWindow(saveGeometry(), saveState(layoutVersion));
+    m_settings.setWindow(saveGeometry(), m_layouts->toKeep());
     m_settings.setMonitors(m_monitors->state());
 }
 

@@ -51,6 +51,7 @@ class StructureView;
 class TraceView;
 class TransferPages;
 class WantedValues;
+class WindowLayouts;
 class WordChannel;
 
 // The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
@@ -98,7 +99,7 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    static constexpr int layoutVersion = 3; // of docks and tool bar: another one is not restored
+    static constexpr int layoutVersion = 4; // of docks and tool bar: another one is not restored
 
     void makeDocks(MessageModel &messages);
     void connectActions();
@@ -176,6 +177,7 @@ private:
     MessagesView *m_messages = nullptr;
     TransferPages *m_transfer = nullptr;
     QByteArray m_defaultLayout;
+    WindowLayouts *m_layouts = nullptr;
     bool m_painted = false;
     bool m_mayClose = false;
 };

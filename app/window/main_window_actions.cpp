@@ -7,6 +7,7 @@
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/status_line.h"
+#include "app/window/window_layouts.h"
 #include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"
@@ -92,9 +93,8 @@ void MainWindow::connectViewActions()
     connect(m_actions.language, &QActionGroup::triggered, this,
             [this](const QAction *language) { Q_EMIT languageChosen(language->data().toString()); });
     connect(m_actions.defaultLayout, &QAction::triggered, this, [this] {
-        restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
-        m_panels.arrange();
-        m_panels.raiseFirst();
+        if (m_layouts != nullptr)
+            m_layouts->useDefault();
     });
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(*this); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this); });

@@ -7,6 +7,7 @@
 #include "app/window/report_export.h"
 #include "app/window/transfer_pages.h"
 #include "app/window/window_kinds.h"
+#include "app/window/window_layouts.h"
 #include "transfer/values_before.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
@@ -86,10 +87,18 @@ void MainWindow::makeDocks(MessageModel &messages)
     for (const WindowKind *kind : windowKinds())
         for (const Panel *its : kind->panels)
             addPaged(*its);
-    m_panels.arrange();
+    m_panels.arrange(windowSizeOf(size()));
     m_defaultLayout = saveState(layoutVersion);
-    if (!restoreState(m_settings.layout(), layoutVersion))
-        m_panels.raiseFirst();
+    m_layouts = new WindowLayouts(
+        *this, {.save = [this] { return saveState(layoutVersion); },
+                .restore = [this](const QByteArray &state) { return restoreState(state, layoutVersion); },
+                .arrange =
+                    [this](WindowSize size) {
+                        restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
+                        m_panels.arrange(size);
+                        m_panels.raiseFirst();
+                    }});
+    m_layouts->begin(m_settings.layouts());
 }
 
 void MainWindow::connectProject()

@@ -12,7 +12,9 @@
 namespace codewheel {
 namespace {
 
-constexpr int lowWindow = 720; // below, there is no room for all panels above each other
+constexpr int narrowColumn = 336; // so that a monitor beside it has its 32 bits in a row
+constexpr int usualColumn = 370;
+constexpr int wideColumn = 420;
 
 // Where the keys go in a panel: to itself, or to the first control in it.
 QWidget *firstFocus(QWidget &content)
@@ -115,44 +117,104 @@ void Panels::stackBehind(const Panel &front, Panel::Behind which)
             m_window.tabifyDockWidget(dock(front), its.dock);
 }
 
-void Panels::arrange()
+void Panels::setWidths(int left, int right)
 {
-    using namespace panel;
-    const bool isLow = m_window.height() < lowWindow;
+    m_window.resizeDocks({dock(panel::structure), dock(panel::parameters)}, {left, right}, Qt::Horizontal);
+}
+
+void Panels::setHeights(const Panel &above, int height, const Panel &below, int belowHeight)
+{
+    m_window.resizeDocks({dock(above), dock(below)}, {height, belowHeight}, Qt::Vertical);
+}
+
+void Panels::arrange(WindowSize size)
+{
     for (const Dock &its : m_docks) // while they move, the window would grow to hold them
         m_window.removeDockWidget(its.dock);
-    m_window.addDockWidget(Qt::LeftDockWidgetArea, dock(structure));
-    m_window.addDockWidget(Qt::RightDockWidgetArea, dock(parameters));
-    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(messages));
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, dock(panel::structure));
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(panel::messages));
+    switch (size) {
+    case WindowSize::narrow:
+        arrangeInOneColumn();
+        break;
+    case WindowSize::low:
+        arrangeInLowColumns();
+        break;
+    case WindowSize::usual:
+        arrangeInColumns(usualColumn);
+        break;
+    case WindowSize::wide:
+        arrangeInColumns(wideColumn);
+        break;
+    }
+    m_window.resizeDocks({dock(panel::trace)}, {size == WindowSize::wide ? 240 : 170}, Qt::Vertical);
+}
+
+// The tree stays in sight, below it is what belongs to the chosen encoder. What tells how a bus is doing is
+// wide enough at the bottom, and its tabs have room there in any language.
+void Panels::arrangeInOneColumn()
+{
+    using namespace panel;
     stack(messages, {&trace, &sequence});
     stackBehind(messages, Panel::Behind::messages);
-    if (isLow) { // what one looks at all the time stays in sight: the dial below the tree
-        splitBelow(structure, dial);
-        stackBehind(dial, Panel::Behind::state);
-        stack(parameters, {&device, &training});
+    stackBehind(messages, Panel::Behind::state);
+    splitBelow(structure, parameters);
+    stack(parameters, {&dial, &device, &training});
+    showAll();
+    setWidths(narrowColumn, narrowColumn);
+    setHeights(structure, 200, parameters, 340);
+}
+
+// What one looks at all the time stays in sight: the dial below the tree.
+void Panels::arrangeInLowColumns()
+{
+    using namespace panel;
+    stack(messages, {&trace, &sequence});
+    stackBehind(messages, Panel::Behind::messages);
+    m_window.addDockWidget(Qt::RightDockWidgetArea, dock(parameters));
+    splitBelow(structure, dial);
+    stackBehind(dial, Panel::Behind::state);
+    stack(parameters, {&device, &training});
+    showAll();
+    setWidths(300, 300);
+    setHeights(structure, 300, dial, 240);
+}
+
+void Panels::arrangeInColumns(int width)
+{
+    using namespace panel;
+    if (width == wideColumn) { // what is told and what was sent are read side by side
+        m_window.splitDockWidget(dock(messages), dock(trace), Qt::Horizontal);
+        stack(messages, {&sequence});
+        stackBehind(trace, Panel::Behind::messages);
     } else {
-        splitBelow(structure, training);
-        stackBehind(training, Panel::Behind::state);
-        splitBelow(parameters, dial);
-        stack(parameters, {&device});
+        stack(messages, {&trace, &sequence});
+        stackBehind(messages, Panel::Behind::messages);
     }
+    m_window.addDockWidget(Qt::RightDockWidgetArea, dock(parameters));
+    splitBelow(structure, training);
+    stackBehind(training, Panel::Behind::state);
+    splitBelow(parameters, dial);
+    stack(parameters, {&device});
+    showAll();
+    setWidths(width, width - 60);
+    if (width == wideColumn)
+        m_window.resizeDocks({dock(messages), dock(trace)}, {500, 500}, Qt::Horizontal);
+    setHeights(parameters, 430, dial, 300);
+    setHeights(structure, 320, training,
+               420); // the devices of the training bus, and all the rest for what one does with them
+}
+
+void Panels::showAll()
+{
     for (const Dock &its : m_docks)
         its.dock->show();
-
-    // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
-    m_window.resizeDocks({dock(structure), dock(parameters)}, {isLow ? 210 : 370, isLow ? 290 : 310},
-                         Qt::Horizontal);
-    m_window.resizeDocks({dock(isLow ? structure : parameters), dock(dial)},
-                         {isLow ? 300 : 430, isLow ? 240 : 300}, Qt::Vertical);
-    if (!isLow) // the devices of the training bus, and all the rest for what one does with them
-        m_window.resizeDocks({dock(structure), dock(training)}, {320, 420}, Qt::Vertical);
-    m_window.resizeDocks({dock(trace)}, {170}, Qt::Vertical);
 }
 
 void Panels::raiseFirst()
 {
     using namespace panel;
-    // the parameters last: in a low window they share the place of the training panel
+    // the parameters last: in a low or narrow window they share the place of others
     for (const Panel *first : {&trace, &training, &dial, &parameters})
         QTimer::singleShot(0, dock(*first),
                            [its = dock(*first)] { its->raise(); }); // once there are tab bars

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/window_size.h"
+
 #include <QCoreApplication>
 #include <QKeySequence>
 
@@ -66,8 +68,8 @@ public:
     void tellWhose(const Panel &panel, const QString &name); // in its title; empty: there is one bus for it
 
     void show(const Panel &panel); // in front, with some rows of it in sight
-    // Where they are at first in a window of this height.
-    void arrange();
+    // Where they are at first in a window of this size.
+    void arrange(WindowSize size);
     // Brings those to the front that are looked at first.
     void raiseFirst();
 
@@ -80,7 +82,13 @@ private:
     };
     const Dock &find(const Panel &panel) const;
     QDockWidget *dock(const Panel &panel) const { return find(panel).dock; }
+    void arrangeInOneColumn();
+    void arrangeInLowColumns();
+    void arrangeInColumns(int width);
     void splitBelow(const Panel &above, const Panel &below);
+    void showAll();
+    void setWidths(int left, int right);
+    void setHeights(const Panel &above, int height, const Panel &below, int belowHeight);
     void stack(const Panel &front, std::initializer_list<const Panel *> panels);
     void stackBehind(const Panel &front, Panel::Behind which);
 

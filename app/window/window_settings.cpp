@@ -24,13 +24,18 @@ Scheme schemeOf(const QString &name)
     return found == schemeNames.end() ? Scheme::system : static_cast<Scheme>(found - schemeNames.begin());
 }
 
+QString layoutKey(WindowSize size)
+{
+    constexpr std::array names{"narrow", "low", "usual", "wide"};
+    return QStringLiteral("window/layouts/%1").arg(QLatin1String(names.at(static_cast<std::size_t>(size))));
+}
+
 const QString languageKey = QStringLiteral("language");
 const QString schemeKey = QStringLiteral("appearance/scheme");
 const QString largeControlsKey = QStringLiteral("appearance/largeControls");
 const QString lessMotionKey = QStringLiteral("appearance/lessMotion");
 const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
-const QString layoutKey = QStringLiteral("window/layout");
 const QString monitorsKey = QStringLiteral("window/monitors");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
@@ -88,15 +93,23 @@ QByteArray WindowSettings::geometry() const
     return m_settings->value(geometryKey).toByteArray();
 }
 
-QByteArray WindowSettings::layout() const
+std::map<WindowSize, QByteArray> WindowSettings::layouts() const
 {
-    return m_settings->value(layoutKey).toByteArray();
+    std::map<WindowSize, QByteArray> layouts;
+    for (const WindowSize size : allWindowSizes)
+        if (const QByteArray layout = m_settings->value(layoutKey(size)).toByteArray(); !layout.isEmpty())
+            layouts[size] = layout;
+    return layouts;
 }
 
-void WindowSettings::setWindow(const QByteArray &geometry, const QByteArray &layout)
+void WindowSettings::setWindow(const QByteArray &geometry, const std::map<WindowSize, QByteArray> &layouts)
 {
     m_settings->setValue(geometryKey, geometry);
-    m_settings->setValue(layoutKey, layout);
+    for (const WindowSize size : allWindowSizes)
+        if (const auto layout = layouts.find(size); layout != layouts.end())
+            m_settings->setValue(layoutKey(size), layout->second);
+        else
+            m_settings->remove(layoutKey(size));
 }
 
 std::optional<QJsonObject> WindowSettings::monitors() const

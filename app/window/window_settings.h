@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/window_size.h"
 #include "widgets/look/appearance.h"
 
 #include <QByteArray>
@@ -8,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -32,8 +34,9 @@ public:
     void setRecentFiles(const QStringList &files);
 
     QByteArray geometry() const;
-    QByteArray layout() const; // of docks and tool bar
-    void setWindow(const QByteArray &geometry, const QByteArray &layout);
+    // Of docks and tool bar, in each size that the window has had.
+    std::map<WindowSize, QByteArray> layouts() const;
+    void setWindow(const QByteArray &geometry, const std::map<WindowSize, QByteArray> &layouts);
 
     std::optional<QJsonObject> monitors() const; // nothing at first start
     void setMonitors(const QJsonObject &monitors);

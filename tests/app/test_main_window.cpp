@@ -152,7 +152,7 @@ TEST_F(MainWindowTest, InALowWindowTheWholeRingTheLineAndTheParametersAreSeen)
     actions().defaultLayout->trigger();
     advance(50);
     EXPECT_EQ(window().size(), QSize(1024, 640));
-    for (const char *name : {"structureDock", "dialDock", "parametersDock", "traceDock"})
+    for (const char *name : {"structureDock", "parametersDock", "traceDock"})
         EXPECT_FALSE(dock(name)->visibleRegion().isEmpty()) << name;
     const auto *tree = dock("structureDock")->findChild<QTreeView *>();
     const auto *model = static_cast<const StructureModel *>(tree->model());

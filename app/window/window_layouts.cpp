@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/window_layouts.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QResizeEvent>
+#include <QScreen>
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto restOfTheEdge = 150ms; // longer than between two steps of a hand that drags it
+constexpr QSize smallestWindow(1024, 600);
+constexpr int leastOfPanel = 20;          // pixels; of less nothing is seen
+constexpr QSize handleOfFloating(80, 20); // by which it can be dragged
+
+std::vector<QDockWidget *> panelsOf(const QMainWindow &window)
+{
+    const auto found = window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly);
+    return {found.begin(), found.end()};
+}
+
+bool isInSight(const QWidget &floating)
+{
+    return std::ranges::any_of(QGuiApplication::screens(), [&](const QScreen *screen) {
+        const QRect seen = screen->availableGeometry() & floating.frameGeometry();
+        return seen.width() >= handleOfFloating.width() && seen.height() >= handleOfFloating.height();
+    });
+}
+
+} // namespace
+
+WindowLayouts::WindowLayouts(QMainWindow &window, Means means)
+    : QObject(&window)
+    , m_window(window)
+    , m_means(std::move(means))
+{
+    m_settling.setObjectName(QStringLiteral("settling"));
+    m_settling.setSingleShot(true);
+    m_settling.setInterval(restOfTheEdge);
+    connect(&m_settling, &QTimer::timeout, this, &WindowLayouts::settle);
+    qApp->installEventFilter(
+        this); // one of the window would come after its layout, which has moved the panels by then
+}
+
+void WindowLayouts::begin(const std::map<WindowSize, QByteArray> &kept)
+{
+    for (const auto &[size, state] : kept)
+        m_kept[size] = {state, {}};
+    m_hasBegun = true;
+    enter(windowSizeOf(m_window.size()));
+    m_settled = m_means.save();
+}
+
+std::map<WindowSize, QByteArray> WindowLayouts::toKeep() const
+{
+    std::map<WindowSize, QByteArray> states;
+    for (const auto &[size, kept] : m_kept)
+        states[size] = kept.state;
+    if (!m_settling.isActive()) // while its edge moves, what was before is what one made of it
+        states[m_size] = m_means.save();
+    return states;
+}
+
+void WindowLayouts::useDefault()
+{
+    m_settling.stop();
+    m_kept.erase(windowSizeOf(m_window.size()));
+    enter(windowSizeOf(m_window.size()));
+    m_settled = m_means.save();
+}
+
+bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == &m_window && event->type() == QEvent::Resize && m_hasBegun && m_window.isVisible()) {
+        if (!m_settling.isActive())
+            rememberIfChanged(static_cast<QResizeEvent *>(event)->oldSize());
+        m_settling.start();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+// What came of a smaller window alone does not take the place of what was arranged in a larger one.
+void WindowLayouts::rememberIfChanged(QSize in)
+{
+    QByteArray now = m_means.save();
+    if (now != m_settled || !m_kept.contains(m_size))
+        m_kept[m_size] = {std::move(now), in};
+}
+
+void WindowLayouts::settle()
+{
+    const WindowSize size = windowSizeOf(m_window.size());
+    const auto kept = m_kept.find(size);
+    if (size != m_size)
+        enter(size);
+    else if (kept != m_kept.end() && kept->second.in == m_window.size())
+        m_means.restore(kept->second.state);
+    m_settled = m_means.save();
+}
+
+void WindowLayouts::enter(WindowSize size)
+{
+    m_size = size;
+    // A window with much in it can be made as small as one with little: it has little once it is small.
+    const bool holdsLittle = size == WindowSize::narrow;
+    m_window.setMinimumSize(holdsLittle ? 0 : smallestWindow.width(),
+                            holdsLittle || size == WindowSize::low ? 0 : smallestWindow.height());
+    const auto kept = m_kept.find(size);
+    if (kept != m_kept.end() && tryRestore(kept->second))
+        return;
+    m_kept.erase(size);
+    m_means.arrange(size);
+}
+
+bool WindowLayouts::tryRestore(const Kept &kept)
+{
+    if (!m_means.restore(kept.state) || !isUsable())
+        return false;
+    bringIntoSight();
+    return true;
+}
+
+bool WindowLayouts::isUsable() const
+{
+    return !m_window.isVisible() || std::ranges::none_of(panelsOf(m_window), [](const QDockWidget *panel) {
+        const bool isSeen = panel->isVisible() && !panel->isFloating();
+        return isSeen && (panel->width() < leastOfPanel || panel->height() < leastOfPanel);
+    });
+}
+
+// The screen on which it floated may be gone.
+void WindowLayouts::bringIntoSight() const
+{
+    for (QDockWidget *panel : panelsOf(m_window))
+        if (panel->isFloating() && !panel->isHidden() && !isInSight(*panel))
+            panel->move(m_window.geometry().center() - panel->rect().center());
+}
+
+} // namespace codewheel
