@@ -2,6 +2,9 @@
 #include "drivers/driven_encoder_session.h"
 
 #include "drivers/job_report.h"
+#include "encoder/position_speed.h"
+
+#include <utility>
 
 namespace codewheel {
 
@@ -75,10 +78,12 @@ void DrivenEncoderSession::cancel(OnCancel how)
 
 void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circumstances &bus)
 {
-    const bool isNewer = reading.at != m_reading.at || reading.state != m_reading.state;
-    m_reading = reading;
+    const Reading before = std::exchange(m_reading, reading);
     setFreshness({reading, bus});
-    if (isNewer)
+    if (!freshness().isLive() || bus.now - reading.at > PositionSpeed::longestGap)
+        m_reading.stepsPerSecond.reset();
+    const bool isNewer = reading.at != before.at || reading.state != before.state;
+    if (isNewer || m_reading.stepsPerSecond != before.stepsPerSecond)
         Q_EMIT latestChanged();
 }
 

@@ -162,7 +162,7 @@ void EscDriver::count(const esc::ExchangeResult &result, Instant now)
         return;
     m_encoder.reading.state = EncoderState::silent;
     m_encoder.reading.suspect = false;
-    m_encoder.guard.forget();
+    m_encoder.forgetPosition();
     m_polls.silence(now);
     m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{m_tries}});
 }
@@ -172,7 +172,7 @@ void EscDriver::lineLost(Instant now)
 {
     m_encoder.reading.state = EncoderState::notSeen;
     m_encoder.reading.suspect = false;
-    m_encoder.guard.forget();
+    m_encoder.forgetPosition();
     m_polls.silence(now);
     m_unanswered = m_tries = 0;
     m_asks = Asks::nobody;

@@ -80,6 +80,14 @@ void EscEncoder::updateScale()
         scale.stepsPerTurn = values.value(Parameter::steps).value_or(scale.stepsPerTurn);
     scale.total = values.value(Parameter::measuringRange);
     guard.setScale(scale);
+    m_speed.setScale(PositionSpeed::Scale{static_cast<double>(scale.stepsPerTurn), scale.total});
+}
+
+void EscEncoder::forgetPosition()
+{
+    guard.forget();
+    m_speed.restart();
+    reading.stepsPerSecond.reset();
 }
 
 bool EscEncoder::takePosition(std::uint32_t position, Instant now)
@@ -93,6 +101,7 @@ bool EscEncoder::takePosition(std::uint32_t position, Instant now)
     reading.suspect = false;
     reading.at = now;
     reading.position = position;
+    reading.stepsPerSecond = m_speed.after(reading.position, now);
     return true;
 }
 
@@ -158,7 +167,7 @@ void EscEncoder::mayHaveChanged(esc::Command command)
     for (const Parameter parameter : dependsOn(command))
         values.forget(parameter);
     if (movesThePosition(command))
-        guard.forget();
+        forgetPosition();
 }
 
 void EscEncoder::tell(Instant now, Severity severity, MessageId id, std::vector<RefusalArgument> arguments)

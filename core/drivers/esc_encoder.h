@@ -7,6 +7,7 @@
 #include "drivers/esc_settings.h"
 #include "drivers/known_values.h"
 #include "encoder/message.h"
+#include "encoder/position_speed.h"
 #include "encoder/reading.h"
 #include "esc/esc_exchange.h"
 
@@ -37,6 +38,8 @@ public:
 
     EscPlan plan() const { return {device, address, settings, values.values(), taken}; }
 
+    // The position may be any now: what came before tells nothing of what comes.
+    void forgetPosition();
     // An answer to P. False: it is suspect, and must be asked for again.
     bool takePosition(std::uint32_t position, Instant now);
     // Warnings or alarms that are as they were.
@@ -55,6 +58,7 @@ private:
     void updateScale();
     void tellSuspect(std::int64_t position, Instant now);
 
+    PositionSpeed m_speed;
     bool m_versionChanged = false;
     std::optional<Instant> m_suspectTold;
 };

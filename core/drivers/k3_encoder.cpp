@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_encoder.h"
 
+#include "drivers/position_scale.h"
+
 #include <utility>
 
 namespace codewheel {
@@ -49,14 +51,31 @@ K3Encoder::K3Encoder(const DeviceDescription &description, K3Timing how)
     , plan(device, knowledge)
 {}
 
+void K3Encoder::setKnown(const std::vector<Known> &known)
+{
+    knowledge.set(known);
+    updateScale();
+}
+
+void K3Encoder::updateScale()
+{
+    m_speed.setScale(
+        speedScaleOf(device, [this](Parameter parameter) { return knowledge.value(parameter); }));
+}
+
+// Where a preset takes the position to is no way of the shaft.
 void K3Encoder::observe(Word in, Word out, Instant now)
 {
     knowledge.observe(in, out, now);
-    if (auto changes = knowledge.takeChanges())
+    if (auto changes = knowledge.takeChanges()) {
         events.emplace_back(std::move(*changes));
+        updateScale();
+    }
     reading = decodeReading(in, now,
                             {device.dialect, device.mayHaveModes(), knowledge.mode(), knowledge.coding(),
                              knowledge.camProgram()});
+    const bool isSetting = (out & k3::presetBit) != 0;
+    reading.stepsPerSecond = m_speed.after(isSetting ? std::nullopt : reading.position, now);
 }
 
 Result<void> K3Encoder::check(const Job &job) const

@@ -4,6 +4,7 @@
 #include "drivers/k3_knowledge.h"
 #include "drivers/k3_plan.h"
 #include "drivers/k3_reading.h"
+#include "encoder/position_speed.h"
 
 namespace codewheel {
 
@@ -14,7 +15,7 @@ struct K3Encoder
     // The description must outlive this.
     K3Encoder(const DeviceDescription &description, K3Timing how);
 
-    void setKnown(const std::vector<Known> &known) { knowledge.set(known); }
+    void setKnown(const std::vector<Known> &known);
     // One bus cycle.
     void observe(Word in, Word out, Instant now);
     EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect); }
@@ -34,6 +35,9 @@ struct K3Encoder
 
 private:
     Result<void> checkMode(const Job &job) const;
+    void updateScale();
+
+    PositionSpeed m_speed;
 };
 
 Refusal noValidPosition();

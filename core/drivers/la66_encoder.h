@@ -3,6 +3,7 @@
 
 #include "drivers/la66_knowledge.h"
 #include "drivers/la66_plan.h"
+#include "encoder/position_speed.h"
 #include "encoder/reading.h"
 
 namespace codewheel {
@@ -16,15 +17,20 @@ struct La66Encoder
         : timing(how)
         , knowledge(device)
         , plan(device, timing)
-    {}
+    {
+        speed.setScale(PositionSpeed::Scale{.stepsPerTurn = finestStepsIn100Millimetres});
+    }
 
     void setKnown(const std::vector<Known> &known) { knowledge.values().set(known); }
     Result<void> check(const Job &job) const { return plan.check(job); }
     void observe(Word in, Word out, Instant now);
 
+    static constexpr double finestStepsIn100Millimetres = 20'000; // of 0.005 mm (assumed)
+
     La66Timing timing;
     La66Knowledge knowledge;
     La66Plan plan;
+    PositionSpeed speed;
     Reading reading;
     std::vector<Event> events;
 };

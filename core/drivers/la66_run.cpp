@@ -15,6 +15,8 @@ void La66Encoder::observe(Word in, Word /*out*/, Instant now)
     if (auto changes = knowledge.values().takeChanges())
         events.emplace_back(std::move(*changes));
     reading = decodeLa66(in, now);
+    const bool isOfNow = reading.state == EncoderState::operation;
+    reading.stepsPerSecond = speed.after(isOfNow ? reading.position : std::nullopt, now);
 }
 
 La66Run::La66Run(JobId id, const Job &job, Pace pace, La66Encoder &encoder)

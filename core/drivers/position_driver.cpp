@@ -3,6 +3,7 @@
 
 #include "catalog/position_format.h"
 #include "drivers/job_check.h"
+#include "drivers/position_scale.h"
 
 namespace codewheel {
 PositionDriver::PositionDriver(const DeviceDescription &device)
@@ -11,6 +12,7 @@ PositionDriver::PositionDriver(const DeviceDescription &device)
 {
     m_reading.mode = Mode::position;
     m_reading.coding = m_format.coding;
+    m_speed.setScale(speedScaleOf(device, [](Parameter) { return std::nullopt; }));
 }
 
 Result<void> PositionDriver::begin(JobId, const Job &job, Pace, Word, Word, Instant)
@@ -26,6 +28,7 @@ Word PositionDriver::cycle(Word in, Word out, Instant now)
     m_reading.in = in;
     m_reading.position = position_word::position(in, m_format);
     m_reading.state = m_reading.position ? EncoderState::operation : EncoderState::unknown;
+    m_reading.stepsPerSecond = m_speed.after(m_reading.position, now);
     return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "drivers/cyclic_driver.h"
+#include "encoder/position_speed.h"
 #include "words/position_word.h"
 
 namespace codewheel {
@@ -28,6 +29,7 @@ public:
 private:
     const DeviceDescription &m_device;
     PositionWord m_format;
+    PositionSpeed m_speed;
     Reading m_reading;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/position_scale.h"
 
+#include "catalog/position_format.h"
 #include "catalog/total_range.h"
 #include "drivers/protocol.h"
 #include "encoder/circle.h"
@@ -97,6 +98,24 @@ std::optional<PositionScale> Protocol::scaleOf(const DeviceDescription &device, 
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
 {
     return protocolOf(device).scaleOf(device, valueOf);
+}
+
+std::optional<PositionSpeed::Scale> speedScaleOf(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    if (onlyTellsPosition(device.profile)) {
+        const std::int64_t steps = device.physicalStepsPerTurn;
+        return steps < 1 ? std::nullopt
+                         : std::optional(PositionSpeed::Scale{.stepsPerTurn = static_cast<double>(steps),
+                                                              .total = steps * device.physicalTurns});
+    }
+    if (const auto scale = scaleOf(device, valueOf))
+        return PositionSpeed::Scale{.stepsPerTurn = scale->resolution(), .total = scale->total()};
+    const auto steps = valueOf(Parameter::steps);
+    const auto revolutions = valueOf(Parameter::revolutions);
+    if (!steps || !revolutions || *steps < 1 || *revolutions < 1)
+        return std::nullopt;
+    return PositionSpeed::Scale{.stepsPerTurn =
+                                    static_cast<double>(*steps) / static_cast<double>(*revolutions)};
 }
 
 std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/known.h"
+#include "encoder/position_speed.h"
 
 #include <functional>
 #include <optional>
@@ -39,6 +40,10 @@ using ValueOf = std::function<std::optional<std::int64_t>(Parameter)>;
 
 // Nothing where steps or revolutions, or the direction of an encoder that has one, are not known.
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf);
+
+// By what the speed of an encoder on a shaft is told from its positions; nothing where the steps of a turn
+// are not known.
+std::optional<PositionSpeed::Scale> speedScaleOf(const DeviceDescription &device, const ValueOf &valueOf);
 
 // Once `written` is written to an encoder of which `known` is known.
 std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,

@@ -36,6 +36,7 @@ struct Reading
     EncoderState state = EncoderState::notSeen;
     Word in = 0;
     std::optional<std::int64_t> position;   // steps, as parameterized
+    std::optional<double> stepsPerSecond{}; // of the position, from those before; nothing: not known (yet)
     std::optional<std::int64_t> velocity{}; // revolutions per minute, in velocity mode
     std::optional<Cams> cams{};             // in cam mode
     std::optional<Mode> mode;               // nothing: not known

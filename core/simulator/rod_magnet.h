@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 namespace codewheel {
@@ -31,6 +32,11 @@ public:
             turnRoundAt(m_length);
         else if (m_position < 0)
             turnRoundAt(0);
+    }
+    void advance(std::chrono::milliseconds time)
+    {
+        for (auto left = time.count(); left > 0; --left)
+            advance();
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "simulator/training_controls.h"
 #include "words/k3_word.h"
 
+#include <chrono>
 #include <optional>
 
 namespace codewheel {
@@ -22,6 +23,9 @@ public:
 
     // OUT goes in; IN as it was prepared in the cycle before comes out.
     virtual Word cycle(Word out) = 0;
+
+    // Time without a cycle, while a cycle is late: what moves goes on.
+    virtual void passTime(std::chrono::milliseconds /*time*/) {}
 
     // How the shaft or the rod stands; nothing where the device has none. The ring adds the number.
     virtual std::optional<TrainingControls::Shaft> shaftState() const { return std::nullopt; }

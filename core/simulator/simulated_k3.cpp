@@ -22,6 +22,12 @@ Word SimulatedK3::cycle(Word out)
     return in;
 }
 
+void SimulatedK3::passTime(std::chrono::milliseconds time)
+{
+    m_shaft.advance(time);
+    refresh();
+}
+
 std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
 {
     TrainingControls::Shaft state = m_shaft.state();

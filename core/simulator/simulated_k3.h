@@ -28,6 +28,7 @@ public:
     static constexpr int slowFactor = 50; // "slow confirmation"
 
     Word cycle(Word out) final;
+    void passTime(std::chrono::milliseconds time) final;
 
     std::optional<TrainingControls::Shaft> shaftState() const final;
     const TurningShaft &shaft() const { return m_shaft; }

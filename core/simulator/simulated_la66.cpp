@@ -56,6 +56,14 @@ Word SimulatedLa66::cycle(Word out)
     return in;
 }
 
+void SimulatedLa66::passTime(std::chrono::milliseconds time)
+{
+    m_magnet.advance(time);
+    if (m_phase != Phase::off)
+        look();
+    refresh();
+}
+
 std::optional<TrainingControls::Rod> SimulatedLa66::rodState() const
 {
     return TrainingControls::Rod{.number = {},

@@ -26,6 +26,7 @@ public:
     explicit SimulatedLa66(double lengthMillimetres, int processing = usualProcessing);
 
     Word cycle(Word out) override;
+    void passTime(std::chrono::milliseconds time) override;
 
     std::optional<TrainingControls::Rod> rodState() const override;
     const Parameters &parameters() const { return m_parameters; }

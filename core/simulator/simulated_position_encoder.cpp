@@ -19,6 +19,12 @@ Word SimulatedPositionEncoder::cycle(Word)
     return in;
 }
 
+void SimulatedPositionEncoder::passTime(std::chrono::milliseconds time)
+{
+    m_shaft.advance(time);
+    refresh();
+}
+
 void SimulatedPositionEncoder::refresh()
 {
     m_in = m_powered ? static_cast<Word>(m_shaft.raw()) : 0;

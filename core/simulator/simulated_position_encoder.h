@@ -16,6 +16,7 @@ public:
     SimulatedPositionEncoder(PhysicalResolution resolution, std::int64_t raw);
 
     Word cycle(Word out) override;
+    void passTime(std::chrono::milliseconds time) override;
 
     std::optional<TrainingControls::Shaft> shaftState() const override;
     void turnTo(std::int64_t raw) override;

@@ -100,6 +100,13 @@ Result<void> SimulatedRing::exchangeSome(std::span<const Word> out, std::span<Wo
     return {};
 }
 
+void SimulatedRing::missCycles(std::chrono::milliseconds time)
+{
+    const std::scoped_lock lock(m_mutex);
+    for (SimulatedDevice *device : m_present)
+        device->passTime(time);
+}
+
 void SimulatedRing::idleCycle()
 {
     const std::scoped_lock lock(m_mutex);

@@ -15,8 +15,8 @@
 namespace codewheel {
 
 // A ring of simulated devices with its master, and the trainer's hand on them. Its clock is the bus cycle:
-// one is 1 ms, whether the ring runs or not. Shared by the link (bus thread) and the training panel (any
-// thread); one uncontended lock per cycle.
+// one is 1 ms, whether the ring runs or not. What moves goes on by the clock, though cycles may be missed.
+// Shared by the link (bus thread) and the training panel (any thread); one uncontended lock per cycle.
 class SimulatedRing final : public TrainingControls
 {
 public:
@@ -32,6 +32,8 @@ public:
     // A data cycle, refused for words that are not one per device configured, and while the ring does not
     // run.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in);
+    // Cycles that were to be, and came too late to be: shafts go on turning.
+    void missCycles(std::chrono::milliseconds time);
     // A cycle without data.
     void idleCycle();
     // Services of the master, and what it says. Bus thread only.

@@ -21,6 +21,7 @@ SimulatedRingLink::SimulatedRingLink(std::shared_ptr<SimulatedRing> ring)
 Result<RingStructure> SimulatedRingLink::open()
 {
     m_open = true;
+    m_lastCycle = m_now;
     return m_ring->structure();
 }
 
@@ -40,7 +41,18 @@ Result<void> SimulatedRingLink::exchange(std::span<const Word> out, std::span<Wo
 {
     if (!m_open)
         return notConnected();
+    passTime();
     return m_ring->exchange(out, in);
+}
+
+// A cycle is 1 ms: what the clock went on by beyond that no cycle has seen.
+void SimulatedRingLink::passTime()
+{
+    using std::chrono::milliseconds;
+    const auto missed = std::chrono::floor<milliseconds>(m_now - m_lastCycle) - milliseconds(1);
+    m_lastCycle = m_now;
+    if (missed.count() > 0)
+        m_ring->missCycles(missed);
 }
 
 } // namespace codewheel

@@ -32,10 +32,14 @@ public:
 private:
     const MasterStatus &status() const override { return m_ring->master().status(); }
     std::uint64_t statusChanges() const override { return m_ring->master().statusChanges(); }
-    void idleCycle() override { m_ring->idleCycle(); }
+    void idleCycle() override
+    {
+        passTime();
+        m_ring->idleCycle();
+    }
     Result<IdCycle> createConfiguration() override
     {
-        m_ring->idleCycle();
+        idleCycle();
         return m_ring->withMaster(&SimulatedMaster::createConfiguration);
     }
     Result<RingStructure> activateConfiguration() override
@@ -72,8 +76,11 @@ private:
         return m_ring->withMaster(&SimulatedMaster::keptConfiguration);
     }
 
+    void passTime();
+
     std::shared_ptr<SimulatedRing> m_ring;
     Instant m_now{};
+    Instant m_lastCycle{};
     bool m_open = false;
 };
 

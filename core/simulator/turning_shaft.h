@@ -3,6 +3,8 @@
 
 #include "simulator/training_controls.h"
 
+#include <chrono>
+
 namespace codewheel {
 
 // What an encoder can tell apart: 8192 steps a turn and 4096 turns for "13 + 12 bit", the largest there is.
@@ -40,6 +42,12 @@ public:
             m_position -= m_unitsOfRange;
         else if (m_position < 0)
             m_position += m_unitsOfRange;
+    }
+
+    void advance(std::chrono::milliseconds time)
+    {
+        for (auto left = time.count(); left > 0; --left)
+            advance();
     }
 
     // Code changes per second above this figure (1000 times steps per cycle).

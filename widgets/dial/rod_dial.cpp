@@ -108,7 +108,6 @@ void RodDial::knownChanged()
     if (const auto value = valueKnown(*m_encoder, Parameter::direction); value && direction != nullptr)
         if (const Choice *choice = direction->findChoice(*value))
             m_known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
-    m_motion.reset();
     m_tellRow->setVisible(m_lengthField != nullptr && !m_encoder->known(Parameter::rodLength));
     draw();
 }
@@ -126,9 +125,8 @@ void RodDial::draw()
     m_rod->setState(state);
 }
 
-void RodDial::makeOld(RodState &state)
+void RodDial::makeOld(RodState &state) const
 {
-    m_motion.reset();
     const StateNote note = noteOfAge(*m_encoder);
     state.stepsPerSecond.reset();
     state.isLastKnown = true;
@@ -137,12 +135,12 @@ void RodDial::makeOld(RodState &state)
     state.role = note.role;
 }
 
-RodState RodDial::stateOf(const Reading &reading)
+RodState RodDial::stateOf(const Reading &reading) const
 {
     RodState state = m_known;
     state.position = reading.position;
     if (reading.state == EncoderState::operation) {
-        state.stepsPerSecond = stepsPerSecond(reading);
+        state.stepsPerSecond = reading.stepsPerSecond;
         state.note = noteOfKnown();
         state.role = state.note.isEmpty() ? Role::running : Role::attention;
         if (state.note.isEmpty() && !magnetPlace(state))
@@ -150,20 +148,11 @@ RodState RodDial::stateOf(const Reading &reading)
                             "known.");
         return state;
     }
-    m_motion.reset();
     const StateNote note = noteOfState(m_encoder->device(), reading);
     state.isLastKnown = true;
     state.note = note.sentence;
     state.role = note.role;
     return state;
-}
-
-std::optional<double> RodDial::stepsPerSecond(const Reading &reading)
-{
-    if (!reading.position)
-        return {};
-    m_motion.observe(reading.at, *reading.position, std::nullopt);
-    return m_motion.stepsPerSecond();
 }
 
 QString RodDial::noteOfKnown() const

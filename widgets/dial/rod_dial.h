@@ -3,7 +3,6 @@
 
 #include "encoder/encoder_session.h"
 #include "widgets/dial/rod_state.h"
-#include "widgets/dial/shaft_motion.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -33,14 +32,12 @@ private:
     void showTellRow();
     void tellLength();
     void draw();
-    RodState stateOf(const Reading &reading);
-    void makeOld(RodState &state);
-    std::optional<double> stepsPerSecond(const Reading &reading);
+    RodState stateOf(const Reading &reading) const;
+    void makeOld(RodState &state) const;
     QString noteOfKnown() const;
 
     QPointer<EncoderSession> m_encoder;
     RodState m_known; // length, scale, direction
-    ShaftMotion m_motion;
     AgeTimer *m_age;
     RodView *m_rod;
     MissingValues *m_missing;

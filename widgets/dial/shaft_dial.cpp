@@ -73,7 +73,6 @@ void ShaftDial::setEncoder(EncoderSession *encoder)
 void ShaftDial::knownChanged()
 {
     m_scale = scale();
-    m_motion.reset();
     draw();
 }
 
@@ -87,24 +86,18 @@ std::optional<ShaftDial::Scale> ShaftDial::scale() const
         return std::nullopt;
     // An encoder on a serial line tells the steps of one turn.
     const std::int64_t turns = !m_encoder->device().hasWords() ? 1 : revolutions->value;
-    Scale scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
-                .clockwise = countsClockwise(*m_encoder),
-                .total = {}};
-    if (const auto range = positionRange(*m_encoder))
-        scale.total = range->last - range->first + 1;
-    return scale;
+    return Scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
+                 .clockwise = countsClockwise(*m_encoder)};
 }
 
 // What a K1 or K2 shows is the place on its code disc.
 std::optional<ShaftDial::Scale> ShaftDial::physicalScale() const
 {
-    const auto range = positionRange(*m_encoder);
-    if (!range)
-        return std::nullopt;
     const DeviceDescription &device = m_encoder->device();
+    if (!positionRange(*m_encoder))
+        return std::nullopt;
     return Scale{.stepsPerTurn = static_cast<double>(device.physicalStepsPerTurn),
-                 .countsTurns = device.physicalTurns > 1,
-                 .total = range->last - range->first + 1};
+                 .countsTurns = device.physicalTurns > 1};
 }
 
 void ShaftDial::draw()
@@ -115,13 +108,11 @@ void ShaftDial::draw()
     DialState state = stateOf(m_encoder->latest());
     if (m_encoder->freshness().isOld())
         makeOld(state, *m_encoder);
-    if (!state.position || state.isLastKnown)
-        m_motion.reset();
     m_disc->setState(state);
 }
 
 // A serial encoder that is silent shows its last position.
-DialState ShaftDial::stateOf(const Reading &reading)
+DialState ShaftDial::stateOf(const Reading &reading) const
 {
     if (reading.state == EncoderState::operation || reading.state == EncoderState::silent)
         return running(reading);
@@ -129,12 +120,12 @@ DialState ShaftDial::stateOf(const Reading &reading)
     return {.note = note.sentence, .role = note.role};
 }
 
-DialState ShaftDial::running(const Reading &reading)
+DialState ShaftDial::running(const Reading &reading) const
 {
     if (reading.velocity)
         return turning(*reading.velocity);
     if (!reading.position)
-        return {.note = rawNote(reading), .role = Role::attention};
+        return {.note = tr("No position while the encoder sends its velocity."), .role = Role::attention};
     DialState state{.position = *reading.position,
                     .note = note(reading),
                     .role = m_missing->isEmpty() ? Role::running : Role::attention};
@@ -144,18 +135,15 @@ DialState ShaftDial::running(const Reading &reading)
     state.turnFraction = partOfTurn(turns, m_scale->clockwise);
     if (m_scale->countsTurns)
         state.turn = static_cast<qint64>(std::floor(turns));
-    m_motion.observe(reading.at, *reading.position, m_scale->total);
-    if (const auto speed = m_motion.stepsPerSecond())
-        state.rpm = *speed / m_scale->stepsPerTurn * 60 * (m_scale->clockwise ? 1 : -1);
+    if (reading.stepsPerSecond)
+        state.rpm = *reading.stepsPerSecond / m_scale->stepsPerTurn * 60 * (m_scale->clockwise ? 1 : -1);
     return state;
 }
 
 // Which way the shaft turns is known once the direction is.
 DialState ShaftDial::turning(std::int64_t velocity) const
 {
-    DialState state{.velocity = velocity,
-                    .note = tr("No position while the encoder sends its velocity."),
-                    .role = Role::running};
+    DialState state{.velocity = velocity, .note = rawNote(reading), .role = Role::running};
     if (m_encoder->known(Parameter::direction))
         state.rpm = static_cast<double>(countsClockwise(*m_encoder) ? velocity : -velocity);
     return state;

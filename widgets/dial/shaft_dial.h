@@ -3,7 +3,6 @@
 
 #include "encoder/encoder_session.h"
 #include "widgets/dial/dial_state.h"
-#include "widgets/dial/shaft_motion.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -32,22 +31,20 @@ private:
         double stepsPerTurn = 0;
         bool clockwise = true;
         bool countsTurns = true;
-        std::optional<std::int64_t> total;
     };
 
     void knownChanged();
     void draw();
     std::optional<Scale> scale() const;
     std::optional<Scale> physicalScale() const;
-    DialState stateOf(const Reading &reading);
-    DialState running(const Reading &reading);
+    DialState stateOf(const Reading &reading) const;
+    DialState running(const Reading &reading) const;
     DialState turning(std::int64_t velocity) const;
     QString rawNote(const Reading &reading) const;
     QString note(const Reading &reading) const;
 
     QPointer<EncoderSession> m_encoder;
     std::optional<Scale> m_scale;
-    ShaftMotion m_motion;
     AgeTimer *m_age;
     CodeDisc *m_disc;
     MissingValues *m_missing;

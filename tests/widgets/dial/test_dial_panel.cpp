@@ -2,12 +2,12 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
-#include "widgets/dial/shaft_motion.h"
 
 #include <QCoreApplication>
 #include <QPushButton>
 #include <QTest>
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -177,21 +177,32 @@ TEST_F(DialPanelTest, ParameterizationHasNoPosition)
     EXPECT_EQ(shown().role, Role::attention);
 }
 
-TEST(ShaftMotion, AWrapIsNoJump)
+TEST_F(DialPanelTest, ASpeedThatIsSetIsReadToTheTenth)
 {
-    ShaftMotion motion;
-    for (int i = 0; i <= 10; ++i)
-        motion.observe(i * 33ms, (990 + i * 2) % 1000, 1000);
-    EXPECT_NEAR(motion.stepsPerSecond().value_or(0), 2 / 0.033, 0.5);
+    ring.controls->setSpeed(test::multiTurn.node, 60);
+    panel.setEncoder(&ring.encoder(test::multiTurn));
+    advance(1000);
+    for (int picture = 0; picture < 100; ++picture) {
+        advance(33);
+        ASSERT_TRUE(shown().rpm);
+        ASSERT_EQ(std::lround(*shown().rpm * 10), 600);
+    }
+    ring.controls->setSpeed(test::singleTurn.node, 6000);
+    panel.setEncoder(&ring.encoder(test::singleTurn));
+    advance(1000);
+    EXPECT_NEAR(shown().rpm.value_or(0), 6000, 0.05) << "three turns in each picture";
 }
 
-TEST(ShaftMotion, TooFewReadingsGiveNoSpeed)
+TEST_F(DialPanelTest, WhatIsOldHasNoSpeed)
 {
-    ShaftMotion motion;
-    EXPECT_EQ(motion.stepsPerSecond(), std::nullopt);
-    motion.observe(0ms, 5, {});
-    motion.observe(33ms, 6, {});
-    EXPECT_EQ(motion.stepsPerSecond(), std::nullopt);
+    ring.controls->setSpeed(test::multiTurn.node, 60);
+    panel.setEncoder(&ring.encoder(test::multiTurn));
+    advance(1000);
+    ASSERT_TRUE(shown().rpm);
+    ring.bus.alarmStop();
+    advance(33);
+    EXPECT_EQ(shown().rpm, std::nullopt);
+    EXPECT_EQ(ring.encoder(test::multiTurn).latest().stepsPerSecond, std::nullopt);
 }
 
 } // namespace
