@@ -476,6 +476,26 @@
         <source>The encoder does not answer: no position is known.</source>
         <translation>Der Geber antwortet nicht: Es ist keine Position bekannt.</translation>
     </message>
+    <message>
+        <source>No position while the encoder sends its velocity.</source>
+        <translation>Keine Position, solange der Geber seine Drehzahl sendet.</translation>
+    </message>
+    <message>
+        <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
+        <translation>Rohwort %1. Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung: Den Geber im Busaufbau benennen.</translation>
+    </message>
+    <message>
+        <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
+        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
+    </message>
+    <message>
+        <source>Raw word %1, in cam mode: there is no position.</source>
+        <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
+    </message>
+    <message>
+        <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
+        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
+    </message>
 </context>
 <context>
     <name>EscBit</name>
@@ -954,6 +974,30 @@
         <source>position</source>
         <comment>mode</comment>
         <translation>Position</translation>
+    </message>
+    <message>
+        <source>Not known: read it from the encoder.</source>
+        <translation>Unbekannt: aus dem Geber lesen.</translation>
+    </message>
+    <message>
+        <source>Confirmed in a handshake, but not read back since: read it.</source>
+        <translation>Im Handshake bestätigt, seitdem aber nicht zurückgelesen: auslesen.</translation>
+    </message>
+    <message>
+        <source>Confirmed in a handshake; the encoder cannot be read.</source>
+        <translation>Im Handshake bestätigt; der Geber lässt sich nicht auslesen.</translation>
+    </message>
+    <message>
+        <source>Not known, and the encoder cannot be read: set it manually, or write it.</source>
+        <translation>Unbekannt, und der Geber lässt sich nicht auslesen: von Hand setzen oder schreiben.</translation>
+    </message>
+    <message>
+        <source>Set manually or by the plan of the bus, not by the encoder: read it.</source>
+        <translation>Von Hand oder durch den Busplan gesetzt, nicht vom Geber gemeldet: auslesen.</translation>
+    </message>
+    <message>
+        <source>Set manually or by the plan of the bus; the encoder cannot be read.</source>
+        <translation>Von Hand oder durch den Busplan gesetzt; der Geber lässt sich nicht auslesen.</translation>
     </message>
 </context>
 <context>
@@ -7158,6 +7202,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Goes both ways: move it one way only</source>
         <translation>Geht hin und her: nur in eine Richtung bewegen</translation>
     </message>
+    <message>
+        <source>Not up to date</source>
+        <translation>Nicht aktuell</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DisplayMenu</name>
@@ -9932,6 +9980,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Not 0 now: %1.</source>
         <translation>Jetzt nicht 0: %1.</translation>
     </message>
+    <message>
+        <source>Link lost: as the master was before</source>
+        <translation>Verbindung verloren: so stand der Master zuvor</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MessageFilterBar</name>
@@ -10589,6 +10641,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Not connected: what the encoder has is not known.</source>
         <translation>Nicht verbunden: Was der Geber hat, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht auslesbar</translation>
     </message>
 </context>
 <context>

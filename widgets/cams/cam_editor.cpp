@@ -147,7 +147,7 @@ void CamEditor::showLive()
     if (!m_encoder.isThere() || !isVisible() || m_pages->currentWidget() == m_empty)
         return;
     if (session())
-        m_age->follow(session()->freshness());
+        m_age->follow(*session());
     m_sheet->setLive(session() ? camLive(*session(), m_sheet->program(), m_sheet->largest()) : CamLive());
     m_board->setNote(session() ? note(session()->latest())
                                : tr("Not connected: what the encoder has and shows is not known. The cams "

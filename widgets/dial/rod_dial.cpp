@@ -118,7 +118,7 @@ void RodDial::draw()
         return;
     const Reading &reading = m_encoder->latest();
     m_readStatus->setVisible(reading.state == EncoderState::error && m_encoder->can().reads);
-    m_age->follow(m_encoder->freshness());
+    m_age->follow(*m_encoder);
     RodState state = stateOf(reading);
     if (m_encoder->freshness().isOld())
         makeOld(state);

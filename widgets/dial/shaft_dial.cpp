@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "catalog/position_format.h"
 #include "drivers/position_scale.h"
-#include "encoder/hex.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/state_note.h"
@@ -104,7 +103,7 @@ void ShaftDial::draw()
 {
     if (m_encoder == nullptr)
         return;
-    m_age->follow(m_encoder->freshness());
+    m_age->follow(*m_encoder);
     DialState state = stateOf(m_encoder->latest());
     if (m_encoder->freshness().isOld())
         makeOld(state, *m_encoder);
@@ -125,7 +124,7 @@ DialState ShaftDial::running(const Reading &reading) const
     if (reading.velocity)
         return turning(*reading.velocity);
     if (!reading.position)
-        return {.note = tr("No position while the encoder sends its velocity."), .role = Role::attention};
+        return {.note = whyNoPosition(*m_encoder), .role = Role::attention};
     DialState state{.position = *reading.position,
                     .note = note(reading),
                     .role = m_missing->isEmpty() ? Role::running : Role::attention};
@@ -143,26 +142,10 @@ DialState ShaftDial::running(const Reading &reading) const
 // Which way the shaft turns is known once the direction is.
 DialState ShaftDial::turning(std::int64_t velocity) const
 {
-    DialState state{.velocity = velocity, .note = rawNote(reading), .role = Role::running};
+    DialState state{.velocity = velocity, .note = whyNoPosition(*m_encoder), .role = Role::running};
     if (m_encoder->known(Parameter::direction))
         state.rpm = static_cast<double>(countsClockwise(*m_encoder) ? velocity : -velocity);
     return state;
-}
-
-QString ShaftDial::rawNote(const Reading &reading) const
-{
-    const QString raw = hexWord(k3::data(reading.in));
-    if (m_encoder->device().isGeneric())
-        return tr("Raw word %1. The make of the encoder is not known, and so neither is its coding: name it "
-                  "in the bus structure.")
-            .arg(raw);
-    if (m_encoder->device().quirks.hasModes && reading.mode != Mode::position) {
-        if (!reading.mode)
-            return tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")
-                .arg(raw);
-        return tr("Raw word %1, in cam mode: there is no position.").arg(raw);
-    }
-    return tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.").arg(raw);
 }
 
 // What is missing, or that the position is not plain binary.

@@ -40,7 +40,6 @@ private:
     DialState stateOf(const Reading &reading) const;
     DialState running(const Reading &reading) const;
     DialState turning(std::int64_t velocity) const;
-    QString rawNote(const Reading &reading) const;
     QString note(const Reading &reading) const;
 
     QPointer<EncoderSession> m_encoder;

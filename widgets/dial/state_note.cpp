@@ -76,4 +76,28 @@ StateNote noteOfAge(const EncoderSession &encoder)
             isFault ? Role::fault : Role::inactive};
 }
 
+QString whyNoPosition(const EncoderSession &encoder)
+{
+    const DeviceDescription &device = encoder.device();
+    const Reading &reading = encoder.latest();
+    if (reading.position)
+        return {};
+    if (reading.state != EncoderState::operation)
+        return noteOfState(device, reading).sentence;
+    if (reading.velocity)
+        return DialNote::tr("No position while the encoder sends its velocity.");
+    const QString raw = hexWord(k3::data(reading.in));
+    if (device.isGeneric())
+        return DialNote::tr("Raw word %1. The make of the encoder is not known, and so neither is its "
+                            "coding: name it in the bus structure.")
+            .arg(raw);
+    if (!device.quirks.hasModes || reading.mode == Mode::position)
+        return DialNote::tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.")
+            .arg(raw);
+    return reading.mode
+               ? DialNote::tr("Raw word %1, in cam mode: there is no position.").arg(raw)
+               : DialNote::tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")
+                     .arg(raw);
+}
+
 } // namespace codewheel

@@ -20,4 +20,7 @@ struct StateNote
 StateNote noteOfState(const DeviceDescription &device, const Reading &reading);
 StateNote noteOfAge(const EncoderSession &encoder);
 
+// Why an encoder shows no position, and what to do about it; empty where it shows one.
+QString whyNoPosition(const EncoderSession &encoder);
+
 } // namespace codewheel

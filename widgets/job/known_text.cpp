@@ -31,17 +31,21 @@ QString evidenceText(const std::optional<Known> &known)
     return {};
 }
 
-QString evidenceExplanation(const std::optional<Known> &known)
+QString evidenceExplanation(const std::optional<Known> &known, bool reads)
 {
     if (!known)
-        return KnownText::tr("Nobody knows what the encoder has here.");
+        return reads ? KnownText::tr("Not known: read it from the encoder.")
+                     : KnownText::tr(
+                           "Not known, and the encoder cannot be read: set it manually, or write it.");
     switch (known->evidence) {
     case Evidence::read:
         return KnownText::tr("The encoder told it when it was read.");
     case Evidence::echoed:
-        return KnownText::tr("The encoder confirmed it in a handshake, and went into operation with it.");
+        return reads ? KnownText::tr("Confirmed in a handshake, but not read back since: read it.")
+                     : KnownText::tr("Confirmed in a handshake; the encoder cannot be read.");
     case Evidence::told:
-        return KnownText::tr("The user or the plan of the bus said so; the encoder was not asked.");
+        return reads ? KnownText::tr("Set manually or by the plan of the bus, not by the encoder: read it.")
+                     : KnownText::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
     }
     return {};
 }

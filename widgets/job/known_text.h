@@ -9,7 +9,8 @@ namespace codewheel {
 
 // "read", "echoed", "told", "unknown": how a value is known.
 QString evidenceText(const std::optional<Known> &known);
-QString evidenceExplanation(const std::optional<Known> &known);
+// In a sentence, with what would make it surer. reads: the encoder can be read.
+QString evidenceExplanation(const std::optional<Known> &known, bool reads);
 
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,

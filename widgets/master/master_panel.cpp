@@ -226,7 +226,11 @@ int MasterPanel::chosenSegment() const
 void MasterPanel::refresh()
 {
     const MasterState state = m_bus.latest().state;
-    m_state->setState(masterRole(m_bus.latest()), tr("Master %1").arg(masterStateName(state)));
+    const bool isLost = m_bus.state() == BusState::lost;
+    m_state->setState(isLost ? Role::fault : masterRole(m_bus.latest()),
+                      isLost ? tr("Link lost: as the master was before")
+                             : tr("Master %1").arg(masterStateName(state)));
+    m_bits->setEnabled(!isLost);
     const bool isReading = m_bus.isReadingIn();
     const bool isOpen = m_bus.isOpen();
     const bool hasMaster = isOpen && m_bus.master() != nullptr;

@@ -3,28 +3,49 @@
 
 #include "encoder/freshness.h"
 
+#include <QDateTime>
 #include <QTimer>
+
+#include <algorithm>
+#include <chrono>
 
 namespace codewheel {
 
-// Ticks once a second while what a view shows is old, so that its age goes on. Used by the dials, the
-// monitors and the cam editor.
+// Ticks while what a view shows is old, each time its age has become another second: so all views tell the
+// same age. Used by the dials, the monitors, the cam editor and the wizard.
 class AgeTimer : public QTimer
 {
 public:
     explicit AgeTimer(QObject *parent)
         : QTimer(parent)
     {
-        setInterval(std::chrono::seconds(1));
+        setSingleShot(true);
+        setTimerType(Qt::PreciseTimer);
+        connect(this, &QTimer::timeout, this, &AgeTimer::waitForNextSecond);
     }
 
-    void follow(const Freshness &shown)
+    template <typename Shown> // EncoderSession, WordChannel
+    void follow(const Shown &shown)
     {
-        if (!shown.isOld())
+        if (!shown.freshness().isOld()) {
             stop();
-        else if (!isActive())
-            start();
+            return;
+        }
+        m_seen = shown.dateTime(shown.freshness().seen());
+        if (!isActive())
+            waitForNextSecond();
     }
+
+    static std::chrono::milliseconds untilNextSecond(const QDateTime &seen, const QDateTime &now)
+    {
+        constexpr qint64 second = 1000;
+        return std::chrono::milliseconds(second - std::max<qint64>(0, seen.msecsTo(now)) % second);
+    }
+
+private:
+    void waitForNextSecond() { start(untilNextSecond(m_seen, QDateTime::currentDateTime())); }
+
+    QDateTime m_seen;
 };
 
 } // namespace codewheel

@@ -99,9 +99,9 @@ WordCard::WordCard(WordChannel &channel, EncoderSession *encoder, const DeviceDe
         setDisplay(display);
         Q_EMIT displayChosen(display);
     });
-    connect(m_channel, &WordChannel::changed, this, [this] { m_age->follow(m_channel->freshness()); });
+    connect(m_channel, &WordChannel::changed, this, [this] { m_age->follow(*m_channel); });
     connect(m_age, &QTimer::timeout, this, [this] { showWords(false); });
-    m_age->follow(m_channel->freshness());
+    m_age->follow(*m_channel);
     connect(m_message, &InlineMessage::closed, this, [this] { m_cause = Cause::none; });
     setStation({});
     setDisplay(m_display);

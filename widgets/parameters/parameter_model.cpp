@@ -275,6 +275,8 @@ QString ParameterModel::detail(const ParameterRow &row, int column) const
         return tr("%1 %2", "how known, time: read 14:02")
             .arg(evidenceText(row.known), QLocale().toString(time, QLocale::ShortFormat));
     }
+    if (column == knownColumn && m_encoder.session() != nullptr && !row.isTold())
+        return m_encoder.can().reads ? tr("not read yet") : tr("cannot be read");
     if (column != wantedColumn)
         return {};
     if (row.isTold())
@@ -299,7 +301,7 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     if (m_encoder.session() == nullptr)
         return tr("Not connected: what the encoder has is not known.");
     const QDateTime when = row.known ? m_encoder.session()->dateTime(row.known->at) : QDateTime();
-    QString how = parameter_words::howKnown(row.known, when);
+    QString how = parameter_words::howKnown(row.known, when, m_encoder.can().reads);
     if (isKnownOfBefore(row))
         how += u'\n' + ageSentence(*m_encoder.session());
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),

@@ -31,9 +31,9 @@ QString range(const ParameterDescription &parameter)
 
 } // namespace
 
-QString howKnown(const std::optional<Known> &known, const QDateTime &when)
+QString howKnown(const std::optional<Known> &known, const QDateTime &when, bool reads)
 {
-    const QString how = evidenceExplanation(known);
+    const QString how = evidenceExplanation(known, reads);
     return known ? how + QLatin1Char('\n') + QLocale().toString(when, QLocale::ShortFormat) : how;
 }
 

@@ -34,7 +34,8 @@ ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
                       sentText(*row.step)},
             .tips = {{},
                      parameter_words::howKnown(row.known,
-                                               row.known ? encoder.dateTime(row.known->at) : QDateTime()),
+                                               row.known ? encoder.dateTime(row.known->at) : QDateTime(),
+                                               encoder.can().reads),
                      {},
                      row.step->line.isEmpty() ? WriteReview::tr("The word that will stand in OUT")
                                               : WriteReview::tr("What will be sent, between ESC and CR LF")}};

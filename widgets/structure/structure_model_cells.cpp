@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in the cells of the tree.
+#include "widgets/dial/state_note.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/age_text.h"
@@ -54,6 +55,14 @@ QVariant stateIcon(const StateWord &state)
 }
 
 } // namespace
+
+// Where none of an encoder is known a dash stands, and the tooltip says why.
+QString StructureModel::shownPosition(const BusBranch &branch, const Row &row)
+{
+    const QString known = positionText(row.state);
+    const bool isOfEncoder = branch.connected && branch.connected->encoder(row.node.node) != nullptr;
+    return known.isEmpty() && isOfEncoder ? QString(QChar(0x2013)) : known;
+}
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
@@ -127,7 +136,7 @@ QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int
     case stateColumn:
         return row.state.shown.word;
     case positionColumn:
-        return positionText(row.state);
+        return shownPosition(branch, row);
     case profileColumn:
         return row.node.profile;
     case codeColumn:
@@ -144,8 +153,11 @@ QString StructureModel::toolTip(const BusBranch &branch, const Row &row)
     const auto place = static_cast<std::size_t>(&row - branch.rows.data());
     QString text = branch.outline().toolTip(place, calledText(row.station, row.node.name));
     const EncoderSession *encoder = branch.connected ? branch.connected->encoder(row.node.node) : nullptr;
-    if (const QString age = encoder != nullptr ? ageSentence(*encoder) : QString(); !age.isEmpty())
-        text += u'\n' + age;
+    if (encoder == nullptr)
+        return text;
+    for (const QString &why : {ageSentence(*encoder), whyNoPosition(*encoder)})
+        if (!why.isEmpty())
+            text += u'\n' + why;
     return text;
 }
 

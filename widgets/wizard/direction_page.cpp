@@ -12,6 +12,8 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/look/wrapped_label.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/models/device_traits.h"
 
 #include <QHBoxLayout>
@@ -59,6 +61,7 @@ std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
 
 DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Direction"), parent)
+    , m_age(new AgeTimer(this))
     , m_what(wrappedLabel(this))
     , m_position(named(new QLabel(this), "directionPosition"))
     , m_verdict(named(new RoleLabel(this), "verdict"))
@@ -93,6 +96,7 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     layout->addStretch();
 
     setFocusProxy(m_asNow);
+    connect(m_age, &QTimer::timeout, this, &DirectionPage::showLatest);
     connect(m_again, &QPushButton::clicked, this, &DirectionPage::begin);
     connect(m_asNow, &QRadioButton::clicked, this, &DirectionPage::choose);
     connect(m_otherWay, &QRadioButton::clicked, this, &DirectionPage::choose);
@@ -124,7 +128,30 @@ void DirectionPage::begin()
     showLatest();
 }
 
+// What is old tells nothing of the way the shaft turns, and what comes after it lies anywhere.
 void DirectionPage::showLatest()
+{
+    m_age->follow(*m_setup.encoder);
+    const bool isOld = m_setup.encoder->freshness().isOld();
+    m_position->setForegroundRole(isOld ? QPalette::PlaceholderText : QPalette::WindowText);
+    if (std::exchange(m_wasOld, isOld) && !isOld)
+        begin();
+    else if (isOld)
+        showOld();
+    else
+        showNow();
+}
+
+void DirectionPage::showOld()
+{
+    const auto &last = m_setup.encoder->latest().position;
+    m_position->setText(last ? QLocale().toString(qlonglong{*last}) : QString(QChar(0x2013)));
+    m_problem->showMessage(Role::attention, ageSentence(*m_setup.encoder));
+    m_moved->clear();
+    m_verdict->setState(Role::inactive, tr("Not up to date"));
+}
+
+void DirectionPage::showNow()
 {
     const Reading &reading = m_setup.encoder->latest();
     if (m_usesRawWord && reading.position) { // what was missing is known now

@@ -10,6 +10,7 @@ class QRadioButton;
 
 namespace codewheel {
 
+class AgeTimer;
 class InlineMessage;
 class RoleLabel;
 
@@ -27,11 +28,15 @@ public:
 
 private:
     void begin();
+    void showNow();
+    void showOld();
     void showVerdict();
     void choose();
 
     TurnCheck m_check;
     bool m_usesRawWord = false;
+    bool m_wasOld = false;
+    AgeTimer *m_age;
     QLabel *m_what;
     QLabel *m_position;
     RoleLabel *m_verdict;

@@ -127,7 +127,7 @@ void KnownPage::showTable()
                                                         valueOptionsOf(&encoder))
                                         : QString(QChar(0x2013)),
                                   evidenceText(known)},
-                        .tip = evidenceExplanation(known)});
+                        .tip = evidenceExplanation(known, encoder.can().reads)});
     }
     if (std::exchange(m_parameters, parameters) != parameters)
         m_table.setRows({}); // of an encoder of another kind: no row is chosen any more

@@ -117,6 +117,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
     if (encoder == nullptr)
         return;
     connect(encoder, &EncoderSession::latestChanged, this, [this] { current()->showLatest(); });
+    connect(encoder, &EncoderSession::freshnessChanged, this, [this] { current()->showLatest(); });
     connect(encoder, &EncoderSession::knownChanged, this, [this] { current()->showKnown(); });
     connect(encoder, &EncoderSession::permissionChanged, this, [this] { current()->showPermission(); });
     connect(encoder, &EncoderSession::progressed, this, &ParameterWizard::takeProgress);

@@ -15,6 +15,7 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/wrapped_label.h"
+#include "widgets/models/age_text.h"
 
 #include <QCheckBox>
 #include <QRadioButton>
@@ -46,6 +47,16 @@ public:
         return size;
     }
 };
+
+// With its age, where it is not up to date.
+QString positionNow(const EncoderSession &encoder)
+{
+    const auto &position = encoder.latest().position;
+    if (!position)
+        return QChar(0x2013);
+    const QString age = ageText(encoder);
+    return age.isEmpty() ? numberText(*position) : QStringLiteral("%1, %2").arg(numberText(*position), age);
+}
 
 } // namespace
 
@@ -121,9 +132,8 @@ void ReviewPage::plan()
                              : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
                                                         : tr("written")}});
     if (const auto position = m_setup.wish.setPositionTo) {
-        const auto now = encoder.latest().position;
-        rows.push_back({{parameterName(Parameter::preset), now ? numberText(*now) : QString(),
-                         numberText(*position), tr("the position is set to it")}});
+        rows.push_back({{parameterName(Parameter::preset), positionNow(encoder), numberText(*position),
+                         tr("the position is set to it")}});
     }
     m_changes.show(std::move(rows));
 

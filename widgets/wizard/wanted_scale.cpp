@@ -31,6 +31,8 @@ std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)
                             : std::nullopt;
     const auto now = scaleNow(setup);
     const auto position = setup.encoder->latest().position;
+    if (setup.encoder->freshness().isOld()) // it may have moved since
+        return std::nullopt;
     return now && position ? foretellPosition(*now, *position, *then) : std::nullopt;
 }
 

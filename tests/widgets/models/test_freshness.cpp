@@ -6,6 +6,8 @@
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/rod_view.h"
+#include "widgets/job/known_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/monitor/bar_view.h"
 #include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_card.h"
@@ -103,6 +105,16 @@ TEST_F(FreshnessTest, TheAgeGoesOnByItself)
     EXPECT_EQ(shown.note, QStringLiteral("Not up to date: Not connected."));
 }
 
+// Two views that began to show it at different times change together.
+TEST(AgeTimer, TicksWhenTheAgeHasBecomeAnotherSecond)
+{
+    const QDateTime seen(QDate(2026, 3, 1), QTime(14, 2, 7, 300));
+    EXPECT_EQ(AgeTimer::untilNextSecond(seen, seen), std::chrono::milliseconds(1000));
+    EXPECT_EQ(AgeTimer::untilNextSecond(seen, seen.addMSecs(20'400)), std::chrono::milliseconds(600));
+    EXPECT_EQ(AgeTimer::untilNextSecond(seen, seen.addMSecs(20'999)), std::chrono::milliseconds(1));
+    EXPECT_EQ(AgeTimer::untilNextSecond(seen, seen.addMSecs(-5)), std::chrono::milliseconds(1000));
+}
+
 TEST_F(FreshnessTest, ARodToo)
 {
     test::TrainingBusSession rod(RingSession::Start::operating, test::makeRodBus);
@@ -142,6 +154,37 @@ TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
     ring.bus.setRunning(true);
     advance(40);
     EXPECT_FALSE(cell(fraba).data(Qt::ForegroundRole).isValid());
+}
+
+TEST_F(FreshnessTest, WhereNoPositionIsKnownTheTreeShowsADashAndTellsWhy)
+{
+    StructureModel model;
+    model.addBus(ring.bus);
+    advance(40);
+    const QModelIndex baumer = model.indexOf(test::baumer).siblingAtColumn(StructureModel::positionColumn);
+    const QString dash(QChar(0x2013));
+    const QString why = QStringLiteral("The coding is not known: write it, or tell it under Parameters.");
+    EXPECT_EQ(baumer.data().toString(), dash);
+    EXPECT_TRUE(baumer.data(Qt::ToolTipRole).toString().contains(why));
+    const QModelIndex terminal =
+        model.indexOf(test::busTerminal).siblingAtColumn(StructureModel::positionColumn);
+    EXPECT_EQ(terminal.data().toString(), QString()) << "it has none";
+    ring.encoder(test::baumer).tell(Parameter::coding, 3);
+    advance(40);
+    EXPECT_NE(baumer.data().toString(), dash);
+    EXPECT_FALSE(baumer.data(Qt::ToolTipRole).toString().contains(why));
+}
+
+TEST_F(FreshnessTest, HowAValueIsKnownSaysWhatWouldMakeItSurer)
+{
+    const auto words = [](Evidence evidence, bool reads) {
+        return evidenceExplanation(Known{Parameter::steps, 255, evidence, {}}, reads);
+    };
+    EXPECT_TRUE(words(Evidence::echoed, true).endsWith(QStringLiteral("but not read back since: read it.")));
+    EXPECT_TRUE(words(Evidence::echoed, false).endsWith(QStringLiteral("cannot be read.")));
+    EXPECT_TRUE(words(Evidence::told, true).endsWith(QStringLiteral("read it.")));
+    EXPECT_TRUE(evidenceExplanation({}, true).endsWith(QStringLiteral("read it from the encoder.")));
+    EXPECT_TRUE(evidenceExplanation({}, false).endsWith(QStringLiteral("set it manually, or write it.")));
 }
 
 TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)

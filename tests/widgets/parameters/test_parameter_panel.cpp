@@ -156,7 +156,7 @@ TEST_F(Parameters, AnEncoderThatOnlyTellsItsPositionSaysSo)
 TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
 {
     const test::ModelTester tester(model());
-    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::knownColumn), QStringLiteral("unknown"));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::knownColumn), QStringLiteral("unknown not read yet"));
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("as it is"));
     EXPECT_EQ(textAt(Parameter::serialNumber, ParameterModel::wantedColumn), QStringLiteral("read only"));
     const QString tip =

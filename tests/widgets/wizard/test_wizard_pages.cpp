@@ -83,6 +83,29 @@ TEST_F(WizardPages, DirectionIsCheckedByTurningTheShaft)
     EXPECT_EQ(wanted.value("1.0"_ring, Parameter::direction), 4);
 }
 
+TEST_F(WizardPages, WhatIsOldTellsNoDirection)
+{
+    wizard.setEncoder(&fraba());
+    fraba().tell(Parameter::startUpMode, 1);
+    bus.advance(5);
+    next();
+    next();
+    controls->turnBy(NodeId("1.0"), 100);
+    bus.advance(5);
+    EXPECT_EQ(verdict(), QStringLiteral("Counts up"));
+    bus.setRunning(false);
+    bus.advance(5);
+    EXPECT_EQ(verdict(), QStringLiteral("Not up to date"));
+    EXPECT_TRUE(
+        sentence("directionProblem").startsWith(QStringLiteral("The bus does not run. Shown is how it was")));
+    EXPECT_EQ(find<QLabel>("directionPosition")->foregroundRole(), QPalette::PlaceholderText);
+    controls->turnBy(NodeId("1.0"), -3000);
+    bus.setRunning(true);
+    bus.advance(20);
+    EXPECT_EQ(verdict(), QStringLiteral("Does not move yet")) << "nobody has seen that move";
+    EXPECT_EQ(find<QLabel>("directionPosition")->foregroundRole(), QPalette::WindowText);
+}
+
 TEST_F(WizardPages, TheRawWordIsWatchedWhereTheCodingIsNotKnown)
 {
     wizard.setEncoder(&baumer());
