@@ -10,10 +10,10 @@ TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, Tra
     return {std::move(training.controls), std::move(bus)};
 }
 
-void tellTrainingPlan(RingSession &bus)
+void tellTrainingPlan(RingSession &bus, ParameterValues TrainingParticipant::*known)
 {
     for (const TrainingParticipant &planned : trainingPlan(bus.catalog()))
-        for (const ParameterValue &value : planned.known)
+        for (const ParameterValue &value : planned.*known)
             if (EncoderSession *encoder = bus.encoder(planned.number))
                 encoder->tell(value.parameter, value.value);
 }
@@ -23,7 +23,7 @@ TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, Bus
     TrainingSession training = makeTrainingSession(catalog, std::move(begin), makeTrainingBus(catalog), ring);
     if (!training.bus->open(RingSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();
-    tellTrainingPlan(*training.bus);
+    tellTrainingPlan(*training.bus, &TrainingParticipant::known);
     return training;
 }
 

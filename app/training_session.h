@@ -19,9 +19,9 @@ struct TrainingSession
 // for.
 TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, TrainingBus training,
                                     BusId ring = firstRing);
-// What the plan of the training ring knows of its encoders is told to them: the FRABA K3 start up in position
-// mode.
-void tellTrainingPlan(RingSession &bus);
+// What the plan of the training ring knows of its encoders is told to them: that the FRABA K3 start up in
+// position mode; in the window also what their positions are made of.
+void tellTrainingPlan(RingSession &bus, ParameterValues TrainingParticipant::*known);
 // Connected, in RUN and in Operate. Cycles come with bus->advance() or bus->startThread().
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, BusId ring = firstRing);
 

@@ -60,8 +60,10 @@ void RingAtWork::openTraining()
 // What the plan of the training ring knows of its encoders, the first time.
 void RingAtWork::tellPlan()
 {
-    if (bus()->isOpen() && !std::exchange(m_planIsTold, true))
-        tellTrainingPlan(*bus());
+    if (!bus()->isOpen() || std::exchange(m_planIsTold, true))
+        return;
+    tellTrainingPlan(*bus(), &TrainingParticipant::known);
+    tellTrainingPlan(*bus(), &TrainingParticipant::knownInWindow);
 }
 
 void RingAtWork::start()

@@ -47,7 +47,7 @@ private:
     void readDevice(const JsonObject &row, TrainingParticipant &participant) const;
     static void readRod(const JsonObject &row, TrainingParticipant &participant);
     static void readShaft(const JsonObject &row, TrainingParticipant &participant);
-    static void readKnown(const JsonObject &row, TrainingParticipant &participant);
+    static ParameterValues readKnown(const JsonObject &row, const char *key, const DeviceDescription &device);
     static void refuseKeys(const JsonObject &row, std::initializer_list<const char *> keys,
                            const QString &reason);
 
@@ -62,7 +62,7 @@ void TrainingPlanReader::read(const JsonObject &row)
     if (row.flagOr("busTerminal", false))
         refuseKeys(row,
                    {"device", "position", "revolutionsPerMinute", "rodMillimetres", "millimetres",
-                    "millimetresPerSecond", "serialNumber", "operatingTime", "known"},
+                    "millimetresPerSecond", "serialNumber", "operatingTime", "known", "knownInWindow"},
                    tr("A bus terminal has no encoder."));
     else
         readDevice(row, participant);
@@ -110,8 +110,8 @@ void TrainingPlanReader::readDevice(const JsonObject &row, TrainingParticipant &
     } else {
         refuseKeys(row, {"serialNumber", "operatingTime"}, tr("Only a FRABA K3 has this."));
     }
-    if (row.has("known"))
-        readKnown(row, participant);
+    participant.known = readKnown(row, "known", *participant.device);
+    participant.knownInWindow = readKnown(row, "knownInWindow", *participant.device);
 }
 
 void TrainingPlanReader::readRod(const JsonObject &row, TrainingParticipant &participant)
@@ -134,18 +134,23 @@ void TrainingPlanReader::readShaft(const JsonObject &row, TrainingParticipant &p
         row.optionalNumber("revolutionsPerMinute", -fastestShaft, fastestShaft).value_or(0);
 }
 
-void TrainingPlanReader::readKnown(const JsonObject &row, TrainingParticipant &participant)
+ParameterValues TrainingPlanReader::readKnown(const JsonObject &row, const char *key,
+                                              const DeviceDescription &device)
 {
-    for (const JsonObject &json : row.array("known", {"parameter", "value"})) {
+    ParameterValues known;
+    if (!row.has(key))
+        return known;
+    for (const JsonObject &json : row.array(key, {"parameter", "value"})) {
         const QString name = json.text("parameter");
         const auto parameter = parameterFromKey(name);
-        const ParameterDescription *description = parameter ? participant.device->find(*parameter) : nullptr;
+        const ParameterDescription *description = parameter ? device.find(*parameter) : nullptr;
         if (description)
-            replaceValue(participant.known,
+            replaceValue(known,
                          {*parameter, json.number("value", description->minimum, description->maximum)});
         else
             json.report("parameter", tr("The device has no parameter \"%1\".").arg(name));
     }
+    return known;
 }
 
 void TrainingPlanReader::refuseKeys(const JsonObject &row, std::initializer_list<const char *> keys,
@@ -169,7 +174,7 @@ tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &js
         for (const JsonObject &row :
              plan.array("participants", {"place", "device", "busTerminal", "position", "revolutionsPerMinute",
                                          "rodMillimetres", "millimetres", "millimetresPerSecond",
-                                         "serialNumber", "operatingTime", "known"}))
+                                         "serialNumber", "operatingTime", "known", "knownInWindow"}))
             reader.read(row);
     }
     if (faults.first())

@@ -18,9 +18,10 @@ struct TrainingParticipant
     std::int64_t rodMillimetres = 0;           // measuring length of a rod
     std::int64_t millimetres = 0;              // where its magnet stands
     std::int64_t millimetresPerSecond = 0;
-    std::int64_t serialNumber = 0;  // FRABA K3
-    std::int64_t operatingTime = 0; // FRABA K3, 10 min
-    ParameterValues known;          // what the user is taken to know of it
+    std::int64_t serialNumber = 0;   // FRABA K3
+    std::int64_t operatingTime = 0;  // FRABA K3, 10 min
+    ParameterValues known;           // what the user is taken to know of it
+    ParameterValues knownInWindow{}; // besides: so that its first picture shows all positions
 };
 using TrainingPlan = std::vector<TrainingParticipant>; // in ring order
 

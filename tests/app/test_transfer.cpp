@@ -47,7 +47,7 @@ TEST_F(TransferInTheWindow, ValuesAreWrittenAndThoseFromBeforeRestored)
 {
     choose(baumer);
     EXPECT_FALSE(actions().restoreValues->isEnabled());
-    write(8192);
+    write(2048);
     click("transferBack");
     write(4096);
     EXPECT_EQ(known(), 4096);
@@ -56,7 +56,7 @@ TEST_F(TransferInTheWindow, ValuesAreWrittenAndThoseFromBeforeRestored)
 
     actions().restoreValues->trigger();
     click("transferBegin");
-    EXPECT_EQ(known(), 8192);
+    EXPECT_EQ(known(), 2048);
 }
 
 TEST_F(TransferInTheWindow, WritesAreCountedOnWhenTheProjectIsSavedUnderAName)

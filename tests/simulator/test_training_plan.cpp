@@ -14,7 +14,7 @@ const QByteArray sound = R"({
      "known": [{"parameter": "start-up-mode", "value": 1}]},
     {"place": "2.0", "device": "fraba-ocd-ib-k1", "revolutionsPerMinute": -3},
     {"place": "3.0", "busTerminal": true},
-    {"place": "3.1", "device": "baumer-gxp6w"},
+    {"place": "3.1", "device": "baumer-gxp6w", "knownInWindow": [{"parameter": "coding", "value": 4}]},
     {"place": "4.0", "device": "tr-la66", "rodMillimetres": 300, "millimetres": 20, "millimetresPerSecond": -5}
   ]
 }
@@ -55,6 +55,7 @@ constexpr Breakage breakages[] = {
     {R"("millimetres": 20)", R"("millimetres": 301)", 8, "participants[4].millimetres", "between 0 and 300"},
     {R"("revolutionsPerMinute": -3)", R"("millimetres": 3)", 5, "participants[1].millimetres", "has a rod"},
     {R"("start-up-mode")", R"("coding")", 4, "participants[0].known[0].parameter", "no parameter \"coding\""},
+    {R"("value": 4)", R"("value": 7)", 7, "participants[3].knownInWindow[0].value", "between 1 and 6"},
     {R"("value": 1)", R"("value": 11)", 4, "participants[0].known[0].value", "between 0 and 10"},
 };
 
@@ -77,6 +78,8 @@ TEST(TrainingPlan, TellsEachParticipant)
     EXPECT_EQ(plan->at(1).position, 0);
     EXPECT_EQ(plan->at(2).device, nullptr);
     EXPECT_EQ(plan->at(3).number, (NodeId("3.1")));
+    EXPECT_TRUE(plan->at(3).known.empty());
+    EXPECT_EQ(plan->at(3).knownInWindow, (ParameterValues{{Parameter::coding, 4}}));
     EXPECT_EQ(plan->at(4).rodMillimetres, 300);
     EXPECT_EQ(plan->at(4).millimetres, 20);
     EXPECT_EQ(plan->at(4).millimetresPerSecond, -5);
