@@ -35,7 +35,7 @@ enum class MessageId : std::uint8_t {
     deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
     deviceFaultGone,          //
     valuesForgotten,          // the encoder lost its parameters: what is known does not hold any more
-    lateCycles,               // number since the last message
+    lateCycles,               // number since the last message; told by earlier versions, today a figure alone
     modeSwitched,             // text of the mode
     resetWaitsForRun,         // the reset was confirmed, and run was not sent
     resetDone,                // EEPROM writes

@@ -349,8 +349,6 @@ void RingRunner::cycle(Instant now)
     d->carryOutCommands();
     d->work();
     d->lookAtMaster();
-    if (auto message = d->lateness.look(d->ring.lateCycles, now))
-        d->tellOfRing(std::move(*message));
     d->publish();
 }
 

@@ -96,7 +96,6 @@ struct RingRunner::Private
     Snapshot ring{};                    // the last cycle; its OUT words are those that went out
     ExchangeTrace trace{0};
     FaultWatch faults{0};
-    LatenessWatch lateness{};
     MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
     bool readingIn = false;

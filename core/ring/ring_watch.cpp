@@ -25,20 +25,4 @@ std::optional<Message> FaultWatch::look(std::size_t device, const Reading &readi
     return message;
 }
 
-std::optional<Message> LatenessWatch::look(std::uint64_t lateCycles, Instant now)
-{
-    if (lateCycles < m_told) // a new thread counts from 0
-        m_told = 0;
-    if (lateCycles == m_told || (m_toldAt && now - *m_toldAt < std::chrono::minutes(1)))
-        return std::nullopt;
-
-    Message message;
-    message.severity = Severity::attention;
-    message.id = MessageId::lateCycles;
-    message.arguments = {static_cast<std::int64_t>(lateCycles - m_told)};
-    m_told = lateCycles;
-    m_toldAt = now;
-    return message;
-}
-
 } // namespace codewheel

@@ -24,15 +24,4 @@ private:
     std::vector<std::optional<unsigned>> m_faults; // error numbers
 };
 
-// Tells of late cycles at most once a minute.
-class LatenessWatch
-{
-public:
-    std::optional<Message> look(std::uint64_t lateCycles, Instant now);
-
-private:
-    std::uint64_t m_told = 0;
-    std::optional<Instant> m_toldAt;
-};
-
 } // namespace codewheel
