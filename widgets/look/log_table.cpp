@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/log_table.h"
+
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/may_elide.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int mostLines = 4; // of a text in its row; longer ones are whole in the tooltip and the details
+constexpr int rounds = 5;    // rows that grow push others out of sight
+
+} // namespace
+
+LogTable::LogTable(const QString &name, QWidget *parent)
+    : QTableView(parent)
+{
+    setAccessibleName(name);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setWordWrap(true);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setIconSize({grid::smallIcon, grid::smallIcon});
+    setMinimumHeight(2 * grid::largeIcon);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    setLineHeight();
+    // Whoever scrolls up wants to read; at the end one follows again.
+    QScrollBar *bar = verticalScrollBar();
+    connect(bar, &QScrollBar::actionTriggered, this, [this, bar] {
+        if (m_follow != nullptr)
+            m_follow->setChecked(bar->sliderPosition() >= bar->maximum());
+    });
+}
+
+void LogTable::setTextColumn(int column, Letters letters)
+{
+    m_textColumn = column;
+    m_letters = letters;
+    if (!mayElide(*this, column))
+        allowEliding(*this, column);
+    updateGeometries();
+}
+
+void LogTable::setFollow(QAction &follow)
+{
+    m_follow = &follow;
+    connect(&follow, &QAction::toggled, this, &LogTable::updateGeometries);
+}
+
+void LogTable::setHeadings(std::function<bool(int)> isHeading)
+{
+    m_isHeading = std::move(isHeading);
+}
+
+void LogTable::setModel(QAbstractItemModel *model)
+{
+    m_shift = 0;
+    clearSpans();
+    const QItemSelectionModel *before = selectionModel();
+    QTableView::setModel(model);
+    delete before;
+}
+
+void LogTable::reset()
+{
+    m_shift = 0;
+    clearSpans();
+    QTableView::reset();
+}
+
+bool LogTable::isFollowing() const
+{
+    return m_follow != nullptr && m_follow->isChecked();
+}
+
+void LogTable::rowsInserted(const QModelIndex &parent, int first, int last)
+{
+    QTableView::rowsInserted(parent, first, last);
+    const int line = verticalHeader()->defaultSectionSize();
+    const bool isAtEnd = last + 1 == model()->rowCount();
+    if (isFollowing())
+        shiftBy(0);
+    else if (!isAtEnd && verticalHeader()->sectionPosition(first) <= verticalHeader()->offset() + line)
+        shiftBy((last + 1 - first) * line);
+}
+
+void LogTable::rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last)
+{
+    if (!isFollowing() && verticalHeader()->sectionPosition(first) < verticalHeader()->offset())
+        m_shift -= verticalHeader()->sectionPosition(last) + verticalHeader()->sectionSize(last) -
+                   verticalHeader()->sectionPosition(first);
+    QTableView::rowsAboutToBeRemoved(parent, first, last);
+}
+
+void LogTable::shiftBy(int pixels)
+{
+    m_shift += pixels;
+    executeDelayedItemsLayout();
+    updateGeometries();
+}
+
+void LogTable::updateGeometries()
+{
+    if (m_isFitting) {
+        QTableView::updateGeometries();
+        return;
+    }
+    const QScopedValueRollback fitting(m_isFitting, true);
+    QScrollBar *bar = verticalScrollBar();
+    for (int round = 0; round < rounds; ++round) {
+        fitTextColumn();
+        QTableView::updateGeometries();
+        if (const int shift = std::exchange(m_shift, 0); shift != 0)
+            bar->setValue(bar->value() + shift);
+        if (isFollowing())
+            bar->setValue(bar->maximum());
+        if (!fitRows())
+            break;
+    }
+}
+
+void LogTable::scrollContentsBy(int dx, int dy)
+{
+    QTableView::scrollContentsBy(dx, dy);
+    if (dy != 0 && !m_isFitting)
+        updateGeometries();
+}
+
+void LogTable::fitTextColumn()
+{
+    if (m_textColumn < 0 || model() == nullptr)
+        return;
+    const auto widthOf = [this](int column) { return isColumnHidden(column) ? 0 : columnWidth(column); };
+    const int letter = fontMetrics().averageCharWidth();
+    int width = viewport()->width();
+    for (int column = 0; column < m_textColumn; ++column)
+        width -= widthOf(column);
+    for (int column = m_textColumn + 1; column < model()->columnCount(); ++column) {
+        if (width - widthOf(column) < m_letters.wanted * letter)
+            break;
+        width -= widthOf(column);
+    }
+    width = std::max(width, m_letters.fewest * letter);
+    if (columnWidth(m_textColumn) != width)
+        setColumnWidth(m_textColumn, width);
+}
+
+bool LogTable::fitRows()
+{
+    bool isOther = false;
+    const int first = std::max(0, rowAt(0));
+    for (int row = first; model() != nullptr && row < model()->rowCount(); ++row) {
+        if (rowViewportPosition(row) > viewport()->height())
+            break;
+        if (m_isHeading && m_isHeading(row) && columnSpan(row, 0) == 1)
+            setSpan(row, 0, 1, model()->columnCount());
+        const int height = heightOf(row);
+        if (height == rowHeight(row))
+            continue;
+        verticalHeader()->resizeSection(row, height);
+        isOther = true;
+    }
+    return isOther;
+}
+
+// Most texts fit in one line, which is found out quickly.
+int LogTable::heightOf(int row) const
+{
+    const int line = verticalHeader()->defaultSectionSize();
+    if (m_textColumn < 0 || columnSpan(row, 0) > 1)
+        return line;
+    const QString text = model()->index(row, m_textColumn).data().toString();
+    const int margins = 4 * grid::unit;
+    if (fontMetrics().horizontalAdvance(text) + margins <= columnWidth(m_textColumn))
+        return line;
+    return std::clamp(sizeHintForRow(row), line, line + (mostLines - 1) * fontMetrics().lineSpacing());
+}
+
+void LogTable::setLineHeight()
+{
+    verticalHeader()->setDefaultSectionSize(
+        std::max({grid::smallIcon, QFontMetrics(numberFont()).height(), fontMetrics().height()}) +
+        grid::unit);
+}
+
+// The platform's key for it is not on every keyboard.
+void LogTable::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() != Qt::Key_F10 || event->modifiers() != Qt::ShiftModifier) {
+        QTableView::keyPressEvent(event);
+        return;
+    }
+    const QPoint position = visualRect(currentIndex()).center();
+    QContextMenuEvent menu(QContextMenuEvent::Keyboard, position, viewport()->mapToGlobal(position));
+    QCoreApplication::sendEvent(viewport(), &menu);
+}
+
+// The keys begin at the newest row, not at the oldest.
+void LogTable::focusInEvent(QFocusEvent *event)
+{
+    if (isFollowing() && !currentIndex().isValid() && model() != nullptr && model()->rowCount() > 0)
+        selectionModel()->setCurrentIndex(model()->index(model()->rowCount() - 1, 0),
+                                          QItemSelectionModel::NoUpdate);
+    QTableView::focusInEvent(event);
+}
+
+void LogTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
+{
+    QTableView::currentChanged(current, previous);
+    if (m_follow != nullptr && current.isValid() && current.row() != previous.row())
+        m_follow->setChecked(current.row() == model()->rowCount() - 1);
+    Q_EMIT chosenChanged();
+}
+
+void LogTable::selectionChanged(const QItemSelection &selected, const QItemSelection &deselected)
+{
+    QTableView::selectionChanged(selected, deselected);
+    Q_EMIT chosenChanged();
+}
+
+void LogTable::changeEvent(QEvent *event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        setLineHeight();
+}
+
+} // namespace codewheel
