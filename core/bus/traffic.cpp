@@ -16,6 +16,33 @@ constexpr uchar firstPrintable = 0x20;
 constexpr uchar deleteCharacter = 0x7F;
 constexpr char16_t controlPictures = 0x2400; // of 00h, then one after the other
 constexpr char16_t deletePicture = 0x2421;
+constexpr uchar escape = 0x1B;
+constexpr uchar carriageReturn = 0x0D;
+constexpr uchar lineFeed = 0x0A;
+
+bool isControl(uchar code)
+{
+    return code < firstPrintable || code == deleteCharacter;
+}
+
+QChar picture(uchar code)
+{
+    return code == deleteCharacter ? deletePicture : static_cast<char16_t>(controlPictures + code);
+}
+
+QChar sign(uchar code)
+{
+    switch (code) {
+    case escape:
+        return u'\u238B';
+    case carriageReturn:
+        return u'\u21B5';
+    case lineFeed:
+        return u'\u2193';
+    default:
+        return u'\u25AF'; // its number stands beside it
+    }
+}
 
 } // namespace
 
@@ -38,14 +65,11 @@ QString rowKindWord(TrafficKind kind)
 
 QString controlText(const QByteArray &bytes, ControlCharacters controls)
 {
-    const bool asPictures = controls == ControlCharacters::pictures;
     QString text;
     for (const char byte : bytes) {
         const auto code = static_cast<uchar>(byte);
-        if (code < firstPrintable && asPictures)
-            text += QChar(static_cast<char16_t>(controlPictures + code));
-        else if (code == deleteCharacter && asPictures)
-            text += QChar(deletePicture);
+        if (isControl(code) && controls != ControlCharacters::numbers)
+            text += controls == ControlCharacters::pictures ? picture(code) : sign(code);
         else if (code < firstPrintable || code >= deleteCharacter)
             text += QStringLiteral("<%1>").arg(byteText(QByteArray(1, byte)));
         else

@@ -20,17 +20,17 @@ struct TrafficRow
 {
     Instant at{};
     QDateTime time{};                  // that `at` stands for
-    std::optional<Place> place{};      // whose it is; nothing: told with the bus alone
+    std::optional<Place> place{};      // whose it is, a device or the bus itself
     std::optional<TrafficKind> kind{}; // nothing: both ways at once, as the words of a bus cycle
     std::uint64_t cycle = 0;           // of the bus, where it has cycles
     Word out = 0;
     Word in = 0;
     QByteArray bytes{};                 // as they stood on the wire, where it is no words that pass
     std::function<QString()> meaning{}; // in the language of the moment
-    bool isPoll = false;  // sent by the bus on its own, or its answer, and nothing is wrong with it
-    bool isTyped = false; // or its answer
+    bool isAutomatic = false; // such as the bus asks by itself, or its answer, and nothing is wrong with it
+    bool isTyped = false;     // or its answer
 
-    bool isRoutine() const { return isPoll && !isTyped; }
+    bool isRoutine() const { return isAutomatic && !isTyped; }
 };
 
 enum class TrafficColumn : std::uint8_t {
@@ -49,8 +49,9 @@ enum class TrafficColumn : std::uint8_t {
 // "sent", "answer", "echo", "garbage", "late"
 QString rowKindWord(TrafficKind kind);
 
-// How control characters are shown: "␛05P␍␊", or "<1B>05P<0D><0A>" where there are no pictures of them.
-enum class ControlCharacters { pictures, numbers };
+// How control characters are shown: as the pictures Unicode has, "␛05P␍␊"; as signs that more fonts have,
+// "⎋05P↵↓"; as numbers, "<1B>05P<0D><0A>". Pictures and signs are one glyph each.
+enum class ControlCharacters { pictures, signs, numbers };
 
 // What is no ASCII is shown as <FF>.
 QString controlText(const QByteArray &bytes, ControlCharacters controls = ControlCharacters::pictures);

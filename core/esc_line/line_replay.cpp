@@ -3,6 +3,7 @@
 
 #include "esc/esc_frame.h"
 #include "esc_line/line_session.h"
+#include "esc_line/row_text.h"
 #include "esc_line/typed_request.h"
 
 namespace codewheel {
@@ -28,10 +29,10 @@ std::vector<ReplayStep> replaySteps(const LineRecord &record, ReplayWish wish)
     for (const LineRecord::Row &row : record.rows) {
         if (row.what.kind == esc::LineRow::Kind::sent) {
             const auto request = sentRequest(row.what.bytes);
-            const bool isPoll = request && request->command == esc::Command::position && !row.typed;
+            const bool isAutomaticRow = request && isAutomatic(request->command) && !row.typed;
             const bool isWrite = request && esc::shapeOf(request->command).writes;
             const bool isAgain = isOpen && isWanted && !row.typed && steps.back().request == request;
-            isWanted = request && (wish.polls || !isPoll) && (wish.writes || !isWrite);
+            isWanted = request && (wish.automatic || !isAutomaticRow) && (wish.writes || !isWrite);
             if (isWanted && !isAgain)
                 steps.push_back({*request, {}});
             isOpen = isWanted;

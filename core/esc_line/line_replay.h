@@ -22,7 +22,7 @@ struct ReplayStep
 
 struct ReplayWish
 {
-    bool polls = false; // position requests that nobody typed
+    bool automatic = false; // what the program may have asked by itself, as the position
     bool writes = false;
 };
 

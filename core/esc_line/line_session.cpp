@@ -196,7 +196,9 @@ void LineSession::dispatch(const LineEvent &event)
         takeSleep(*slept, event.at);
     } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
         Q_EMIT passed(*row);
-        tellTraffic(d->traffic.row(*row));
+        TrafficRow told = d->traffic.row(*row);
+        told.place = placeOf(told.place ? told.place->node : NodeId());
+        tellTraffic(std::move(told));
     } else if (const auto *progress = std::get_if<ScanProgress>(&event.what)) {
         Q_EMIT scanProgressed(*progress);
     } else if (const auto *ended = std::get_if<ScanEnded>(&event.what)) {

@@ -43,10 +43,30 @@ std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command comman
     return frames.front().answer;
 }
 
+bool isAutomatic(esc::Command command)
+{
+    switch (command) {
+    case esc::Command::position:
+    case esc::Command::warnings:
+    case esc::Command::alarms:
+    case esc::Command::serialNumber:
+    case esc::Command::version:
+    case esc::Command::deviceCode:
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool PassedRow::isPoll() const
 {
+    return isAutomatic() && request->command == esc::Command::position;
+}
+
+bool PassedRow::isAutomatic() const
+{
     const bool isWrong = row.kind == RowKind::garbage || row.kind == RowKind::late;
-    return !isWrong && request && request->command == esc::Command::position;
+    return !isWrong && request && codewheel::isAutomatic(request->command);
 }
 
 PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest)
@@ -80,10 +100,11 @@ TrafficRow LineTraffic::row(const esc::LineRow &what)
 {
     const PassedRow passed = passedRow(what, m_lastRequest);
     return {.at = what.at,
+            .place = passed.request ? std::optional(placeOnLine(passed.request->to)) : std::nullopt,
             .kind = what.kind,
             .bytes = what.bytes,
             .meaning = [passed, options = m_options] { return rowMeaning(passed, *options); },
-            .isPoll = passed.isPoll()};
+            .isAutomatic = passed.isAutomatic()};
 }
 
 } // namespace codewheel

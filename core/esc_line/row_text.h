@@ -13,8 +13,11 @@ namespace codewheel {
 // What passed on a serial line, in text: for terminals, traces and exports.
 
 inline constexpr std::array lineTrafficColumns{TrafficColumn::time, TrafficColumn::direction,
-                                               TrafficColumn::text, TrafficColumn::meaning,
+                                               TrafficColumn::meaning, TrafficColumn::text,
                                                TrafficColumn::bytes};
+
+// What the program asks an encoder without having been told to: position, warnings, alarms, and who it is.
+bool isAutomatic(esc::Command command);
 
 // The answer that these bytes are to such a request.
 std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command);
@@ -27,6 +30,8 @@ struct PassedRow
 
     // Of a position request, and nothing is wrong with it: the polling.
     bool isPoll() const;
+    // Of whatever the program may have asked by itself, and nothing is wrong with it.
+    bool isAutomatic() const;
 };
 
 // The request of each row, as rows come one after the other.

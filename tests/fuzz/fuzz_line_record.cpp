@@ -17,8 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     }
     const auto again = lineRecordFromJson(lineRecordToJson(*record), QStringLiteral("a.json"));
     must(again && *again == *record, "what was kept is the same");
-    const auto reads = replaySteps(*record, {.polls = true});
-    const auto all = replaySteps(*record, {.polls = true, .writes = true});
+    const auto reads = replaySteps(*record, {.automatic = true});
+    const auto all = replaySteps(*record, {.automatic = true, .writes = true});
     must(reads.size() <= all.size() && all.size() <= record->rows.size(), "a request is sent once at most");
     for (const ReplayStep &step : reads)
         must(!esc::shapeOf(step.request.command).writes, "writes are left out");

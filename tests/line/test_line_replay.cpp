@@ -37,7 +37,7 @@ const ReplayStep preset{{{5}, esc::Command::writePreset, 1}, QByteArray("")};
 
 TEST(ReplaySteps, AreTheRequestsInTheirOrder)
 {
-    EXPECT_EQ(replaySteps(recordToReplay(), {.polls = true, .writes = true}),
+    EXPECT_EQ(replaySteps(recordToReplay(), {.automatic = true, .writes = true}),
               (std::vector{poll, typed, silent, preset}));
 }
 

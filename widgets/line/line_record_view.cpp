@@ -152,13 +152,14 @@ void LineRecordView::leave()
 void LineRecordView::replay()
 {
     m_message->withdraw();
-    const auto steps = replaySteps(m_record, {.polls = !m_table->filter().hidesPolls(), .writes = true});
+    const auto steps =
+        replaySteps(m_record, {.automatic = !m_table->filter().hidesAutomatic(), .writes = true});
     m_steps->setSteps(steps);
     m_stepTable->setVisible(!steps.empty());
     if (steps.empty()) {
         m_message->showMessage(
-            Role::attention, tr("This session holds no request to send, except position polls: clear \"Hide "
-                                "position polls\" to send those again."));
+            Role::attention, tr("This session holds no request to send, except automatic ones: clear \"Hide "
+                                "automatic requests\" to send those again."));
         return;
     }
     const auto count = static_cast<int>(std::ranges::count_if(steps, writes));
@@ -196,7 +197,8 @@ void LineRecordView::begin(bool withWrites)
     m_question->withdraw();
     if (!m_line)
         return;
-    auto steps = replaySteps(m_record, {.polls = !m_table->filter().hidesPolls(), .writes = withWrites});
+    auto steps =
+        replaySteps(m_record, {.automatic = !m_table->filter().hidesAutomatic(), .writes = withWrites});
     m_steps->setSteps(steps);
     m_replay->start(*m_line, std::move(steps));
     showWhatIsPossible();

@@ -14,15 +14,17 @@ LineRowOptions::LineRowOptions(LineRowTable &table, QWidget *parent)
     : QWidget(parent)
 {
     auto *row = layOut<QHBoxLayout>(this, grid::margin);
-    auto *polls = addBox(tr("Hide position polls"),
-                         tr("Leaves out the position requests of the polling and their answers. They are "
-                            "kept, and shown again when this is cleared."),
-                         table.filter().hidesPolls());
+    auto *automatic =
+        addBox(tr("Hide automatic requests"),
+               tr("Leaves out what the program asks by itself (position, warnings, alarms, serial "
+                  "number, version, device code) and the answers. They are kept, and shown again "
+                  "when this is cleared."),
+               table.filter().hidesAutomatic());
     auto *text = addBox(tr("Text"), tr("Shows the bytes as text, control characters as pictures"), true);
     auto *hex = addBox(tr("Hex"), tr("Shows the bytes as hexadecimal numbers"), true);
     row->addStretch(1);
-    connect(polls, &QCheckBox::toggled, this, [this, &table](bool on) {
-        table.filter().hidePolls(on);
+    connect(automatic, &QCheckBox::toggled, this, [this, &table](bool on) {
+        table.filter().hideAutomatic(on);
         Q_EMIT changed();
     });
     connect(text, &QCheckBox::toggled, &table,

@@ -9,7 +9,7 @@ namespace codewheel {
 
 class LineRowTable;
 
-// What of the rows of a line is shown: the position polling, their text, their bytes.
+// What of the rows of a line is shown: what the program asks by itself, their text, their bytes.
 class LineRowOptions : public QWidget
 {
     Q_OBJECT

@@ -3,6 +3,8 @@
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/icon_cells.h"
+#include "widgets/look/may_elide.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -12,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int lineMeaningLetters = 40;
+constexpr LogTable::Letters lineMeaning{.fewest = 20, .wanted = 28};
 constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest
 
 } // namespace
@@ -24,35 +26,27 @@ LineRowFilter::LineRowFilter(TrafficModel &rows, QObject *parent)
     setSourceModel(&rows);
 }
 
-void LineRowFilter::hidePolls(bool hide)
+void LineRowFilter::hideAutomatic(bool hide)
 {
-    m_hidesPolls = hide;
+    m_hidesAutomatic = hide;
     invalidateFilter();
 }
 
 bool LineRowFilter::filterAcceptsRow(int row, const QModelIndex &) const
 {
-    return !m_hidesPolls || !m_rows.rowAt(row).what.isRoutine();
+    return !m_hidesAutomatic || !m_rows.rowAt(row).what.isRoutine();
 }
 
 LineRowTable::LineRowTable(TrafficModel &rows, const QString &name, QWidget *parent)
-    : QTableView(parent)
+    : LogTable(name, parent)
     , m_rows(rows)
     , m_filter(new LineRowFilter(rows, this))
 {
     setModel(m_filter);
-    setAccessibleName(name);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
-    setWordWrap(false);
-    setIconSize({grid::smallIcon, grid::smallIcon});
-    setMinimumHeight(2 * grid::largeIcon);
-    verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setStretchLastSection(true);
+    setItemDelegateForColumn(rows.columnOf(TrafficColumn::direction), new IconCells(this));
+    for (const auto column : {TrafficColumn::text, TrafficColumn::bytes})
+        allowEliding(*this, rows.columnOf(column));
     setColumnWidths();
 }
 
@@ -64,27 +58,27 @@ LineRowTable::~LineRowTable()
 void LineRowTable::showColumn(TrafficColumn column, bool show)
 {
     setColumnHidden(m_rows.columnOf(column), !show);
+    updateGeometries();
+}
+
+std::optional<Place> LineRowTable::chosenPlace() const
+{
+    const QModelIndex chosen = m_filter->mapToSource(currentIndex());
+    return chosen.isValid() ? m_rows.rowAt(chosen.row()).what.place : std::nullopt;
 }
 
 void LineRowTable::setColumnWidths()
 {
     const QFontMetrics numbers(numberFont());
-    const QFontMetrics texts(font());
     const int gap = 2 * grid::margin;
-    int word = 0;
-    for (const auto kind :
-         {TrafficKind::sent, TrafficKind::answer, TrafficKind::echo, TrafficKind::garbage, TrafficKind::late})
-        word = std::max(word, texts.horizontalAdvance(tr("%1, typed").arg(rowKindWord(kind))));
     const auto setWidth = [this](TrafficColumn column, int width) {
         setColumnWidth(m_rows.columnOf(column), width);
     };
     setWidth(TrafficColumn::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
-    setWidth(TrafficColumn::direction, word + grid::smallIcon + gap);
+    setWidth(TrafficColumn::direction, grid::smallIcon + gap);
     setWidth(TrafficColumn::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
-    setWidth(TrafficColumn::meaning, lineMeaningLetters * texts.averageCharWidth());
     setWidth(TrafficColumn::bytes, numbers.horizontalAdvance(QString(qsizetype{3} * shownBytes, u'0')) + gap);
-    verticalHeader()->setDefaultSectionSize(std::max({grid::smallIcon, numbers.height(), texts.height()}) +
-                                            grid::unit);
+    setTextColumn(m_rows.columnOf(TrafficColumn::meaning), lineMeaning);
 }
 
 void LineRowTable::copy() const
@@ -118,7 +112,7 @@ QString LineRowTable::exportText() const
 
 void LineRowTable::changeEvent(QEvent *event)
 {
-    QTableView::changeEvent(event);
+    LogTable::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
         setColumnWidths();
 }

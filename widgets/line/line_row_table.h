@@ -2,15 +2,15 @@
 #pragma once
 
 #include "esc_line/row_text.h"
+#include "widgets/look/log_table.h"
 #include "widgets/models/traffic_model.h"
 
 #include <QSortFilterProxyModel>
-#include <QTableView>
 
 namespace codewheel {
 
-// The rows of a line, without those of the position polling where that is wanted: they would push away what
-// was typed. What is hidden is kept.
+// The rows of a line, without those of what the program asks by itself, where that is wanted: they would push
+// away what was typed. What is hidden is kept.
 class LineRowFilter : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -18,20 +18,20 @@ class LineRowFilter : public QSortFilterProxyModel
 public:
     explicit LineRowFilter(TrafficModel &rows, QObject *parent = nullptr);
 
-    void hidePolls(bool hide);
-    bool hidesPolls() const { return m_hidesPolls; }
+    void hideAutomatic(bool hide);
+    bool hidesAutomatic() const { return m_hidesAutomatic; }
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
 
 private:
     TrafficModel &m_rows;
-    bool m_hidesPolls = true;
+    bool m_hidesAutomatic = true;
 };
 
-// The rows of a line as a table: hides the polling and columns as wanted, copies and exports what it shows.
-// Used by the terminal and by the view of a kept session.
-class LineRowTable : public QTableView
+// The rows of a line as a table: hides automatic requests and columns as wanted, copies and exports what it
+// shows. Used by the terminal and by the view of a kept session.
+class LineRowTable : public LogTable
 {
     Q_OBJECT
 
@@ -41,6 +41,8 @@ public:
 
     LineRowFilter &filter() { return *m_filter; }
     void showColumn(TrafficColumn column, bool show);
+    // Of the row that was chosen last.
+    std::optional<Place> chosenPlace() const;
 
     // The rows chosen, or all that are shown: a row a line, tabs between the columns.
     void copy() const;

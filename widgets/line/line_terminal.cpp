@@ -67,6 +67,7 @@ void LineTerminal::setLine(LineSession *line)
     m_question->withdraw();
     m_record->setLine(line);
     if (line) {
+        m_answer->hide(); // it was another line's
         if (m_rows->isEmpty() && !m_rows->hasCleared())
             m_begin = line->dateTime({});
         connect(line, &LineSession::trafficPassed, this, &LineTerminal::add);
@@ -174,6 +175,7 @@ void LineTerminal::sendNow(const esc::Request &request)
     m_line->send(request);
     m_field->keep();
     m_field->setFocus();
+    m_follow->setChecked(true); // whoever asks wants to see the answer
     Q_EMIT historyChanged();
 }
 
@@ -184,6 +186,7 @@ void LineTerminal::takeAnswer(const TypedAnswered &answer)
     if (m_typed != answer.request)
         return;
     m_typed.reset();
+    showAnswer(answer);
     if (answer.result.answer || answer.result.sent == 0)
         return;
     const bool isWrite = esc::shapeOf(answer.request.command).writes;
@@ -194,6 +197,15 @@ void LineTerminal::takeAnswer(const TypedAnswered &answer)
                          "not sent again by itself.")
                     : tr("No answer to %1. Check address and baud rate, or look for encoders."),
             {QString::fromLatin1(answer.request.text())}));
+}
+
+void LineTerminal::showAnswer(const TypedAnswered &answer)
+{
+    const auto &came = answer.result.answer;
+    const QString meaning = came ? esc::answerText(answer.request, *came, m_options) : tr("no answer");
+    m_answer->setText(
+        sentence(QStringLiteral("%1: %2"), {QString::fromLatin1(answer.request.text()), meaning}));
+    m_answer->show();
 }
 
 bool LineTerminal::save(const QString &path)
@@ -267,8 +279,6 @@ void LineTerminal::showCounts()
     m_content->setCurrentIndex(m_rows->isEmpty() ? 1 : 0);
     m_save->setEnabled(!m_rows->isEmpty());
     m_bringBack->setEnabled(m_rows->hasCleared());
-    if (m_follow->isChecked() && !m_rows->isHeld())
-        m_table->scrollToBottom();
 }
 
 void LineTerminal::showWhatIsPossible()

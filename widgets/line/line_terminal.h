@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
 #include "esc/esc_explain.h"
 #include "esc_line/line_event.h"
 #include "widgets/look/roles.h"
@@ -17,6 +18,7 @@ class QVBoxLayout;
 
 namespace codewheel {
 
+class GoToPlace;
 class InlineMessage;
 class LineRecordView;
 class LineRowTable;
@@ -49,6 +51,7 @@ public:
 
 Q_SIGNALS:
     void historyChanged();
+    void goToWanted(codewheel::Place place); // whose row was chosen
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -61,6 +64,7 @@ private:
     void sendNow(const esc::Request &request);
     void askBeforeWrite(const esc::Request &request);
     void takeAnswer(const TypedAnswered &answer);
+    void showAnswer(const TypedAnswered &answer);
     void askSave();
     void askOpen();
     void askExport();
@@ -84,7 +88,9 @@ private:
     QAction *m_hold = nullptr;
     QAction *m_save = nullptr;
     QAction *m_bringBack = nullptr;
+    GoToPlace *m_goTo;
     MeaningLine *m_counts;
+    MeaningLine *m_answer; // to what was typed last: stays when its rows are gone
     RequestField *m_field;
     QPushButton *m_send;
     InlineMessage *m_question;

@@ -10,6 +10,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/go_to_place.h"
 #include "widgets/monitor/meaning_line.h"
 
 #include <QAction>
@@ -27,7 +28,9 @@ LineTerminal::LineTerminal(QWidget *parent)
     , m_pages(new QStackedWidget(this))
     , m_table(new LineRowTable(*m_rows, tr("What passed on the line"), this))
     , m_record(new LineRecordView(this))
+    , m_goTo(new GoToPlace(this))
     , m_counts(new MeaningLine(this, Qt::AlignRight))
+    , m_answer(new MeaningLine(this))
     , m_field(new RequestField(this))
     , m_send(new QPushButton(lineIcon(Icon::start), tr("Send"), this))
     , m_question(new InlineMessage(this))
@@ -95,21 +98,23 @@ void LineTerminal::makeTools(QToolBar &bar)
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     m_hold->setCheckable(true);
-    const QAction *copying =
-        make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-              tr("Copy the selected rows, or all shown, with tabs between the columns")});
+    QAction *copying = make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+                             tr("Copy the selected rows, or all shown, with tabs between the columns")});
     m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
                    tr("Keep all rows in a file, to be looked at and sent again")});
     const QAction *opening = make({Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
                                    tr("Look at a saved session, and send it again")});
-    const QAction *exporting = make({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                                     tr("Write the rows shown to a text file")});
-    const QAction *clearing =
+    QAction *exporting = make({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                               tr("Write the rows shown to a text file")});
+    QAction *clearing =
         make({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete), tr("Remove all rows")});
     m_bringBack = make({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
                         tr("Show the rows again that Clear removed")});
     m_bringBack->setEnabled(false);
-    connect(m_follow, &QAction::toggled, this, &LineTerminal::showCounts);
+    m_table->setFollow(*m_follow);
+    connect(m_table, &LogTable::chosenChanged, this, [this] { m_goTo->setPlace(m_table->chosenPlace()); });
+    connect(m_goTo, &GoToPlace::wanted, this, &LineTerminal::goToWanted);
+    m_table->addActions({copying, m_goTo, exporting, clearing, m_bringBack});
     connect(m_hold, &QAction::toggled, m_rows, &TrafficModel::setHeld);
     connect(copying, &QAction::triggered, m_table, &LineRowTable::copy);
     connect(m_save, &QAction::triggered, this, &LineTerminal::askSave);
@@ -125,6 +130,11 @@ void LineTerminal::makeSending(QVBoxLayout &rows)
     rows.addWidget(m_message);
     auto *label = new QLabel(tr("Request"), this);
     label->setBuddy(m_field);
+    QFont bold = m_answer->font();
+    bold.setBold(true);
+    m_answer->setFont(bold);
+    m_answer->hide();
+    rows.addWidget(m_answer);
     m_field->setAccessibleName(tr("Request to send"));
     m_field->setPlaceholderText(QStringLiteral("05P"));
     m_send->setAccessibleName(tr("Send the request"));

@@ -14,6 +14,7 @@ namespace codewheel {
 namespace {
 
 constexpr char16_t escapePicture = 0x241B;
+constexpr char16_t escapeSign = 0x238B;
 constexpr int partDropped = 40; // one of so many
 
 struct ColumnShape
@@ -30,7 +31,7 @@ constexpr ColumnShape columnShapes[] = {
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Time"), "time", false, true, false},
     {"\u0394 ms", "since_last_ms", true, true, false},
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Cycle"), "cycle", true, true, false},
-    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Direction"), "direction", false, false, true},
+    {"\u2195", "direction", false, false, true},
     {"OUT", "out", false, true, false},
     {"IN", "in", false, true, false},
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Text"), "text", false, true, true},
@@ -47,6 +48,16 @@ const ColumnShape &shapeOf(TrafficColumn column)
 double inMilliseconds(Instant duration)
 {
     return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+// What was typed and its answer stand out as a pair.
+QVariant fontOf(const ShownTraffic &row, const ColumnShape &shape)
+{
+    if (!shape.hasNumberFont && !row.what.isTyped)
+        return {};
+    QFont font = shape.hasNumberFont ? numberFont() : textFont();
+    font.setBold(row.what.isTyped);
+    return font;
 }
 
 QIcon kindIcon(std::optional<TrafficKind> kind)
@@ -72,8 +83,13 @@ QIcon kindIcon(std::optional<TrafficKind> kind)
 
 ControlCharacters shownControls()
 {
-    static const bool hasPictures = QFontMetrics(numberFont()).inFont(QChar(escapePicture));
-    return hasPictures ? ControlCharacters::pictures : ControlCharacters::numbers;
+    static const ControlCharacters shown = [] {
+        const QFontMetrics font(numberFont());
+        if (font.inFont(QChar(escapePicture)))
+            return ControlCharacters::pictures;
+        return font.inFont(QChar(escapeSign)) ? ControlCharacters::signs : ControlCharacters::numbers;
+    }();
+    return shown;
 }
 
 TrafficModel::TrafficModel(std::span<const TrafficColumn> columns, int most, QObject *parent)
@@ -271,9 +287,12 @@ QVariant TrafficModel::headerCell(int column, int role) const
     const ColumnShape &shape = shapeOf(columnAt(column));
     if (role == Qt::TextAlignmentRole)
         return QVariant((shape.isRightAligned ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (columnAt(column) == TrafficColumn::sinceLast &&
-        (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
-        return tr("Since last, ms");
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+        if (columnAt(column) == TrafficColumn::sinceLast)
+            return tr("Since last, ms");
+        if (columnAt(column) == TrafficColumn::direction)
+            return tr("Direction");
+    }
     return role == Qt::DisplayRole ? tr(shape.title) : QVariant();
 }
 
@@ -291,9 +310,9 @@ QVariant TrafficModel::cell(const ShownTraffic &row, int column, int role) const
     case Qt::ToolTipRole:
         if (shown == TrafficColumn::time)
             return dateTimeText(row);
-        return shape.hasToolTip ? QVariant(cellText(row, shown)) : QVariant();
+        return shape.hasToolTip ? QVariant(cellText(row, shown, ControlCharacters::numbers)) : QVariant();
     case Qt::FontRole:
-        return shape.hasNumberFont ? QVariant(numberFont()) : QVariant();
+        return fontOf(row, shape);
     case Qt::TextAlignmentRole:
         return headerCell(column, role);
     default:

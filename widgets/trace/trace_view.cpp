@@ -8,8 +8,10 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/log_table.h"
 #include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/go_to_place.h"
 #include "widgets/models/traffic_model.h"
 
 #include <QApplication>
@@ -17,7 +19,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -25,8 +26,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr int traceMeaningLetters = 60; // about as long as the sentences of a handshake
-constexpr int fewestLetters = 20;
+constexpr LogTable::Letters traceMeaning{.fewest = 20, .wanted = 40};
 constexpr int mostRows = 20'000; // of an encoder
 constexpr int remarkWidth = 25 * grid::unit;
 
@@ -38,11 +38,11 @@ TraceView::TraceView(Buses &buses, QWidget *parent)
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::trace, {}, {}, this))
     , m_tools(new QToolBar(this))
-    , m_table(new QTableView(this))
+    , m_goTo(new GoToPlace(this))
+    , m_table(new LogTable(tr("Handshake trace"), this))
     , m_counts(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
-    makeTable();
     makeTools();
     auto *page = new QWidget;
     auto *rows = layOut<QVBoxLayout>(page, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
@@ -69,18 +69,6 @@ TraceView::~TraceView()
     m_table->setModel(nullptr);
 }
 
-void TraceView::makeTable()
-{
-    m_table->setAccessibleName(tr("Handshake trace"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setWordWrap(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
-}
-
 void TraceView::makeTools()
 {
     setUpToolBar(*m_tools);
@@ -92,20 +80,21 @@ void TraceView::makeTools()
     m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
                        tr("Hold the table; rows that come are kept and shown afterwards")});
     m_hold->setCheckable(true);
-    const QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
-                                       tr("Copy the selected rows, or all, with tabs between the columns")});
-    const QAction *exporting = makeTool({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                                         tr("Save all rows as a CSV file")});
-    const QAction *clearing = makeTool({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
-                                        tr("Remove all rows of this encoder")});
+    QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
+                                 tr("Copy the selected rows, or all, with tabs between the columns")});
+    QAction *exporting = makeTool({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                                   tr("Save all rows as a CSV file")});
+    QAction *clearing = makeTool({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
+                                  tr("Remove all rows of this encoder")});
     m_bringBack = makeTool({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
                             tr("Show the rows again that Clear removed")});
     m_bringBack->setEnabled(false);
-    connect(m_follow, &QAction::toggled, this, &TraceView::follow);
+    m_table->setFollow(*m_follow);
+    connect(m_goTo, &GoToPlace::wanted, this, &TraceView::goToWanted);
+    m_table->addActions({copying, m_goTo, exporting, clearing, m_bringBack});
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
         for (const auto &[place, collected] : m_collected)
             collected.rows->setHeld(held);
-        follow();
     });
     connect(copying, &QAction::triggered, this, &TraceView::copy);
     connect(exporting, &QAction::triggered, this, &TraceView::exportRows);
@@ -124,7 +113,7 @@ void TraceView::watchEncoders()
     for (EncoderBus *bus : m_buses.open()) {
         connect(bus, &EncoderBus::trafficPassed, this, &TraceView::add, Qt::UniqueConnection);
         for (const Place place : bus->places())
-            if (const EncoderSession *encoder = bus->encoder(place))
+            if (const EncoderSession *encoder = bus->encoder(place); encoder && encoder->device().hasWords())
                 collect(*encoder);
     }
 }
@@ -167,6 +156,7 @@ void TraceView::setEncoder(EncoderSession *encoder, std::optional<Place> offline
     watchEncoders();
     m_shown = encoder && encoder->device().hasWords() ? model(encoder->place()) : nullptr;
     m_message->withdraw();
+    m_goTo->setPlace(m_shown ? std::optional(encoder->place()) : std::nullopt);
     showModel();
     showWhyEmpty(encoder, offline);
 }
@@ -202,13 +192,13 @@ int TraceView::meaningColumn() const
 void TraceView::showModel()
 {
     m_pages->setCurrentIndex(m_shown ? 1 : 0);
-    const QItemSelectionModel *before = m_table->selectionModel();
     m_table->setModel(m_shown);
-    delete before;
     if (!m_shown)
         return;
     for (int column = 0; column < meaningColumn(); ++column)
         m_table->setColumnWidth(column, m_table->horizontalHeader()->sectionSizeHint(column));
+    m_table->setColumnWidth(m_shown->columnOf(TrafficColumn::remark), remarkWidth);
+    m_table->setTextColumn(meaningColumn(), traceMeaning);
     makeRoom(0, m_shown->rowCount() - 1);
     showCounts();
 }
@@ -222,43 +212,15 @@ void TraceView::makeRoom(int first, int last)
         for (int row = first; row <= last; ++row)
             width = std::max(width, metrics.horizontalAdvance(m_shown->index(row, column).data().toString()) +
                                         2 * grid::unit);
-        m_table->setColumnWidth(column, width);
+        if (width != m_table->columnWidth(column))
+            m_table->setColumnWidth(column, width);
     }
-    fitMeaning();
-}
-
-// The meaning has what the numbers leave it, the remark what is left then; in a narrow dock it is scrolled
-// to.
-void TraceView::fitMeaning()
-{
-    if (!m_shown)
-        return;
-    const int letter = m_table->fontMetrics().averageCharWidth();
-    int left = m_table->viewport()->width();
-    for (int column = 0; column < meaningColumn(); ++column)
-        left -= m_table->columnWidth(column);
-    if (left - remarkWidth > fewestLetters * letter)
-        left = std::min(left - remarkWidth, traceMeaningLetters * letter);
-    m_table->setColumnWidth(meaningColumn(), std::max(left, fewestLetters * letter));
-}
-
-void TraceView::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitMeaning();
 }
 
 void TraceView::showCounts()
 {
     m_counts->setText(m_shown->countsText(m_shown->rowCount()));
     m_bringBack->setEnabled(m_shown->hasCleared());
-    follow();
-}
-
-void TraceView::follow()
-{
-    if (m_follow->isChecked() && m_shown && !m_shown->isHeld())
-        m_table->scrollToBottom();
 }
 
 void TraceView::copy()

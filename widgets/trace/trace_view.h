@@ -13,13 +13,14 @@
 class QAction;
 class QLabel;
 class QStackedWidget;
-class QTableView;
 class QToolBar;
 
 namespace codewheel {
 
 class EmptyState;
+class GoToPlace;
 class InlineMessage;
+class LogTable;
 class TrafficModel;
 
 // The handshake trace: one row per change of the words of the selected encoder, as the manuals print it, or
@@ -43,9 +44,7 @@ public:
 
 Q_SIGNALS:
     void terminalRequested(); // where what passes on a serial line is shown
-
-protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void goToWanted(codewheel::Place place);
 
 private:
     struct Collected
@@ -63,10 +62,8 @@ private:
     void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);
     void showModel();
     void makeRoom(int first, int last); // for these rows
-    void fitMeaning();
     void showCounts();
     int meaningColumn() const;
-    void follow();
     void copy();
 
     Buses &m_buses;
@@ -78,7 +75,8 @@ private:
     QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;
     QAction *m_bringBack = nullptr;
-    QTableView *m_table;
+    GoToPlace *m_goTo;
+    LogTable *m_table;
     QLabel *m_counts;
     InlineMessage *m_message;
 };

@@ -116,7 +116,7 @@ TEST_F(LineRecordViewTest, PollsAreSentWhenTheyAreShown)
 {
     bench.open(LineSession::Start::operating);
     for (auto *box : view.findChildren<QCheckBox *>())
-        if (box->text().remove(u'&') == QLatin1String("Hide position polls"))
+        if (box->text().remove(u'&') == QLatin1String("Hide automatic requests"))
             box->click();
     click("Replay");
     click("Send reads only");

@@ -16,6 +16,7 @@ constexpr int mostRows = static_cast<int>(LineRecord::mostRows);
 class LineRowModelTest : public testing::Test
 {
 protected:
+    LineRowModelTest() { filter.hideAutomatic(false); }
     void add(Kind kind, const QByteArray &bytes)
     {
         TrafficRow row = traffic.row({at += 5ms, kind, bytes});
@@ -70,23 +71,56 @@ TEST_F(LineRowModelTest, WhatIsNoAnswerIsMarked)
     EXPECT_EQ(cell(4, TrafficColumn::direction), QStringLiteral("late"));
 }
 
-TEST_F(LineRowModelTest, PollsAreHiddenButNotWhatIsWrongWithThem)
+TEST_F(LineRowModelTest, WhatTheProgramAsksByItselfIsHiddenButNotWhatIsWrongWithIt)
 {
     poll();
-    add(Kind::sent, wire("05A"));
+    for (const char *asked : {"05A", "05E", "05N", "05V", "05B"}) {
+        add(Kind::sent, wire(asked));
+        add(Kind::answer, "\r\n4000\r\n");
+    }
+    add(Kind::sent, wire("05M"));
     add(Kind::sent, wire("05P"));
     add(Kind::garbage, "x");
     model.showWaiting();
-    EXPECT_EQ(model.rowCount(), 5);
+    EXPECT_EQ(filter.rowCount(), 15);
+    filter.hideAutomatic(true);
     ASSERT_EQ(filter.rowCount(), 2);
-    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("05: alarms?"));
+    EXPECT_EQ(cell(0, TrafficColumn::meaning), QStringLiteral("05: total measuring range?"));
     EXPECT_EQ(cell(1, TrafficColumn::direction), QStringLiteral("garbage"));
-    filter.hidePolls(false);
-    EXPECT_EQ(filter.rowCount(), 5);
+    filter.hideAutomatic(false);
+    EXPECT_EQ(filter.rowCount(), 15);
+}
+
+TEST_F(LineRowModelTest, WhatWasTypedAndItsAnswerAreBold)
+{
+    poll();
+    poll();
+    model.showWaiting();
+    model.markTyped(wire("05P"));
+    const auto isBold = [this](int row) {
+        for (const auto column : lineTrafficColumns)
+            if (!model.index(row, model.columnOf(column)).data(Qt::FontRole).value<QFont>().bold())
+                return false;
+        return true;
+    };
+    EXPECT_FALSE(isBold(0));
+    EXPECT_FALSE(isBold(1));
+    EXPECT_TRUE(isBold(2));
+    EXPECT_TRUE(isBold(3));
+}
+
+TEST_F(LineRowModelTest, ARowKnowsItsEncoder)
+{
+    add(Kind::garbage, "?");
+    poll();
+    model.showWaiting();
+    EXPECT_EQ(model.rowAt(0).what.place, std::nullopt);
+    EXPECT_EQ(model.rowAt(2).what.place, placeOnLine({5}));
 }
 
 TEST_F(LineRowModelTest, AnExchangeThatWasTypedIsShownAlthoughItLooksLikeAPoll)
 {
+    filter.hideAutomatic(true);
     poll();
     poll();
     model.showWaiting();

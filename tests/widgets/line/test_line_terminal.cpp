@@ -7,6 +7,7 @@
 #include "widgets/line/line_terminal.h"
 #include "widgets/line/request_field.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/monitor/meaning_line.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -86,6 +87,39 @@ TEST_F(LineTerminalTest, ATypedRequestAndItsAnswerAreSeenAmongThePolls)
     EXPECT_EQ(cell(1, TrafficColumn::meaning).remove(u','), QStringLiteral("1235h = 4661"));
     EXPECT_EQ(field.text(), QString());
     EXPECT_EQ(terminal.history(), QStringList{QStringLiteral("05P")});
+}
+
+TEST_F(LineTerminalTest, TheAnswerStaysWhenPollingPushesItsRowAway)
+{
+    bench.open();
+    bench.addEncoder();
+    for (auto *box : terminal.findChildren<QCheckBox *>())
+        if (box->text() == QLatin1String("Hide automatic requests") && box->isVisible())
+            box->click();
+    const auto shown = [this] {
+        for (const auto *line : terminal.findChildren<MeaningLine *>())
+            if (line->isVisible() && line->text().startsWith(QLatin1String("05P: ")))
+                return line->text().remove(u',');
+        return QString();
+    };
+    EXPECT_EQ(shown(), QString());
+    type("05p");
+    bench.pass(5'000);
+    EXPECT_GT(table.model()->rowCount(), 200);
+    EXPECT_EQ(shown(), QStringLiteral("05P: 1235h = 4661"));
+}
+
+TEST_F(LineTerminalTest, ARowLeadsToItsEncoder)
+{
+    bench.open();
+    bench.addEncoder();
+    type("05P");
+    std::vector<Place> places;
+    QObject::connect(&terminal, &LineTerminal::goToWanted, [&](Place place) { places.push_back(place); });
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualRect(table.model()->index(1, 0)).center());
+    QTest::keyClick(&table, Qt::Key_G, Qt::ControlModifier);
+    EXPECT_EQ(places, std::vector<Place>{bench.line->places().front()});
 }
 
 TEST_F(LineTerminalTest, WhatPassedWhileNobodyLookedIsThereWhenSomebodyDoes)
@@ -216,7 +250,7 @@ TEST_F(LineTerminalTest, CopiesAndExportsWhatIsShown)
     const QString text = QString::fromUtf8(file.readAll());
     EXPECT_TRUE(text.startsWith(QLatin1String("2026-11-21T12:00:00."))) << text.toStdString();
     EXPECT_TRUE(
-        text.contains(QStringLiteral("\u241B05N\u240D\u240A\t05: serial number?\t1B 30 35 4E 0D 0A")));
+        text.contains(QStringLiteral("\t05: serial number?\t\u241B05N\u240D\u240A\t1B 30 35 4E 0D 0A")));
     EXPECT_FALSE(terminal.exportText(folder.filePath(QStringLiteral("no/such/line.txt"))));
     EXPECT_TRUE(said().contains(QLatin1String("was not saved")));
     test::OldFile old;

@@ -340,13 +340,32 @@ TEST_F(TraceViewTest, AnyBusShowsWhatItTellsOfItsTraffic)
         titles << rows.headerData(column, Qt::Horizontal).toString();
         cells << rows.index(0, column).data().toString();
     }
-    EXPECT_EQ(titles.join(u'|'), QStringLiteral("Time|\u0394 ms|Direction|Hex|Meaning|Remark"));
+    EXPECT_EQ(titles.join(u'|'), QStringLiteral("Time|\u0394 ms|\u2195|Hex|Meaning|Remark"));
     EXPECT_EQ(cells.join(u'|'), QStringLiteral("14:02:01.500||sent|10 AB|gate, open|"));
     EXPECT_EQ(QString::fromUtf8(rows.csv(test::plainGate)),
               QStringLiteral("time,since_last_ms,direction,bytes,meaning,remark,bus,place\r\n"
                              "2026-03-01T14:02:01.500Z,,\"sent\",10 AB,\"gate, open\",\"\",9,n:2\r\n"));
     view.setEncoder(nullptr);
     ring.buses.remove(&plain);
+}
+
+TEST_F(TraceViewTest, GoesToTheEncoderWhoseTraceItIs)
+{
+    std::vector<Place> places;
+    QObject::connect(&view, &TraceView::goToWanted, [&](Place place) { places.push_back(place); });
+    key(Qt::Key_G);
+    EXPECT_EQ(places, std::vector<Place>{fraba});
+}
+
+TEST_F(TraceViewTest, WhoeverScrollsUpIsLeftAlone)
+{
+    for (int i = 0; i < 40; ++i)
+        write(fraba, i % 2 == 0 ? 0x80000000 : 0);
+    QScrollBar &bar = *table.verticalScrollBar();
+    EXPECT_EQ(bar.value(), bar.maximum());
+    bar.triggerAction(QAbstractSlider::SliderToMinimum);
+    write(fraba, 0x80000000);
+    EXPECT_EQ(bar.value(), 0);
 }
 
 } // namespace
