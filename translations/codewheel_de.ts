@@ -9182,6 +9182,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The serial line is not open. Connect it first.</source>
         <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
     </message>
+    <message>
+        <source>This session holds no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
+        <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineRowOptions</name>
@@ -9208,6 +9212,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Hex</source>
         <translation>Hex</translation>
+    </message>
+    <message>
+        <source>Hide automatic requests</source>
+        <translation>Automatische Anfragen ausblenden</translation>
+    </message>
+    <message>
+        <source>Leaves out what the program asks by itself (position, warnings, alarms, serial number, version, device code) and the answers. They are kept, and shown again when this is cleared.</source>
+        <translation>Blendet aus, was das Programm von selbst fragt (Position, Warnungen, Alarme, Seriennummer, Version, Gerätecode), samt den Antworten. Sie bleiben erhalten und erscheinen wieder, wenn dies ausgeschaltet wird.</translation>
     </message>
 </context>
 <context>
@@ -9759,6 +9771,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Show the rows again that Clear removed</source>
         <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
     </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineTrainingPanel</name>
@@ -9823,6 +9839,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>The bus that this page is of</source>
         <translation>Der Bus, zu dem diese Seite gehört</translation>
+    </message>
+    <message>
+        <source>%1 is not in the bus structure: it is neither connected nor in the project.</source>
+        <translation>%1 ist nicht im Busaufbau: weder verbunden noch im Projekt.</translation>
     </message>
 </context>
 <context>
@@ -10083,6 +10103,19 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>No device</source>
         <translation>Kein Teilnehmer</translation>
     </message>
+    <message>
+        <source>All</source>
+        <comment>messages</comment>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>Jederzeit</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MessageModel</name>
@@ -10117,6 +10150,20 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Message</source>
         <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times since %3)</source>
+        <comment>message, count, time</comment>
+        <translation>%1 (%2-mal seit %3)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>date and time</comment>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -10279,6 +10326,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Show all of the chosen message below the list (Enter)</source>
+        <translation>Die gewählte Meldung ganz unter der Liste zeigen (Eingabe)</translation>
     </message>
 </context>
 <context>
@@ -15318,6 +15373,34 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GoToPlace</name>
+    <message>
+        <source>Choose in the bus structure what the row is about (Ctrl+G)</source>
+        <translation>Im Busaufbau wählen, worum es in der Zeile geht (Strg+G)</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <comment>a device or a bus</comment>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>Go to the device</source>
+        <translation>Gehe zum Gerät</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MessageDetails</name>
+    <message>
+        <source>Details of the message</source>
+        <translation>Einzelheiten der Meldung</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3</source>
+        <comment>count, date and time</comment>
+        <translation>%1-mal von %2 bis %3</translation>
     </message>
 </context>
 </TS>

@@ -74,6 +74,7 @@ public:
 Q_SIGNALS:
     void panelRequested(const codewheel::Panel &panel); // it is to be seen
     void told(const codewheel::Message &message);
+    void goToWanted(codewheel::Place place); // to its row in the bus structure
     void devicesChanged(); // another ring was read in: what is chosen stays so if it is there
 
 protected:

@@ -79,6 +79,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     m_terminal->setHistory(parts.settings.typedRequests());
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });
+    connect(m_terminal, &LineTerminal::goToWanted, this, &LineViews::goToWanted);
     connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
     connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
     connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);

@@ -129,6 +129,7 @@ private:
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
     void chooseBusOf(Place place);
+    void goTo(Place place);        // a device, or without a node a bus
     EncoderBus *chosenBus() const; // null: there is none, or it has no session
     void showChosen();
     void makePages();

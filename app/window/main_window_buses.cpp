@@ -5,6 +5,9 @@
 #include "app/window/plant.h"
 #include "app/window/window_kinds.h"
 #include "bus/buses.h"
+#include "encoder/sentence.h"
+#include "journal/message_fields.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 
@@ -73,6 +76,7 @@ void MainWindow::addViews(BusAtWork &bus, BusViews &views)
     });
     connect(&views, &BusViews::panelRequested, this,
             [this, id](const Panel &panel) { showPanel(id, panel); });
+    connect(&views, &BusViews::goToWanted, this, &MainWindow::goTo);
     connect(
         &views, &BusViews::devicesChanged, this, [this, &bus] { chooseAgain(chosen(), bus); },
         Qt::QueuedConnection); // when all views have the new ones
@@ -225,6 +229,19 @@ void MainWindow::chooseBusOf(Place place)
 {
     chooseBus(place.bus);
     m_editor->choose(place);
+}
+
+void MainWindow::goTo(Place place)
+{
+    if (m_structure->has(place)) {
+        m_structure->chooseRow(place);
+        m_panels.show(panel::structure);
+    } else {
+        m_notice->showMessage(
+            Role::attention,
+            sentence(tr("%1 is not in the bus structure: it is neither connected nor in the project."),
+                     {placeName(place)}));
+    }
 }
 
 EncoderBus *MainWindow::chosenBus() const

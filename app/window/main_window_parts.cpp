@@ -137,6 +137,11 @@ void MainWindow::connectViews()
             views->open(*place);
     };
     connect(m_trace, &TraceView::terminalRequested, this, openChosen);
+    connect(m_trace, &TraceView::goToWanted, this, &MainWindow::goTo);
+    connect(m_messages, &MessagesView::goToWanted, this, &MainWindow::goTo);
+    const auto showUnseen = [this] { m_panels.setUnseen(panel::messages, m_messageModel->unseen()); };
+    connect(m_messageModel, &MessageModel::unseenChanged, this, showUnseen);
+    showUnseen();
     connect(m_sequence, &SequenceView::terminalRequested, this, openChosen);
 }
 

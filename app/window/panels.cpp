@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLocale>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTimer>
@@ -84,6 +85,11 @@ void Panels::tellWhose(const Panel &panel, const QString &name)
 {
     const QString title = tr(panel.title);
     dock(panel)->setWindowTitle(name.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, name));
+}
+
+void Panels::setUnseen(const Panel &panel, int count)
+{
+    tellWhose(panel, count == 0 ? QString() : QLocale().toString(count));
 }
 
 // Whoever has more room for it keeps that.

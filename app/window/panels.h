@@ -67,6 +67,8 @@ public:
     void showPage(const Panel &panel, QWidget *page);
     void tellWhose(const Panel &panel, const QString &name); // in its title; empty: there is one bus for it
 
+    // How much there is in it that was not seen, in its title; 0: nothing.
+    void setUnseen(const Panel &panel, int count);
     void show(const Panel &panel); // in front, with some rows of it in sight
     // Where they are at first in a window of this size.
     void arrange(WindowSize size);

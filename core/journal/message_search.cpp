@@ -2,31 +2,42 @@
 #include "journal/message_search.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace codewheel {
 namespace {
 
-constexpr qint64 portion = 20'000;    // ids looked at together
-constexpr qint64 textPortion = 4'000; // where each has to be read
+constexpr qint64 portion = 4'000; // messages looked at together
 
 } // namespace
 
-Stored<std::vector<qint64>> fittingIds(const MessageTable &table, const MessageFilter &filter,
-                                       MessageTextMatcher &matcher, qint64 first, qint64 last,
-                                       const std::stop_token &stop)
+Stored<std::vector<SightedMessage>> fittingMessages(const MessageTable &table, const MessageFilter &filter,
+                                                    MessageTextMatcher &matcher, qint64 first, qint64 last,
+                                                    const std::stop_token &stop)
 {
-    if (filter.text.isEmpty())
-        return table.ids(first, last, filter);
     const auto messages = table.read(first, last, filter);
     if (!messages)
         return tl::unexpected(messages.error());
-    std::vector<qint64> ids;
+    std::vector<SightedMessage> fitting;
     for (const StoredMessage &message : *messages) {
         if (stop.stop_requested())
-            return std::vector<qint64>();
+            return std::vector<SightedMessage>();
         if (matcher.fits(message))
-            ids.push_back(message.id);
+            fitting.push_back(sighted(message));
     }
+    return fitting;
+}
+
+Stored<std::vector<qint64>> fittingIds(const MessageTable &table, const MessageFilter &filter,
+                                       MessageTextMatcher &matcher, qint64 first, qint64 last)
+{
+    if (filter.text.isEmpty())
+        return table.ids(first, last, filter);
+    const auto fitting = fittingMessages(table, filter, matcher, first, last);
+    if (!fitting)
+        return tl::unexpected(fitting.error());
+    std::vector<qint64> ids;
+    std::ranges::transform(*fitting, std::back_inserter(ids), &SightedMessage::id);
     return ids;
 }
 
@@ -50,7 +61,7 @@ MessageSearch::Found MessageSearch::take()
 {
     const std::lock_guard lock(m_mutex);
     Found found = m_found;
-    m_found.ids.clear();
+    m_found.messages.clear();
     m_isRunning = m_isRunning && !found.done;
     return found;
 }
@@ -66,15 +77,14 @@ void MessageSearch::run(const std::stop_token &stop, const DatabasePlace &place,
 {
     MessageTextMatcher matcher(filter.text);
     const auto table = MessageTable::open(place);
-    const qint64 step = filter.text.isEmpty() ? portion : textPortion;
-    for (qint64 end = last; table && end >= first && !stop.stop_requested(); end -= step) {
-        const qint64 begin = std::max(first, end - step + 1);
-        auto ids = fittingIds(*table, filter, matcher, begin, end, stop);
-        if (!ids)
+    for (qint64 end = last; table && end >= first && !stop.stop_requested(); end -= portion) {
+        const qint64 begin = std::max(first, end - portion + 1);
+        auto fitting = fittingMessages(*table, filter, matcher, begin, end, stop);
+        if (!fitting)
             break;
         const std::lock_guard lock(m_mutex);
-        ids->insert(ids->end(), m_found.ids.begin(), m_found.ids.end());
-        m_found.ids = std::move(*ids);
+        fitting->insert(fitting->end(), m_found.messages.begin(), m_found.messages.end());
+        m_found.messages = std::move(*fitting);
         m_found.part = static_cast<double>(last - begin + 1) / static_cast<double>(last - first + 1);
     }
     const std::lock_guard lock(m_mutex);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "journal/message_rows.h"
 #include "journal/message_table.h"
 
 #include <mutex>
@@ -20,8 +21,8 @@ public:
 
     struct Found
     {
-        std::vector<qint64> ids; // rising; below all that were fetched before
-        double part = 0;         // of all that is to be looked through, 0..1
+        std::vector<SightedMessage> messages; // oldest first; older than all that were fetched before
+        double part = 0;                      // of all that is to be looked through, 0..1
         bool done = false;
     };
     // What was found since it was asked last.
@@ -40,10 +41,13 @@ private:
     std::jthread m_thread;
 };
 
-// The ids from `first` to `last` that fit the filter, its text included. Stops early, with nothing, when
-// asked to.
+// The messages from `first` to `last`, ids, that fit the filter, its text included. Stops early, with
+// nothing, when asked to.
+Stored<std::vector<SightedMessage>> fittingMessages(const MessageTable &table, const MessageFilter &filter,
+                                                    MessageTextMatcher &matcher, qint64 first, qint64 last,
+                                                    const std::stop_token &stop = {});
+// The same, ids alone: without a text no message is read.
 Stored<std::vector<qint64>> fittingIds(const MessageTable &table, const MessageFilter &filter,
-                                       MessageTextMatcher &matcher, qint64 first, qint64 last,
-                                       const std::stop_token &stop = {});
+                                       MessageTextMatcher &matcher, qint64 first, qint64 last);
 
 } // namespace codewheel

@@ -117,10 +117,14 @@ int main(int argc, char **argv)
     MessagesView view(messages);
     view.resize(viewSize);
     view.show();
-    messages.catchUp();
+    while (messages.rowCount() == 0)
+        messages.refresh();
     QApplication::processEvents();
-    std::printf("open: %d messages, %.0f MB, %.0f ms until the newest are seen\n", messages.rowCount(),
-                static_cast<double>(QFileInfo(file).size()) * 1e-6, milliseconds(clock));
+    const double seen = milliseconds(clock);
+    messages.catchUp();
+    std::printf("open: %.0f MB, %.0f ms until the newest are seen, %.0f ms until %d rows are known\n",
+                static_cast<double>(QFileInfo(file).size()) * 1e-6, seen, milliseconds(clock),
+                messages.rowCount());
     scroll(*view.findChild<QTableView *>());
     search(messages, "filter by severity", {.least = Severity::fault});
     search(messages, "filter by place", {.place = {.all = false, .at = "2.0"_ring}});

@@ -6,6 +6,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/roles.h"
 
 #include <QAction>
@@ -14,6 +15,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 
 #include <algorithm>
 
@@ -22,8 +25,29 @@ namespace {
 
 constexpr int firstPlace = 2; // after "all places" and "no device"
 constexpr int daysOfWeek = 7;
-constexpr int shortChoice = 9;                  // characters
+constexpr int shortChoice = 6; // characters
+constexpr int shortestSearch = 26 * grid::unit;
 constexpr int shortestChoice = 16 * grid::unit; // in a small window
+
+// In a narrow panel its text ends in an ellipsis.
+class ElidedChoice : public QComboBox
+{
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        const int room =
+            style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
+        option.currentText = fontMetrics().elidedText(currentText(), Qt::ElideRight, room - grid::unit);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
 
 } // namespace
 
@@ -34,11 +58,11 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
     , m_span(new QWidget(this))
     , m_search(describe(new QLineEdit(this), tr("Search in messages"),
                         tr("Show only messages with this text (Ctrl+F)")))
-    , m_severity(describe(new QComboBox(this), tr("Severity of messages"),
+    , m_severity(describe(new ElidedChoice(this), tr("Severity of messages"),
                           tr("Show only messages of this severity or worse")))
-    , m_place(describe(new QComboBox(this), tr("Place of messages"),
+    , m_place(describe(new ElidedChoice(this), tr("Place of messages"),
                        tr("Show only messages of this device, of this bus and its devices, or of no device")))
-    , m_period(describe(new QComboBox(this), tr("Time of messages"),
+    , m_period(describe(new ElidedChoice(this), tr("Time of messages"),
                         tr("Show only messages of this time; the start is that of the program")))
     , m_from(new QDateTimeEdit(m_span))
     , m_until(new QDateTimeEdit(m_span))
@@ -50,7 +74,7 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
     m_row->setSpacing(grid::unit);
     m_row->addWidget(m_search, 1);
     for (QWidget *choice : {m_severity, m_place, m_period})
-        m_row->addWidget(choice);
+        m_row->addWidget(choice, 1);
     m_row->addSpacing(grid::unit);
     auto *column = layOut<QVBoxLayout>(this, grid::unit);
     column->addLayout(m_row);
@@ -61,6 +85,7 @@ void MessageFilterBar::makeSearch()
 {
     m_search->setPlaceholderText(tr("Search"));
     m_search->setClearButtonEnabled(true);
+    m_search->setMinimumWidth(shortestSearch);
     m_search->addAction(lineIcon(Icon::search, Role::inactive), QLineEdit::LeadingPosition);
     m_find->setShortcut(QKeySequence::Find);
     m_find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -73,12 +98,12 @@ void MessageFilterBar::makeSearch()
 
 void MessageFilterBar::makeChoices()
 {
-    m_severity->addItem(tr("All messages"), QVariant::fromValue(Severity::information));
+    m_severity->addItem(tr("All", "messages"), QVariant::fromValue(Severity::information));
     m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
     m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
-    m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Where{}));
+    m_place->addItem(tr("Everywhere"), QVariant::fromValue(MessageFilter::Where{}));
     m_place->addItem(tr("No device"), QVariant::fromValue(MessageFilter::Where{.all = false}));
-    m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
+    m_period->addItem(tr("Any time"), QVariant::fromValue(Period::all));
     m_period->addItem(tr("Since the start"), QVariant::fromValue(Period::sinceStart));
     m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
     m_period->addItem(tr("Today"), QVariant::fromValue(Period::today));
@@ -88,6 +113,8 @@ void MessageFilterBar::makeChoices()
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(shortChoice);
         choice->setMinimumWidth(shortestChoice);
+        allowEliding(*choice);
+        choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
     for (QComboBox *choice : {m_severity, m_place})
         connect(choice, &QComboBox::currentIndexChanged, this, &MessageFilterBar::changed);

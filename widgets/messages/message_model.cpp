@@ -7,7 +7,10 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
+#include <QLocale>
+
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -17,7 +20,27 @@ using namespace std::chrono_literals;
 constexpr auto refreshPeriod = 100ms;
 constexpr int cached = 2'000;         // messages
 constexpr int fetched = 64;           // rows together
-constexpr qint64 takenAtOnce = 2'000; // new messages a refresh, where each is looked at
+constexpr qint64 takenAtOnce = 2'000; // new messages a refresh
+constexpr qint64 listedAtOnce = 200;  // messages; those before come in the background
+
+QDateTime localTime(qint64 at)
+{
+    return QDateTime::fromMSecsSinceEpoch(at);
+}
+
+QString timeText(const StoredMessage &message)
+{
+    return localTime(message.at).time().toString(QStringLiteral("HH:mm:ss"));
+}
+
+// How many rows these make where they join none, with that of their first day or without.
+int rowsFor(std::span<const SightedMessage> messages, bool withDay)
+{
+    MessageRows own;
+    for (const SightedMessage &message : messages)
+        own.append(message);
+    return static_cast<int>(own.size()) - (withDay ? 0 : 1);
+}
 
 QIcon severityIcon(Severity severity)
 {
@@ -51,6 +74,16 @@ void MessageModel::setClock(EncoderBus &bus)
 void MessageModel::add(const Message &message, const QDateTime &at)
 {
     m_store.add(message, at);
+    if (message.severity == Severity::information)
+        return;
+    ++m_unseen;
+    Q_EMIT unseenChanged();
+}
+
+void MessageModel::see()
+{
+    if (std::exchange(m_unseen, 0) != 0)
+        Q_EMIT unseenChanged();
 }
 
 void MessageModel::addNow(Message message)
@@ -103,7 +136,7 @@ qint64 MessageModel::firstShown() const
 
 int MessageModel::rowCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_ids.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
 int MessageModel::columnCount(const QModelIndex &parent) const
@@ -158,20 +191,23 @@ void MessageModel::refresh()
     takeFound();
 }
 
-// All rows anew: those of the filter come with the search.
+// All rows anew: the newest at once, those before as they are found.
 void MessageModel::list()
 {
     m_search.cancel();
     beginResetModel();
     m_ids.clear();
+    m_rows.clear();
     m_cache.clear();
-    m_lookedUpTo = m_span.last;
-    if (m_filter.isEmpty() && !isEmpty())
-        m_ids.append(firstShown(), m_span.last);
     endResetModel();
     m_searched = 0;
-    if (m_table && !m_filter.isEmpty() && !isEmpty())
-        m_search.start(m_place, m_filter, firstShown(), m_span.last);
+    m_lookedUpTo = std::max(firstShown() - 1, m_span.last - listedAtOnce);
+    const qint64 last = m_lookedUpTo;
+    if (m_table && !isEmpty()) {
+        takeNew();
+        if (last >= firstShown())
+            m_search.start(m_place, m_filter, firstShown(), last);
+    }
     Q_EMIT searchChanged();
 }
 
@@ -180,23 +216,74 @@ void MessageModel::takeNew()
     if (m_lookedUpTo >= m_span.last)
         return;
     const qint64 first = std::max(m_lookedUpTo + 1, firstShown());
-    const int row = rowCount();
-    if (m_filter.isEmpty()) {
-        beginInsertRows({}, row, row + static_cast<int>(m_span.last - first));
-        m_ids.append(first, m_span.last);
-        m_lookedUpTo = m_span.last;
-        endInsertRows();
+    m_lookedUpTo = std::min(m_span.last, first + takenAtOnce - 1);
+    const auto messages = fittingMessages(*m_table, m_filter, m_matcher, first, m_lookedUpTo);
+    if (!messages)
+        failed(messages.error());
+    else
+        append(*messages);
+}
+
+void MessageModel::append(std::span<const SightedMessage> messages)
+{
+    std::size_t joined = 0;
+    for (; joined < messages.size() && m_rows.joinsLast(messages[joined]); ++joined) {
+        m_rows.append(messages[joined]);
+        m_ids.append(messages[joined].id, messages[joined].id);
+    }
+    if (joined > 0)
+        tellChanged(rowCount() - 1);
+    messages = messages.subspan(joined);
+    if (messages.empty())
+        return;
+    const bool isNewDay = m_rows.isEmpty() || messages.front().day != m_rows.lastDay();
+    const int before = rowCount();
+    beginInsertRows({}, before, before + rowsFor(messages, isNewDay) - 1);
+    for (const SightedMessage &message : messages) {
+        m_rows.append(message);
+        m_ids.append(message.id, message.id);
+    }
+    endInsertRows();
+}
+
+// Some may share the row that is the first, others stand below the row of its day, and before that are those
+// of days before.
+void MessageModel::prepend(std::span<const SightedMessage> messages)
+{
+    if (m_rows.isEmpty()) {
+        append(messages);
         return;
     }
-    m_lookedUpTo = std::min(m_span.last, first + takenAtOnce - 1);
-    const auto ids = fittingIds(*m_table, m_filter, m_matcher, first, m_lookedUpTo);
-    if (!ids)
-        failed(ids.error());
-    if (!ids || ids->empty())
+    std::size_t left = messages.size();
+    for (; left > 0 && m_rows.joinsFirst(messages[left - 1]); --left) {
+        m_rows.prepend(messages[left - 1]);
+        m_ids.prepend({messages[left - 1].id});
+    }
+    if (left < messages.size())
+        tellChanged(1);
+    std::size_t ofDaysBefore = left;
+    while (ofDaysBefore > 0 && messages[ofDaysBefore - 1].day == m_rows.firstDay())
+        --ofDaysBefore;
+    insertBefore(1, messages.subspan(ofDaysBefore, left - ofDaysBefore));
+    insertBefore(0, messages.first(ofDaysBefore));
+}
+
+// Before all messages; at row 1 below the row of their day.
+void MessageModel::insertBefore(int row, std::span<const SightedMessage> messages)
+{
+    if (messages.empty())
         return;
-    beginInsertRows({}, row, row + static_cast<int>(ids->size()) - 1);
-    m_ids.append(*ids);
+    beginInsertRows({}, row, row + rowsFor(messages, row == 0) - 1);
+    for (auto message = messages.rbegin(); message != messages.rend(); ++message) {
+        m_rows.prepend(*message);
+        m_ids.prepend({message->id});
+    }
     endInsertRows();
+}
+
+void MessageModel::tellChanged(int row)
+{
+    Q_EMIT dataChanged(index(row, 0), index(row, columnTotal - 1));
 }
 
 void MessageModel::takeFound()
@@ -205,24 +292,30 @@ void MessageModel::takeFound()
         return;
     MessageSearch::Found found = m_search.take();
     m_searched = found.part;
-    std::erase_if(found.ids, [this](qint64 id) { return id < firstShown(); });
-    if (!found.ids.empty()) {
-        beginInsertRows({}, 0, static_cast<int>(found.ids.size()) - 1);
-        m_ids.prepend(found.ids);
-        endInsertRows();
-    }
+    std::erase_if(found.messages, [this](const SightedMessage &each) { return each.id < firstShown(); });
+    prepend(found.messages);
     Q_EMIT searchChanged();
 }
 
+// Of what is left, the first row is that of a day again: the one there was, if something of that day is left.
 void MessageModel::dropBelow(qint64 first)
 {
-    IdRuns left = m_ids;
-    const qint64 gone = left.dropBelow(first);
+    IdRuns ids = m_ids;
+    const qint64 gone = ids.dropBelow(first);
     if (gone == 0)
         return;
-    beginRemoveRows({}, 0, static_cast<int>(gone) - 1);
-    m_ids = std::move(left);
-    endRemoveRows();
+    MessageRows rows = m_rows;
+    rows.dropFirst(gone);
+    const int rowsGone = rowCount() - static_cast<int>(rows.size());
+    const int from = rows.isEmpty() || m_rows.at(rowsGone).isDay() ? 0 : 1;
+    if (rowsGone > 0)
+        beginRemoveRows({}, from, from + rowsGone - 1);
+    m_ids = std::move(ids);
+    m_rows = std::move(rows);
+    if (rowsGone > 0)
+        endRemoveRows();
+    if (rowCount() > 0)
+        tellChanged(1); // of several messages, some may be gone
 }
 
 void MessageModel::catchUp()
@@ -237,13 +330,47 @@ void MessageModel::catchUp()
 
 StoredMessage MessageModel::message(int row) const
 {
-    const qint64 id = m_ids.at(row);
-    if (const StoredMessage *known = m_cache.object(id))
-        return *known;
     std::vector<qint64> ids;
     const int first = row - row % fetched;
     for (int near = first; near < std::min(first + fetched, rowCount()); ++near)
-        ids.push_back(m_ids.at(near));
+        if (const MessageRows::Row its = m_rows.at(near); !its.isDay())
+            ids.push_back(m_ids.at(its.last()));
+    const MessageRows::Row its = m_rows.at(row);
+    return stored(m_ids.at(its.isDay() ? its.first : its.last()), ids);
+}
+
+StoredMessage MessageModel::oldestMessage(int row) const
+{
+    return stored(m_ids.at(m_rows.at(row).first), {});
+}
+
+std::vector<qint64> MessageModel::idsOf(int row) const
+{
+    const MessageRows::Row its = m_rows.at(row);
+    std::vector<qint64> ids;
+    for (qint64 each = its.first; each < its.first + its.count; ++each)
+        ids.push_back(m_ids.at(each));
+    return ids;
+}
+
+// Without a filter there is nothing to be found: all of them.
+IdRuns MessageModel::ids() const
+{
+    if (!m_filter.isEmpty() || isEmpty())
+        return m_ids;
+    IdRuns all;
+    all.append(firstShown(), m_span.last);
+    return all;
+}
+
+// Read with those near it, which are looked at as well.
+StoredMessage MessageModel::stored(qint64 id, const std::vector<qint64> &near) const
+{
+    if (const StoredMessage *known = m_cache.object(id))
+        return *known;
+    std::vector<qint64> ids = near;
+    if (std::ranges::find(ids, id) == ids.end())
+        ids.push_back(id);
     for (const StoredMessage &message : read(ids))
         if (message.id != 0)
             m_cache.insert(message.id, new StoredMessage(message));
@@ -279,8 +406,8 @@ QString MessageModel::text(const StoredMessage &message, int column)
 
 QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Date and time"), QT_TR_NOOP("Severity"),
-                                             QT_TR_NOOP("Place"), QT_TR_NOOP("Message")};
+    static constexpr const char *titles[] = {QT_TR_NOOP("Time"), QT_TR_NOOP("Severity"), QT_TR_NOOP("Place"),
+                                             QT_TR_NOOP("Message")};
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
@@ -289,20 +416,64 @@ QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int 
     return isTitle ? tr(titles[section]) : QVariant();
 }
 
+Qt::ItemFlags MessageModel::flags(const QModelIndex &index) const
+{
+    const bool isOfDay = index.isValid() && isDay(index.row());
+    return isOfDay ? Qt::ItemIsEnabled : QAbstractTableModel::flags(index);
+}
+
 QVariant MessageModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
         return {};
     const int column = index.column();
+    if (isDay(index.row()))
+        return dayData(index.row(), column, role);
     if (role == Qt::FontRole)
         return column == timeColumn || column == placeColumn ? numberFont() : QVariant();
-    const bool isText = role == Qt::DisplayRole || (role == Qt::ToolTipRole && column == textColumn);
-    if (!isText && (role != Qt::DecorationRole || column != severityColumn))
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole &&
+        (role != Qt::DecorationRole || column != severityColumn))
         return {};
     const StoredMessage shown = message(index.row());
     if (shown.id == 0)
         return {};
-    return isText ? QVariant(text(shown, column)) : severityIcon(shown.severity);
+    if (role == Qt::DecorationRole)
+        return severityIcon(shown.severity);
+    return role == Qt::DisplayRole ? rowText(index.row(), shown, column)
+                                   : toolTip(index.row(), shown, column);
+}
+
+QVariant MessageModel::dayData(int row, int column, int role) const
+{
+    if (column != 0)
+        return {};
+    if (role == Qt::FontRole) {
+        QFont bold = textFont();
+        bold.setBold(true);
+        return bold;
+    }
+    if (role != Qt::DisplayRole)
+        return {};
+    return QLocale().toString(localTime(message(row).at).date(), QLocale::LongFormat);
+}
+
+// The date stands above; of several messages the newest is shown, with how many they are and since when.
+QString MessageModel::rowText(int row, const StoredMessage &newest, int column) const
+{
+    if (column == timeColumn)
+        return timeText(newest);
+    if (column != textColumn || countOf(row) < 2)
+        return text(newest, column);
+    return tr("%1 (%2 times since %3)", "message, count, time")
+        .arg(text(newest, column), QLocale().toString(countOf(row)), timeText(oldestMessage(row)));
+}
+
+QString MessageModel::toolTip(int row, const StoredMessage &newest, int column) const
+{
+    if (column != timeColumn || countOf(row) < 2)
+        return text(newest, column);
+    return tr("%1 to %2", "date and time")
+        .arg(text(oldestMessage(row), timeColumn), text(newest, timeColumn));
 }
 
 } // namespace codewheel

@@ -10,13 +10,16 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <span>
+
 namespace codewheel {
 
 class EncoderBus;
 
 // Everything that happened to bus and devices, oldest first, as the message store keeps it, of this run of
-// the program and of those before. Fetches the messages that are looked at and knows of the others only their
-// number; texts are made when they are shown, so that the language can change.
+// the program and of those before: a row for each day, and one for messages in a row that are alike. Fetches
+// the messages that are looked at and knows of the others only in which row they stand, which is found out in
+// the background, newest first; texts are made when they are shown, so that the language can change.
 class MessageModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -46,6 +49,11 @@ public:
     void bringBack();
 
     bool isEmpty() const; // nothing to show, even without the filter
+
+    // Attentions and faults that were added since they were seen last.
+    int unseen() const { return m_unseen; }
+    void see();
+
     std::vector<Place> places() const;
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -53,11 +61,20 @@ public:
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
-    const IdRuns &ids() const { return m_ids; }
-    StoredMessage message(int row) const; // with the id 0 where it was dropped since
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+    // All that fit the filter, as far as they were found.
+    IdRuns ids() const;
+    qint64 foundCount() const { return m_ids.size(); } // so far
+    bool isDay(int row) const { return m_rows.at(row).isDay(); }
+    // Of a row the newest; with the id 0 where it was dropped since.
+    StoredMessage message(int row) const;
+    StoredMessage oldestMessage(int row) const;
+    qint64 countOf(int row) const { return m_rows.at(row).count; } // 0: a day
+    std::vector<qint64> idsOf(int row) const;
     std::vector<StoredMessage> read(const std::vector<qint64> &ids) const;
 
-    // As shown in this column; with Column::timeColumn to the millisecond.
+    // Of a single message, as it is copied: with date, and time to the millisecond.
     static QString text(const StoredMessage &message, int column);
 
     // Shows what came and what was found since the last time. Comes by itself ten times a second.
@@ -67,6 +84,7 @@ public:
 
 Q_SIGNALS:
     void searchChanged(); // begun, further, ended
+    void unseenChanged();
 
 private:
     bool openTable();
@@ -74,6 +92,14 @@ private:
     void list();
     void takeNew();
     void takeFound();
+    void append(std::span<const SightedMessage> messages);
+    void prepend(std::span<const SightedMessage> messages);
+    void insertBefore(int row, std::span<const SightedMessage> messages);
+    void tellChanged(int row);
+    QVariant dayData(int row, int column, int role) const;
+    QString rowText(int row, const StoredMessage &newest, int column) const;
+    QString toolTip(int row, const StoredMessage &newest, int column) const;
+    StoredMessage stored(qint64 id, const std::vector<qint64> &near) const;
     void dropBelow(qint64 first);
     qint64 firstShown() const;
 
@@ -87,7 +113,9 @@ private:
     MessageFilter m_filter;
     MessageTextMatcher m_matcher{{}};
     qint64 m_lookedUpTo = 0; // id; those above are new
-    IdRuns m_ids;            // of the rows
+    IdRuns m_ids;            // that fit
+    MessageRows m_rows;      // of m_ids
+    int m_unseen = 0;
     MessageSearch m_search;
     double m_searched = 0;
     mutable QCache<qint64, StoredMessage> m_cache; // by id

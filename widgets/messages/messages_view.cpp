@@ -5,10 +5,15 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/icon_cells.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/log_table.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/save_file.h"
+#include "widgets/messages/message_details.h"
 #include "widgets/messages/message_filter_bar.h"
+#include "widgets/models/go_to_place.h"
 
 #include <QAction>
 #include <QApplication>
@@ -18,8 +23,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QScrollBar>
-#include <QTableView>
 #include <QToolBar>
 
 #include <algorithm>
@@ -30,6 +33,8 @@ namespace {
 constexpr std::size_t largestCopy = 100'000; // rows
 constexpr qint64 longExport = 20'000;        // messages; half a second and more
 constexpr int longestPlace = 24;             // characters; longer ones are elided
+constexpr LogTable::Letters sentenceRoom{.fewest = 24};
+constexpr int roomForDetails = 260; // px of height
 
 } // namespace
 
@@ -38,9 +43,11 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     , m_messages(messages)
     , m_filters(new MessageFilterBar(this))
     , m_search(new QLabel(this))
-    , m_table(new QTableView(this))
+    , m_table(new LogTable(tr("List of messages"), this))
+    , m_details(new MessageDetails(this))
     , m_note(new InlineMessage(this))
     , m_empty(new EmptyState(Icon::messages, {}, {}, this))
+    , m_goTo(new GoToPlace(this))
 {
     setAccessibleName(tr("Messages"));
     auto *column = layOut<QVBoxLayout>(this, grid::unit, grid::unit);
@@ -57,6 +64,7 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
         column->addWidget(part);
     column->addWidget(m_table, 1);
     column->addWidget(m_empty, 1);
+    column->addWidget(m_details);
 
     connect(m_filters, &MessageFilterBar::changed, this,
             [this] { m_messages.setFilter(m_filters->filter()); });
@@ -74,18 +82,15 @@ MessagesView::~MessagesView()
 
 void MessagesView::connectModel()
 {
-    connect(&m_messages, &QAbstractItemModel::rowsInserted, this,
-            [this](const QModelIndex &, int first, int last) {
-                stay(first == 0 ? last + 1 : 0);
-                updateContent();
-            });
-    connect(&m_messages, &QAbstractItemModel::rowsRemoved, this,
-            [this](const QModelIndex &, int first, int last) {
-                stay(first == 0 ? -last - 1 : 0);
-                updateContent();
-            });
+    connect(&m_messages, &QAbstractItemModel::rowsInserted, this, &MessagesView::updateContent);
+    connect(&m_messages, &QAbstractItemModel::rowsRemoved, this, &MessagesView::updateContent);
+    connect(&m_messages, &QAbstractItemModel::dataChanged, this, &MessagesView::showChosen);
     connect(&m_messages, &QAbstractItemModel::modelReset, this, &MessagesView::updateContent);
     connect(&m_messages, &MessageModel::searchChanged, this, &MessagesView::updateContent);
+    connect(&m_messages, &MessageModel::unseenChanged, this, [this] {
+        if (!visibleRegion().isEmpty())
+            m_messages.see();
+    });
 }
 
 QAction *MessagesView::addCommand(QToolBar &bar, const QIcon &icon, const QString &text,
@@ -102,10 +107,11 @@ QAction *MessagesView::addCommand(QToolBar &bar, const QIcon &icon, const QStrin
 
 void MessagesView::makeCommands(QToolBar &bar)
 {
-    m_follow = addCommand(bar, {}, tr("Follow"), tr("Keep the newest message in sight (Ctrl+End)"));
+    m_follow = addCommand(bar, lineIcon(Icon::down), tr("Follow"),
+                          tr("Keep the newest message in sight (Ctrl+End)"));
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
-    connect(m_follow, &QAction::toggled, this, &MessagesView::followNewest);
+    m_table->setFollow(*m_follow);
 
     QAction *copyRows = addCommand(bar, lineIcon(Icon::copy), tr("Copy"),
                                    tr("Copy the messages chosen, or all that are shown (Ctrl+C)"));
@@ -125,53 +131,42 @@ void MessagesView::makeCommands(QToolBar &bar)
     m_bringBack->setToolTip(tr("Show the messages again that were hidden by Clear"));
     connect(m_bringBack, &QAction::triggered, this, &MessagesView::bringBack);
 
-    m_table->addActions({copyRows, exportAll, clearAll, m_bringBack});
-    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_showDetails = new QAction(tr("Details"), this);
+    m_showDetails->setToolTip(tr("Show all of the chosen message below the list (Enter)"));
+    m_showDetails->setCheckable(true);
+    m_showDetails->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
+    m_showDetails->setShortcutContext(Qt::WidgetShortcut);
+    connect(m_showDetails, &QAction::triggered, this, [this](bool on) {
+        m_detailsWanted = on;
+        showChosen();
+    });
+    connect(m_goTo, &GoToPlace::wanted, this, &MessagesView::goToWanted);
+
+    auto *separator = new QAction(m_table);
+    separator->setSeparator(true);
+    m_table->addActions({m_goTo, m_showDetails, copyRows, separator, exportAll, clearAll, m_bringBack});
 }
 
 void MessagesView::makeTable()
 {
     m_table->setModel(&m_messages);
-    m_table->setAccessibleName(tr("List of messages"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setIconSize({grid::smallIcon, grid::smallIcon});
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setMinimumHeight(2 * grid::largeIcon);
+    m_table->horizontalHeader()->hide(); // what the columns are is plain, and the room is for messages
+    m_table->setItemDelegateForColumn(MessageModel::severityColumn, new IconCells(m_table));
+    allowEliding(*m_table, MessageModel::placeColumn);
+    m_table->setHeadings([this](int row) { return m_messages.isDay(row); });
+    connect(m_table, &LogTable::chosenChanged, this, &MessagesView::showChosen);
     setColumnWidths();
-
-    // Whoever scrolls up wants to read; at the end one follows again.
-    QScrollBar *bar = m_table->verticalScrollBar();
-    connect(bar, &QScrollBar::actionTriggered, this,
-            [this, bar] { m_follow->setChecked(bar->sliderPosition() >= bar->maximum()); });
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex &current) {
-                if (current.isValid())
-                    m_follow->setChecked(current.row() == m_messages.rowCount() - 1);
-            });
 }
 
 void MessagesView::setColumnWidths()
 {
     const QFontMetrics numbers(numberFont());
-    const QFontMetrics texts(m_table->font());
-    const int gap = 2 * grid::margin;
-    const QString widestTime = messageTime(QDateTime(QDate(2026, 12, 28), QTime(22, 58)));
-    int severity = 0;
-    for (const Severity each : {Severity::information, Severity::attention, Severity::fault})
-        severity = std::max(severity, texts.horizontalAdvance(severityName(each)));
-    m_table->setColumnWidth(MessageModel::timeColumn, numbers.horizontalAdvance(widestTime) + gap);
-    m_table->setColumnWidth(MessageModel::severityColumn, severity + grid::smallIcon + gap);
+    m_table->setColumnWidth(MessageModel::timeColumn,
+                            numbers.horizontalAdvance(QStringLiteral("22:58:58")) + 2 * grid::margin);
+    m_table->setColumnWidth(MessageModel::severityColumn, grid::smallIcon + 2 * grid::unit);
     showPlaces();
-    m_table->verticalHeader()->setDefaultSectionSize(std::max(grid::smallIcon, numbers.height()) +
-                                                     grid::unit);
+    m_table->setTextColumn(MessageModel::textColumn, sentenceRoom);
 }
 
 // As wide as they are called, so that one is told from another.
@@ -184,8 +179,10 @@ void MessagesView::showPlaces()
         widest = std::max(widest, numbers.horizontalAdvance(placeName(place)));
     const int most = numbers.horizontalAdvance(QString(longestPlace, u'0'));
     const int width = std::min(widest, most) + 2 * grid::margin;
-    if (m_table->columnWidth(MessageModel::placeColumn) != width)
+    if (m_table->columnWidth(MessageModel::placeColumn) != width) {
         m_table->setColumnWidth(MessageModel::placeColumn, width);
+        m_table->setTextColumn(MessageModel::textColumn, sentenceRoom);
+    }
     m_filters->setPlaces(places);
     m_table->viewport()->update();
 }
@@ -209,44 +206,62 @@ void MessagesView::updateContent()
         m_empty->setAction(none ? QString() : tr("Show all"));
     }
     showSearch();
-    followNewest();
+    showChosen();
 }
 
 void MessagesView::showSearch()
 {
     const auto part = m_messages.searched();
-    m_search->setVisible(part || !m_messages.filter().isEmpty());
-    m_search->setText(part ? tr("searching: %1 %").arg(static_cast<int>(*part * 100))
-                           : tr("%n found", nullptr, m_messages.rowCount()));
+    const bool isSought = !m_messages.filter().isEmpty();
+    m_search->setVisible(isSought);
+    if (isSought)
+        m_search->setText(part ? tr("searching: %1 %").arg(static_cast<int>(*part * 100))
+                               : tr("%n found", nullptr, static_cast<int>(m_messages.foundCount())));
 }
 
-void MessagesView::followNewest()
+int MessagesView::chosenRow() const
 {
-    if (m_follow->isChecked())
-        m_table->scrollToBottom();
+    const QModelIndex current = m_table->currentIndex();
+    return current.isValid() && !m_messages.isDay(current.row()) ? current.row() : -1;
 }
 
-// What one reads does not move when rows come or go above it.
-void MessagesView::stay(int rows)
+void MessagesView::showChosen()
 {
-    if (rows == 0 || m_follow->isChecked())
-        return;
-    QScrollBar *bar = m_table->verticalScrollBar();
-    bar->setMaximum(std::max(0, bar->maximum() + rows * m_table->verticalHeader()->defaultSectionSize()));
-    bar->setValue(bar->value() + rows * m_table->verticalHeader()->defaultSectionSize());
+    const int row = chosenRow();
+    const bool wanted = m_detailsWanted.value_or(height() >= roomForDetails);
+    m_showDetails->setChecked(wanted);
+    m_goTo->setPlace(row < 0 ? std::nullopt : m_messages.message(row).place);
+    m_details->setVisible(wanted && row >= 0);
+    if (wanted && row >= 0)
+        m_details->show(m_messages, row);
+}
+
+// In a dock behind another one nothing is painted.
+void MessagesView::paintEvent(QPaintEvent *event)
+{
+    QWidget::paintEvent(event);
+    m_messages.see();
+}
+
+void MessagesView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showChosen();
 }
 
 std::vector<qint64> MessagesView::chosenIds() const
 {
-    const IdRuns &ids = m_messages.ids();
     std::vector<qint64> chosen;
     for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
-        chosen.push_back(ids.at(index.row()));
+        for (const qint64 id : m_messages.idsOf(index.row()))
+            chosen.push_back(id);
     std::ranges::sort(chosen);
-    if (chosen.empty())
-        for (qint64 row = std::max<qint64>(0, ids.size() - static_cast<qint64>(largestCopy));
-             row < ids.size(); ++row)
-            chosen.push_back(ids.at(row));
+    if (!chosen.empty())
+        return chosen;
+    const IdRuns ids = m_messages.ids();
+    for (qint64 each = std::max<qint64>(0, ids.size() - static_cast<qint64>(largestCopy)); each < ids.size();
+         ++each)
+        chosen.push_back(ids.at(each));
     return chosen;
 }
 

@@ -8,18 +8,23 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <optional>
+
 class QAction;
 class QLabel;
-class QTableView;
 class QToolBar;
 
 namespace codewheel {
 
 class EmptyState;
+class GoToPlace;
 class InlineMessage;
+class LogTable;
+class MessageDetails;
 class MessageFilterBar;
 
-// The messages, newest last: to filter, search, copy, export. Used by the bottom dock.
+// The messages, newest last: to filter, search, copy, export, and to go to where they come from. Used by the
+// bottom dock. What is in sight counts as seen.
 class MessagesView : public QWidget
 {
     Q_OBJECT
@@ -38,8 +43,13 @@ public:
     copy(); // the rows chosen, else all that are shown (as many as a clipboard bears); tabs between columns
     void clear();
 
+Q_SIGNALS:
+    void goToWanted(codewheel::Place place); // which a message is about
+
 protected:
     void changeEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void makeTable();
@@ -50,8 +60,8 @@ private:
     void bringBack();
     void updateContent();
     void showSearch();
-    void followNewest();
-    void stay(int rows);
+    void showChosen();
+    int chosenRow() const; // -1: none
     void writeFile(const QString &fileName);
     void showExport(double part);
     void endExport(const QString &failure);
@@ -65,12 +75,16 @@ private:
     MessageModel &m_messages;
     MessageFilterBar *m_filters;
     QLabel *m_search; // how far it is
-    QTableView *m_table;
+    LogTable *m_table;
+    MessageDetails *m_details;
     InlineMessage *m_note;
     NoteAction m_noteAction = NoteAction::none;
     EmptyState *m_empty;
     QAction *m_follow = nullptr;
     QAction *m_bringBack = nullptr;
+    QAction *m_showDetails = nullptr;
+    std::optional<bool> m_detailsWanted; // nothing: where there is room
+    GoToPlace *m_goTo;
     QPointer<MessageExport> m_export;
     int m_exportPercent = -1; // that was told
 };
