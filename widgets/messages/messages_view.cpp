@@ -139,6 +139,8 @@ void MessagesView::makeCommands(QToolBar &bar)
     connect(m_showDetails, &QAction::triggered, this, [this](bool on) {
         m_detailsWanted = on;
         showChosen();
+        layout()->activate();
+        m_table->scrollTo(m_table->currentIndex()); // the list has less room now
     });
     connect(m_goTo, &GoToPlace::wanted, this, &MessagesView::goToWanted);
 
