@@ -19,15 +19,29 @@ bool loadOurs(QTranslator &translator, const QLocale &locale)
            translator.load(QLocale(QLocale::English), name, separator, folder);
 }
 
+// A locale is not made up, so it is one of a country where the language is written so: German with a point
+// in Switzerland. What no country writes is written as in English.
+QLocale withSign(const QLocale &locale, QStringView sign)
+{
+    if (sign.isEmpty() || locale.decimalPoint() == sign)
+        return locale;
+    for (const QLocale::Language language : {locale.language(), QLocale::English})
+        for (const QLocale &other :
+             QLocale::matchingLocales(language, QLocale::AnyScript, QLocale::AnyTerritory))
+            if (other.decimalPoint() == sign)
+                return other;
+    return locale;
+}
+
 } // namespace
 
-void Language::use(const QString &chosen)
+void Language::use(const QString &chosen, QStringView decimalSign)
 {
     QCoreApplication::removeTranslator(&m_ours);
     QCoreApplication::removeTranslator(&m_qts);
 
     const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
-    QLocale::setDefault(locale);
+    QLocale::setDefault(withSign(locale, decimalSign));
     if (!loadOurs(m_ours, locale))
         return;
     // Qt speaks the language that our texts are in, not one that only Qt knows.

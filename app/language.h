@@ -10,9 +10,10 @@ namespace codewheel {
 class Language
 {
 public:
-    // "de", "en", or empty for what the system is set to. Texts made before stay as they are: a window has to
-    // make its texts again. Needs a QCoreApplication.
-    void use(const QString &chosen);
+    // "de", "en", or empty for what the system is set to. `decimalSign`: "." or "," instead of the
+    // language's. Texts made before stay as they are: a window has to make its texts again. Needs a
+    // QCoreApplication.
+    void use(const QString &chosen, QStringView decimalSign = {});
 
 private:
     QTranslator m_ours;

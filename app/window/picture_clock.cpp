@@ -11,10 +11,8 @@
 namespace codewheel {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto period = 33ms;
-constexpr int leftOutUnseen = 5; // of six
+constexpr int usualRate = 30; // pictures a second
+constexpr int unseenRate = 5;
 
 // Not minimized, not on another desktop: as far as the desktop tells.
 bool isAnythingSeen()
@@ -28,14 +26,21 @@ PictureClock::PictureClock(QObject *parent)
     : QObject(parent)
 {
     m_timer.setTimerType(Qt::PreciseTimer);
-    m_timer.setInterval(period);
+    setRate(usualRate);
     connect(&m_timer, &QTimer::timeout, this, &PictureClock::tick);
     qApp->installEventFilter(this);
 }
 
+void PictureClock::setRate(int picturesPerSecond)
+{
+    m_timer.setInterval(1'000 / picturesPerSecond);
+    m_leftOutUnseen = picturesPerSecond / unseenRate - 1;
+    m_left = 0;
+}
+
 void PictureClock::tick()
 {
-    if (isAnythingSeen() || m_window->hasJob() || m_left == leftOutUnseen)
+    if (isAnythingSeen() || m_window->hasJob() || m_left == m_leftOutUnseen)
         takePicture();
     else
         ++m_left;

@@ -37,6 +37,11 @@ ProjectRecovery::~ProjectRecovery()
     m_recovery.drop();
 }
 
+void ProjectRecovery::setPeriod(std::chrono::seconds period)
+{
+    m_timer.start(period);
+}
+
 void ProjectRecovery::keep()
 {
     if (m_document.isSaved())

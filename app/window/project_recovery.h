@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <chrono>
 #include <vector>
 
 namespace codewheel {
@@ -15,8 +16,8 @@ class InlineMessage;
 class ProjectDocument;
 class ProjectFiles;
 
-// Keeps what is not saved every 30 s, and offers it at the next start where the program ended without asking.
-// Outlives the window.
+// Keeps what is not saved every 30 s, or as often as is set, and offers it at the next start where the
+// program ended without asking. Outlives the window.
 class ProjectRecovery : public QObject
 {
     Q_OBJECT
@@ -29,6 +30,7 @@ public:
 
     // Asks in this window, if anything was left.
     void ask(InlineMessage &notice, ProjectFiles &files);
+    void setPeriod(std::chrono::seconds period);
     // Now, rather than when its time comes.
     void keep();
 

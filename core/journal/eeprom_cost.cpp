@@ -107,6 +107,14 @@ QString countedBy(const EepromCount &count)
     return Eeprom::tr("counted since the connection was made");
 }
 
+constexpr int usualPercent = 75;
+
+int &askedFromPercent()
+{
+    static int percent = usualPercent;
+    return percent;
+}
+
 QString dateText(const QDateTime &at)
 {
     return QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat);
@@ -135,6 +143,11 @@ int mostWritesToRestore(const Progress &progress)
     return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0));
 }
 
+void askFromEepromShare(int percent)
+{
+    askedFromPercent() = std::clamp(percent, 1, usualPercent);
+}
+
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can)
 {
     const int then = writesSoFar + planned;
@@ -144,7 +157,9 @@ EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &ca
         return EepromConcern::typed;
     if (!can.eepromBudget)
         return EepromConcern::none;
-    return 4 * then >= 3 * *can.eepromBudget ? EepromConcern::question : EepromConcern::none;
+    return 100 * std::int64_t{then} >= askedFromPercent() * std::int64_t{*can.eepromBudget}
+               ? EepromConcern::question
+               : EepromConcern::none;
 }
 
 EepromConcern eepromConcern(const EncoderSession &encoder, int planned)

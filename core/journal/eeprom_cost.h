@@ -17,9 +17,12 @@ int mostWritesToRestore(const Progress &progress);
 // encoder states.
 enum class EepromConcern : std::uint8_t {
     none,     // also where the manual is silent
-    question, // from three quarters of the budget on each write is asked for
+    question, // from three quarters of the budget on, or earlier if so set, each write is asked for
     typed,    // the manual guarantees nothing any more: the place has to be typed
 };
+// From this share of the budget on, in percent; the usual is 75, and more is taken as that. For the whole
+// program.
+void askFromEepromShare(int percent);
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can);
 EepromConcern eepromConcern(const EncoderSession &encoder, int planned);
 

@@ -41,6 +41,19 @@ TEST(EepromConcern, IsSilentWhereTheManualIs)
               EepromConcern::typed);
 }
 
+TEST(EepromConcern, AsksEarlierIfSoSetAndNeverLater)
+{
+    const Capabilities fraba{.eepromBudget = 200, .eepromLimit = 500};
+    askFromEepromShare(10);
+    EXPECT_EQ(eepromConcern(18, 1, fraba), EepromConcern::none);
+    EXPECT_EQ(eepromConcern(19, 1, fraba), EepromConcern::question);
+    EXPECT_EQ(eepromConcern(500, 1, fraba), EepromConcern::typed);
+    askFromEepromShare(300);
+    EXPECT_EQ(eepromConcern(149, 1, fraba), EepromConcern::question);
+    askFromEepromShare(75);
+    EXPECT_EQ(eepromConcern(148, 1, fraba), EepromConcern::none);
+}
+
 class EepromCost : public testing::Test
 {
 protected:

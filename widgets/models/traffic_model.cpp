@@ -95,9 +95,15 @@ ControlCharacters shownControls()
 TrafficModel::TrafficModel(std::span<const TrafficColumn> columns, int most, QObject *parent)
     : TableModelBase(parent)
     , m_columns(columns)
-    , m_most(most)
-    , m_droppedAtOnce(most / partDropped)
-{}
+{
+    setMost(most);
+}
+
+void TrafficModel::setMost(int most)
+{
+    m_most = most;
+    m_droppedAtOnce = std::max(1, most / partDropped);
+}
 
 int TrafficModel::columnOf(TrafficColumn column) const
 {
@@ -118,8 +124,9 @@ void TrafficModel::add(TrafficRow row)
     m_waiting.push_back({std::move(row), sinceLast});
     if (waiting() <= m_most)
         return;
-    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + m_droppedAtOnce);
-    m_dropped += static_cast<quint64>(m_droppedAtOnce);
+    const int surplus = std::max(waiting() - m_most, m_droppedAtOnce);
+    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + surplus);
+    m_dropped += static_cast<quint64>(surplus);
 }
 
 void TrafficModel::showWaiting()

@@ -31,6 +31,7 @@ public:
     int columnOf(TrafficColumn column) const; // columnCount(): it has none
     TrafficColumn columnAt(int column) const { return m_columns[static_cast<std::size_t>(column)]; }
 
+    void setMost(int most); // rows, from the next one on
     bool isHeld() const { return m_held; }
     void setHeld(bool held);
     const std::vector<ShownTraffic> &waitingRows() const { return m_waiting; }
@@ -73,8 +74,8 @@ private:
     void dropOldest();
 
     const std::span<const TrafficColumn> m_columns;
-    const int m_most;
-    const int m_droppedAtOnce; // so that it is seldom
+    int m_most;
+    int m_droppedAtOnce; // so that it is seldom
     std::vector<ShownTraffic> m_waiting;
     std::optional<Instant> m_last;
     bool m_held = false;

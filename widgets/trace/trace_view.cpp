@@ -27,7 +27,6 @@ namespace codewheel {
 namespace {
 
 constexpr LogTable::Letters traceMeaning{.fewest = 20, .wanted = 40};
-constexpr int mostRows = 20'000; // of an encoder
 constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
@@ -118,6 +117,14 @@ void TraceView::watchEncoders()
     }
 }
 
+void TraceView::setMostRows(int rows)
+{
+    m_mostRows = rows;
+    for (const auto &[place, collected] : m_collected)
+        if (collected.rows)
+            collected.rows->setMost(rows);
+}
+
 void TraceView::collect(const EncoderSession &encoder)
 {
     Collected &collected = m_collected[encoder.place()];
@@ -125,7 +132,7 @@ void TraceView::collect(const EncoderSession &encoder)
         return;
     const auto columns = m_buses.open(encoder.place().bus)->trafficColumns();
     const bool isShown = collected.rows && collected.rows.get() == m_shown;
-    auto fresh = std::make_unique<TrafficModel>(columns, mostRows);
+    auto fresh = std::make_unique<TrafficModel>(columns, m_mostRows);
     fresh->setHeld(m_hold->isChecked());
     connect(fresh.get(), &TrafficModel::countsChanged, this, [this, changed = fresh.get()] {
         if (changed == m_shown)

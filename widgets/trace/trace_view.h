@@ -35,6 +35,7 @@ public:
 
     // Null: an empty state, which tells whether one is chosen that is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
+    void setMostRows(int rows); // of each encoder
     bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
     TrafficModel *model(Place number) const;            // null: nothing was collected for it
 
@@ -69,6 +70,7 @@ private:
     Buses &m_buses;
     std::map<Place, Collected> m_collected;
     TrafficModel *m_shown = nullptr;
+    int m_mostRows = 20'000;
     QStackedWidget *m_pages;
     EmptyState *m_empty;
     QToolBar *m_tools;

@@ -185,6 +185,16 @@ TEST_F(TraceViewTest, TheOldestRowsGoAndAreCounted)
     EXPECT_LE(many.rowCount(), mostRows);
 }
 
+TEST_F(TraceViewTest, KeepsAsManyRowsAsAreSet)
+{
+    write(fraba, 0x020000FF);
+    view.setMostRows(5);
+    for (Word word = 1; word < 40; ++word)
+        write(fraba, word);
+    EXPECT_LE(model().rowCount(), 5);
+    EXPECT_GT(model().dropped(), 0u);
+}
+
 TEST_F(TraceViewTest, FollowsTheNewestRowUnlessToldNotTo)
 {
     for (Word word = 1; word < 40; ++word)
