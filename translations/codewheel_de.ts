@@ -9844,6 +9844,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>%1 is not in the bus structure: it is neither connected nor in the project.</source>
         <translation>%1 ist nicht im Busaufbau: weder verbunden noch im Projekt.</translation>
     </message>
+    <message>
+        <source>Choose an encoder with cams first, then drop %1 again.</source>
+        <translation>Zuerst einen Geber mit Nocken wählen, dann %1 noch einmal ablegen.</translation>
+    </message>
+    <message>
+        <source>A sequence is being sent: it stays until that has ended.</source>
+        <translation>Eine Sequenz wird gerade gesendet: Sie bleibt, bis das zu Ende ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -15134,6 +15142,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Watch: nothing is written</source>
         <translation>Beobachten: Nichts wird geschrieben</translation>
     </message>
+    <message>
+        <source>&amp;Settings...</source>
+        <translation>&amp;Einstellungen...</translation>
+    </message>
+    <message>
+        <source>Language, look, numbers, EEPROM warnings, and where files are</source>
+        <translation>Sprache, Aussehen, Zahlen, EEPROM-Warnungen und wo Dateien liegen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -15401,6 +15417,393 @@ Worte: IN %3, OUT %4</translation>
         <source>%1 times from %2 to %3</source>
         <comment>count, date and time</comment>
         <translation>%1-mal von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DroppedDevice</name>
+    <message>
+        <source>%1 is no device description that can be used. %2: %3</source>
+        <translation>%1 ist keine brauchbare Gerätebeschreibung. %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 is a device description. Shall it replace yours of the same name?</source>
+        <translation>%1 ist eine Gerätebeschreibung. Soll sie die eigene mit demselben Namen ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 is a device description. Shall it be kept with your own?</source>
+        <translation>%1 ist eine Gerätebeschreibung. Soll sie bei den eigenen aufgehoben werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>Auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>%1 could not be kept: %2</source>
+        <translation>%1 wurde nicht aufgehoben: %2</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made</source>
+        <translation>%1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1 is kept. Its device is in the catalog from the next start on.</source>
+        <translation>%1 ist aufgehoben. Das Gerät steht ab dem nächsten Start im Katalog.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DroppedFiles</name>
+    <message numerus="yes">
+        <source>%n files were dropped. Drop one at a time.</source>
+        <translation>
+            <numerusform>%n Datei wurde abgelegt. Nur eine auf einmal ablegen.</numerusform>
+            <numerusform>%n Dateien wurden abgelegt. Nur eine auf einmal ablegen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>%1 is a file of Codewheel, but none that is opened by dropping it: projects, cams, sequences and device descriptions are.</source>
+        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
+    </message>
+    <message>
+        <source>%1 is none of the files that can be dropped here: projects, cams, sequences and device descriptions.</source>
+        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FolderRows</name>
+    <message>
+        <source>Open folder: %1</source>
+        <translation>Ordner öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Opens the folder in the file manager</source>
+        <translation>Öffnet den Ordner in der Dateiverwaltung</translation>
+    </message>
+    <message>
+        <source>Copy path: %1</source>
+        <translation>Pfad kopieren: %1</translation>
+    </message>
+    <message>
+        <source>Copies the path</source>
+        <translation>Kopiert den Pfad</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecentList</name>
+    <message>
+        <source>it is not there any more</source>
+        <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>it may not be read</source>
+        <translation>darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its folder does not answer</source>
+        <translation>der Ordner antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy path</source>
+        <translation>Pfad &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from the list</source>
+        <translation>Aus der &amp;Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SettingsAtWork</name>
+    <message>
+        <source>Settings of the window</source>
+        <translation>Einstellungen des Fensters</translation>
+    </message>
+    <message>
+        <source>Messages and account of EEPROM writes</source>
+        <translation>Meldungen und Zählung der EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Unsaved changes, for after a crash</source>
+        <translation>Nicht gespeicherte Änderungen, für nach einem Absturz</translation>
+    </message>
+    <message>
+        <source>Your own device descriptions</source>
+        <translation>Eigene Gerätebeschreibungen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Language and look</source>
+        <translation>Sprache und Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Of all texts. The window is made anew; the buses go on.</source>
+        <translation>Aller Texte. Das Fenster wird neu aufgebaut; die Busse laufen weiter.</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>The sign before decimals. Typed numbers are understood with either.</source>
+        <translation>Das Zeichen vor den Nachkommastellen. Getippte Zahlen werden mit beiden verstanden.</translation>
+    </message>
+    <message>
+        <source>As the language writes them</source>
+        <translation>Wie in der Sprache üblich</translation>
+    </message>
+    <message>
+        <source>Decimal point: 0.25</source>
+        <translation>Dezimalpunkt: 0.25</translation>
+    </message>
+    <message>
+        <source>Decimal comma: 0,25</source>
+        <translation>Dezimalkomma: 0,25</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Light or dark, or as the desktop is.</source>
+        <translation>Hell oder dunkel, oder wie der Desktop.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Large &amp;controls</source>
+        <translation>&amp;Große Bedienelemente</translation>
+    </message>
+    <message>
+        <source>Bits and buttons are 1.5 times as large, for gloves.</source>
+        <translation>Bits und Tasten sind 1,5-mal so groß, für Handschuhe.</translation>
+    </message>
+    <message>
+        <source>Less &amp;motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Panels are not animated. Values always change at once.</source>
+        <translation>Felder werden nicht animiert. Werte ändern sich immer sofort.</translation>
+    </message>
+    <message>
+        <source>&amp;Frames a second</source>
+        <translation>&amp;Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How often values are painted. Fewer spare the processor; the bus is not slower, and no change of a bit is lost.</source>
+        <translation>Wie oft Werte gezeichnet werden. Weniger Bilder schonen den Prozessor; der Bus wird nicht langsamer, und keine Änderung eines Bits geht verloren.</translation>
+    </message>
+    <message>
+        <source>EEPROM</source>
+        <translation>EEPROM</translation>
+    </message>
+    <message>
+        <source>&amp;Ask from</source>
+        <translation>&amp;Rückfrage ab</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent of the writes the manual speaks of</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>From this share of the writes of which the manual of an encoder speaks, each write has to be confirmed. It can only be earlier than the usual 75 %. Beyond what the manual guarantees, the place always has to be typed.</source>
+        <translation>Ab diesem Anteil der Schreibvorgänge, von denen das Handbuch eines Gebers spricht, ist jedes Schreiben zu bestätigen. Es kann nur früher sein als die üblichen 75 %. Jenseits dessen, was das Handbuch garantiert, ist immer der Platz einzutippen.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Messages, at most</source>
+        <translation>&amp;Meldungen, höchstens</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <comment>megabytes</comment>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Beyond it the oldest messages are dropped. Acts at the next start.</source>
+        <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Handshake trace, at most</source>
+        <translation>Handshake-&amp;Protokoll, höchstens</translation>
+    </message>
+    <message>
+        <source> rows</source>
+        <comment>of a table</comment>
+        <translation> Zeilen</translation>
+    </message>
+    <message>
+        <source>Kept of one encoder while the program runs; the oldest go.</source>
+        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
+    </message>
+    <message>
+        <source>&amp;Unsaved changes, every</source>
+        <translation>&amp;Nicht Gespeichertes, alle</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>seconds</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>So often what is not saved is kept for after a crash. It is offered at the next start until it is recovered or discarded.</source>
+        <translation>So oft wird nicht Gespeichertes für nach einem Absturz aufgehoben. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
+    </message>
+    <message>
+        <source>The folders follow XDG_CONFIG_HOME and XDG_DATA_HOME of the system, so that window and command line share one account of EEPROM writes; they are not changed here.</source>
+        <translation>Die Ordner richten sich nach XDG_CONFIG_HOME und XDG_DATA_HOME des Systems, damit Fenster und Kommandozeile eine gemeinsame Zählung der EEPROM-Schreibvorgänge haben; sie werden nicht hier geändert.</translation>
+    </message>
+    <message>
+        <source>Keeps what is set</source>
+        <translation>Behält, was eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Restores what was set before (Esc)</source>
+        <translation>Stellt wieder her, was vorher eingestellt war (Esc)</translation>
+    </message>
+    <message>
+        <source>Sets everything as it is after the installation; Cancel takes that back</source>
+        <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Start</name>
+    <message>
+        <source>Replace an encoder: connect the bus on which the new encoder stands.</source>
+        <translation>Geber ersetzen: den Bus verbinden, an dem der neue Geber steht.</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Replace an encoder: choose its place in the bus structure.</source>
+        <translation>Geber ersetzen: seinen Platz im Busaufbau wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace the chosen one</source>
+        <translation>Den gewählten &amp;ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StartPage</name>
+    <message>
+        <source>Training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>Simulated encoders on a ring and a serial line, to try everything without hardware.</source>
+        <translation>Simulierte Geber an einem Ring und einer seriellen Leitung, zum Ausprobieren ohne Hardware.</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Looks at the encoders of a bus. Nothing is written.</source>
+        <translation>Zeigt die Geber eines Busses. Nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>The planned encoders, with the values they shall have.</source>
+        <translation>Die geplanten Geber, mit den Werten, die sie haben sollen.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt benutzte Projekte</translation>
+    </message>
+    <message>
+        <source>Goes to the projects that were open last</source>
+        <translation>Geht zu den zuletzt geöffneten Projekten</translation>
+    </message>
+    <message>
+        <source>Replace an encoder</source>
+        <translation>Geber ersetzen</translation>
+    </message>
+    <message>
+        <source>Gives a new encoder the values and the position of the one before, from the project.</source>
+        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>No bus is connected</source>
+        <translation>Kein Bus ist verbunden</translation>
+    </message>
+    <message>
+        <source>Return opens the chosen project, Del takes it off the list.</source>
+        <translation>Eingabe öffnet das gewählte Projekt, Entf nimmt es aus der Liste.</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen project off the list (Del); its file stays</source>
+        <translation>Nimmt das gewählte Projekt aus der Liste (Entf); seine Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing is connected or sent until you ask for it.</source>
+        <translation>Nichts wird ungefragt verbunden oder gesendet.</translation>
+    </message>
+    <message>
+        <source>The project %1 is open. Nothing is connected or sent until you ask for it.</source>
+        <translation>Das Projekt %1 ist geöffnet. Nichts wird ungefragt verbunden oder gesendet.</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <translation>%1 wieder öffnen</translation>
+    </message>
+    <message>
+        <source>The project of the last session, %1</source>
+        <translation>Das Projekt der letzten Sitzung, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 </TS>

@@ -263,4 +263,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>codewheel::DroppedFiles</name>
+    <message numerus="yes">
+        <source>%n files were dropped. Drop one at a time.</source>
+        <translation>
+            <numerusform>%n file was dropped. Drop one at a time.</numerusform>
+            <numerusform>%n files were dropped. Drop one at a time.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -62,7 +62,9 @@ public:
     void setCalled(const QString &called, bool isDoubtful);
     // The device that is chosen in the window, if it is one of this bus.
     virtual void setChosen(std::optional<Place>) {}
-    virtual void open() = 0; // its row was opened
+    virtual void open() = 0;              // its row was opened
+    virtual void connectBus() { open(); } // or leads to where that is done; nothing is sent
+    virtual void connectTraining() {}     // to its simulated link
     // A device was opened. False: its words are to be looked at, as everybody's.
     virtual bool open(Place) { return false; }
     virtual void showPicture() {} // with each picture of the window

@@ -46,6 +46,8 @@ public:
     void setChosen(std::optional<Place> place) override;
     void open() override;
     bool open(Place place) override; // its terminal: it has no words
+    void connectBus() override { showSettings(); }
+    void connectTraining() override;
     void showPicture() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
@@ -71,7 +73,6 @@ private:
     void showRefused(const Refusal &why);
     void keepPort(const LinePlan &line);
     void showState();
-    void connectTraining();
     void disconnectLine();
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
     void askForOtherAdapter(const Refusal &which);

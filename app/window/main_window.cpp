@@ -9,6 +9,7 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/start.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
 #include "app/window/window_layouts.h"
@@ -121,11 +122,16 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
+    connect(m_buses, &Buses::changed, this, &MainWindow::showStart);
     connect(m_buses, &Buses::changed, m_messages, &MessagesView::showPlaces);
     connect(m_buses, &Buses::changed, m_parameters, &ParameterPanel::showWhose);
     connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::tellWhose);
     showBusState();
-    m_structure->setFocus();
+    showStart();
+    if (m_pages->currentWidget() == m_monitors)
+        m_structure->setFocus();
+    else
+        m_pages->currentWidget()->setFocus();
 }
 
 // A notice of its own: the question stands until it is answered.
@@ -229,7 +235,15 @@ void MainWindow::showWizard()
 void MainWindow::showMonitors()
 {
     if (m_monitors != nullptr)
-        m_pages->setCurrentWidget(m_monitors);
+        m_pages->setCurrentWidget(m_start->pageInsteadOf(m_monitors));
+}
+
+// In place of the monitors, or they in its place; another page that is open stays.
+void MainWindow::showStart()
+{
+    const QWidget *page = m_pages->currentWidget();
+    if (page == m_monitors || page == m_start->page())
+        showMonitors();
 }
 
 void MainWindow::showCams()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/dropped_files.h"
 #include "app/window/panels.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
@@ -27,6 +28,7 @@ class Buses;
 class DeviceChoice;
 class DevicePanel;
 class DialPanel;
+class DroppedDevice;
 class EncoderBus;
 struct Fault;
 class FaultNotice;
@@ -45,6 +47,7 @@ class ProjectPage;
 class ProjectRecovery;
 class ReportExport;
 class SequenceView;
+class Start;
 class StatusLine;
 class StructureEditor;
 class StructureView;
@@ -84,15 +87,19 @@ public:
     void showComparison(); // of the chosen ring, or the one that was chosen last
     void showProjectPage();
     ProjectFiles &files() { return *m_files; }
+    Start &start() { return *m_start; } // once it is attached
     void askForRecovery(ProjectRecovery &recovery);
     void compare();                     // each bus says how it differs from the project
     BusViews *viewsOf(BusId bus) const; // null: there is no such bus, or its kind has none
+    void showSettings();                // they are others, or the window is new
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
 Q_SIGNALS:
     void firstPainted();
     void languageChosen(const QString &language);
+    void appearanceChosen(); // and kept already
+    void settingsRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -136,6 +143,9 @@ private:
     void connectProject();
     void tell(const Message &message);
     void showBusState();
+    void showStart();
+    void connectDrops();
+    void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has none
     void showWordActions();
     void alarmStop();
@@ -177,6 +187,8 @@ private:
     MessageModel *m_messageModel = nullptr;
     MessagesView *m_messages = nullptr;
     TransferPages *m_transfer = nullptr;
+    Start *m_start = nullptr;
+    DroppedDevice *m_droppedDevice = nullptr;
     QByteArray m_defaultLayout;
     WindowLayouts *m_layouts = nullptr;
     bool m_painted = false;

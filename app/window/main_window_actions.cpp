@@ -37,6 +37,7 @@ void MainWindow::connectActions()
         m_leaving->ask(Leaving::Why::stop, {&bus}, [&bus] { bus.setRunning(false); });
     });
     connect(m_actions.alarmStop, &QAction::triggered, this, &MainWindow::alarmStop);
+    connect(m_actions.settings, &QAction::triggered, this, &MainWindow::settingsRequested);
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
@@ -68,24 +69,34 @@ void MainWindow::alarmStop()
         m_buses->alarmStop();
 }
 
+void MainWindow::showSettings()
+{
+    const ProgramSettings choices = m_settings.choices();
+    m_actions.scheme->actions().at(static_cast<int>(choices.appearance.scheme))->setChecked(true);
+    m_actions.largeControls->setChecked(choices.appearance.largeControls);
+    m_actions.lessMotion->setChecked(choices.appearance.lessMotion);
+    setAnimated(!choices.appearance.lessMotion);
+    for (QAction *language : m_actions.language->actions())
+        language->setChecked(language->data().toString() == choices.language);
+    if (m_trace != nullptr)
+        m_trace->setMostRows(choices.traceRows);
+}
+
 void MainWindow::connectViewActions()
 {
-    const Appearance appearance = m_settings.appearance();
-    m_actions.scheme->actions().at(static_cast<int>(appearance.scheme))->setChecked(true);
-    m_actions.largeControls->setChecked(appearance.largeControls);
-    m_actions.lessMotion->setChecked(appearance.lessMotion);
-    setAnimated(!appearance.lessMotion);
-    for (QAction *language : m_actions.language->actions())
-        language->setChecked(language->data().toString() == m_settings.language());
+    showSettings();
 
     const auto change = [this] {
         const Appearance chosen{.scheme =
                                     static_cast<Scheme>(m_actions.scheme->checkedAction()->data().toInt()),
                                 .largeControls = m_actions.largeControls->isChecked(),
                                 .lessMotion = m_actions.lessMotion->isChecked()};
-        m_settings.setAppearance(chosen);
+        ProgramSettings choices = m_settings.choices();
+        choices.appearance = chosen;
+        m_settings.setChoices(choices);
         setAnimated(!chosen.lessMotion);
         applyAppearance(*qApp, chosen);
+        Q_EMIT appearanceChosen();
     };
     connect(m_actions.scheme, &QActionGroup::triggered, this, change);
     connect(m_actions.largeControls, &QAction::triggered, this, change);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window is made of, and how its parts are connected.
+#include "app/user_devices.h"
 #include "app/window/device_choice.h"
+#include "app/window/dropped_device.h"
+#include "app/window/dropped_files.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/report_export.h"
+#include "app/window/start.h"
 #include "app/window/transfer_pages.h"
 #include "app/window/window_kinds.h"
 #include "app/window/window_layouts.h"
@@ -12,6 +16,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
@@ -27,6 +32,7 @@
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAction>
+#include <QFileInfo>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -53,6 +59,9 @@ void MainWindow::makePages()
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
                                    m_plant->positions(), m_actions, *m_pages, this);
+    m_start = new Start({*m_plant, m_project, *m_files, m_settings, m_actions, *m_pages,
+                         *static_cast<QVBoxLayout *>(centralWidget()->layout())},
+                        this);
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -62,6 +71,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_dial = new DialPanel(this);
     m_device = new DevicePanel(*m_buses, m_plant->catalog(), this);
     m_trace = new TraceView(*m_buses, this);
+    m_trace->setMostRows(m_settings.choices().traceRows);
     m_sequence = new SequenceView(this);
     auto *sequences = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(sequences, 0);
@@ -112,8 +122,66 @@ void MainWindow::connectProject()
     connect(m_transfer, &TransferPages::closeRequested, this, &MainWindow::showMonitors);
 }
 
+// Each is opened as its own page or panel opens it, and asks what that asks.
+void MainWindow::openDropped(FileKind kind, const QString &path)
+{
+    switch (kind) {
+    case FileKind::project:
+        m_files->open(path);
+        return;
+    case FileKind::cams:
+        if (!m_actions.cams->isEnabled()) {
+            m_notice->showMessage(
+                Role::attention,
+                tr("Choose an encoder with cams first, then drop %1 again.").arg(QFileInfo(path).fileName()));
+            return;
+        }
+        showCams();
+        m_cams->load(path);
+        return;
+    case FileKind::sequence:
+        m_panels.show(panel::sequence);
+        if (m_sequence->isSending())
+            m_notice->showMessage(Role::attention,
+                                  tr("A sequence is being sent: it stays until that has ended."));
+        else
+            m_sequence->load(path);
+        return;
+    case FileKind::device:
+        m_droppedDevice->offer(path);
+        return;
+    case FileKind::ofProgram:
+    case FileKind::other:
+    case FileKind::notReadable:
+        return; // told already
+    }
+}
+
+void MainWindow::connectDrops()
+{
+    auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
+    auto *notice = new InlineMessage(this);
+    notice->setObjectName(QStringLiteral("droppedDevice"));
+    rows->insertWidget(0, notice);
+    m_droppedDevice = new DroppedDevice(*notice, userDeviceFolder(), this);
+    auto *drops = new DroppedFiles(*this);
+    connect(drops, &DroppedFiles::dropped, this, &MainWindow::openDropped);
+    connect(drops, &DroppedFiles::refused, this,
+            [this](const QString &sentence) { m_notice->showMessage(Role::attention, sentence); });
+}
+
 void MainWindow::connectViews()
 {
+    connectDrops();
+    connect(m_start, &Start::connectRequested, this, [this](BusId bus) {
+        m_structure->choose(bus);
+        if (BusViews *views = viewsOf(bus))
+            views->connectBus();
+    });
+    connect(m_start, &Start::trainingRequested, this, [this](BusId bus) {
+        if (BusViews *views = viewsOf(bus))
+            views->connectTraining();
+    });
     connect(m_choice, &DeviceChoice::changed, this, &MainWindow::showChosen);
     connect(m_structure, &StructureView::opened, this, [this](Place place) {
         BusViews *views = viewsOf(place.bus);

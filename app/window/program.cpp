@@ -7,7 +7,9 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/start.h"
 #include "app/window/start_probe.h"
+#include "journal/eeprom_cost.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -19,6 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr qint64 megabyte = 1'000'000;
 constexpr auto measuredRun = 2s; // then a measured start ends
 
 } // namespace
@@ -26,14 +29,23 @@ constexpr auto measuredRun = 2s; // then a measured start ends
 Program::Program(QApplication &application, const QString &settingsFile)
     : m_application(application)
     , m_dataFolder(settingsFile.isEmpty() ? userJournalFolder() : QFileInfo(settingsFile).absolutePath())
-    , m_settings(settingsFile)
     , m_recoveryFolder((settingsFile.isEmpty()
                             ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                             : QFileInfo(settingsFile).path()) +
                        QStringLiteral("/recovery"))
+    , m_settings(settingsFile)
+    , m_choices(m_settings, {m_dataFolder, m_recoveryFolder, userDeviceFolder()})
 {
-    applyAppearance(application, m_settings.appearance());
-    m_language.use(m_settings.language());
+    applyAppearance(application, m_choices.now().appearance);
+    useLanguage();
+    useSettings();
+    connect(&m_choices, &SettingsAtWork::changed, this, &Program::useSettings);
+    connect(&m_choices, &SettingsAtWork::appearanceChanged, this,
+            [this] { applyAppearance(m_application, m_choices.now().appearance); });
+    connect(&m_choices, &SettingsAtWork::languageChanged, this, &Program::makeWindowAnew,
+            Qt::QueuedConnection); // whoever asks for it belongs to the window
+    m_lastFile = m_settings.lastFile();
+    connect(&m_project, &ProjectDocument::fileChanged, this, &Program::keepLastFile);
 }
 
 Program::~Program()
@@ -54,7 +66,13 @@ void Program::openWindow()
 {
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     m_pictures.setWindow(*m_window);
-    connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
+    connect(m_window.get(), &MainWindow::languageChosen, this, [this](const QString &language) {
+        ProgramSettings settings = m_choices.now();
+        settings.language = language;
+        m_choices.use(settings);
+    });
+    connect(m_window.get(), &MainWindow::appearanceChosen, &m_choices, &SettingsAtWork::takeAppearance);
+    connect(m_window.get(), &MainWindow::settingsRequested, this, [this] { m_choices.open(*m_window); });
     if (m_plant) {
         attach();
         m_window->askForRecovery(*m_recovery);
@@ -68,14 +86,15 @@ void Program::startBus()
     m_catalog = std::make_unique<Catalog>(Catalog::builtIn());
     const std::vector<Catalog::Fault> faults = addUserDevices(*m_catalog, userDeviceFolder());
     m_store = std::make_unique<MessageStore>(MessageStore::Settings{
-        .file = messageFile(m_dataFolder), .largestSize = m_settings.largestMessageFile()});
+        .file = messageFile(m_dataFolder), .largestSize = m_choices.now().largestMessageFile * megabyte});
     m_messages = std::make_unique<MessageModel>(*m_store);
     m_plant = std::make_unique<Plant>(BusAtWork::Surroundings{
         .catalog = *m_catalog, .project = m_project, .dataFolder = m_dataFolder, .clock = [] {
             return QDateTime::currentDateTime();
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
-    m_plant->openTraining();
+    if (m_file.isEmpty() && m_settings.isFirstStart())
+        m_plant->openTraining();
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
@@ -92,6 +111,14 @@ void Program::startBus()
         });
 }
 
+// It is offered at the next start, after a crash too.
+void Program::keepLastFile()
+{
+    m_settings.setLastFile(m_project.file());
+    if (!m_project.file().isEmpty())
+        m_lastFile.clear();
+}
+
 void Program::openProject()
 {
     if (!m_file.isEmpty())
@@ -100,25 +127,46 @@ void Program::openProject()
     m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);
     connect(m_recovery.get(), &ProjectRecovery::told, m_messages.get(), &MessageModel::addNow);
     m_window->askForRecovery(*m_recovery);
+    useSettings();
 }
 
 void Program::attach()
 {
     m_window->attach(*m_plant, *m_messages);
+    m_window->start().offer(m_lastFile);
     if (const auto warning = nothingIsKept(); !warning.isEmpty())
         m_window->warn(warning);
 }
 
-// All texts are made with the window, so it is made again; bus, jobs and messages go on.
-void Program::useLanguage(const QString &language)
+void Program::useSettings()
 {
-    m_settings.setLanguage(language);
+    const ProgramSettings &now = m_choices.now();
+    m_pictures.setRate(now.picturesPerSecond);
+    askFromEepromShare(now.eepromQuestionFrom);
+    if (m_recovery)
+        m_recovery->setPeriod(std::chrono::seconds(now.secondsBetweenKeeping));
+    if (m_window)
+        m_window->showSettings();
+}
+
+void Program::useLanguage()
+{
+    const DecimalSign sign = m_choices.now().decimalSign;
+    m_language.use(m_choices.now().language, sign == DecimalSign::point   ? u"."
+                                             : sign == DecimalSign::comma ? u","
+                                                                          : u"");
+}
+
+// All texts are made with the window, so it is made again; bus, jobs and messages go on.
+void Program::makeWindowAnew()
+{
     m_window->saveWindow();
-    m_language.use(language);
+    useLanguage();
     const bool visible = m_window->isVisible();
     m_window.reset();
     openWindow();
     m_window->setVisible(visible);
+    m_choices.goOnIn(*m_window);
 }
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "app/language.h"
 #include "app/window/picture_clock.h"
+#include "app/window/settings_at_work.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
 #include "widgets/project/project_document.h"
@@ -22,8 +23,8 @@ class Plant;
 class ProjectRecovery;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
-// the training bus with a thread of its own. The language can be chosen at any time: the window is made anew,
-// the bus goes on.
+// the buses, each with a thread of its own once it is connected. The language can be chosen at any time: the
+// window is made anew, the bus goes on.
 class Program : public QObject
 {
     Q_OBJECT
@@ -34,7 +35,8 @@ public:
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
-    // A project, to be opened as soon as the bus is there. Without one it is the training plant.
+    // A project, to be opened as soon as the window is there; nothing is connected then. Without one the
+    // first start of all begins with the training plant, others with the start page.
     void openAtStart(const QString &file) { m_file = file; }
     int run();
     void openWindow();
@@ -43,14 +45,19 @@ public:
 
 private:
     void startBus();
+    void keepLastFile();
     void openProject();
     void attach();
     void showPicture();
-    void useLanguage(const QString &language);
+    void useSettings();
+    void useLanguage();
+    void makeWindowAnew();
 
     QApplication &m_application;
-    const QString m_dataFolder; // of messages and EEPROM counts
+    const QString m_dataFolder;     // of messages and EEPROM counts
+    const QString m_recoveryFolder; // of changes that are not saved
     WindowSettings m_settings;
+    SettingsAtWork m_choices;
     Language m_language;
     std::unique_ptr<Catalog> m_catalog;
     std::unique_ptr<MessageStore> m_store;
@@ -58,8 +65,8 @@ private:
     ProjectDocument m_project;
     std::unique_ptr<Plant> m_plant;
     std::unique_ptr<ProjectRecovery> m_recovery;
-    QString m_recoveryFolder;
-    QString m_file; // to be opened once the bus is there
+    QString m_file;     // to be opened once the bus is there
+    QString m_lastFile; // of the session before, until another is opened
     std::unique_ptr<MainWindow> m_window;
     PictureClock m_pictures;
 };

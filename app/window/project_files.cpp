@@ -12,29 +12,16 @@
 #include "widgets/project/project_document.h"
 
 #include <QAction>
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 
 namespace codewheel {
 namespace {
-
-const QString extension = QStringLiteral("codewheel");
-
-// The project among what is dragged; empty: there is none.
-QString droppedProject(const QMimeData &data)
-{
-    for (const QUrl &url : data.urls())
-        if (url.isLocalFile() && QFileInfo(url.toLocalFile()).suffix() == extension)
-            return url.toLocalFile();
-    return {};
-}
 
 enum class Answer : std::uint8_t { safe, losing, none };
 
@@ -81,8 +68,6 @@ ProjectFiles::ProjectFiles(QMainWindow &window, ProjectDocument &document, Windo
     connect(&document, &ProjectDocument::fileChanged, this, &ProjectFiles::showTitle);
     connect(&document, &ProjectDocument::savedChanged, this, &ProjectFiles::showTitle);
     connect(&document, &ProjectDocument::changed, this, &ProjectFiles::showTitle);
-    window.setAcceptDrops(true);
-    window.installEventFilter(this);
     fillRecent();
     showTitle();
 }
@@ -113,21 +98,21 @@ bool ProjectFiles::open(const QString &path)
     return true;
 }
 
-void ProjectFiles::makeNew()
+bool ProjectFiles::makeNew()
 {
     if (!mayClose())
-        return;
+        return false;
     m_notice.withdraw();
     m_document.setProject({}, {});
+    return true;
 }
 
-void ProjectFiles::askOpen()
+bool ProjectFiles::askOpen()
 {
     const QString path =
         QFileDialog::getOpenFileName(&m_window, tr("Open a project"), QFileInfo(m_document.file()).path(),
                                      tr("Codewheel projects (*.codewheel)"));
-    if (!path.isEmpty())
-        open(path);
+    return !path.isEmpty() && open(path);
 }
 
 bool ProjectFiles::save()
@@ -235,13 +220,16 @@ void ProjectFiles::remember(const QString &path)
     files.prepend(absolute);
     m_settings.setRecentFiles(files.first(std::min(mostFiles, files.size())));
     fillRecent();
+    Q_EMIT recentChanged();
 }
 
 void ProjectFiles::forget(const QString &path)
 {
     QStringList files = m_settings.recentFiles();
-    if (files.removeAll(QFileInfo(path).absoluteFilePath()) > 0)
-        m_settings.setRecentFiles(files);
+    if (files.removeAll(QFileInfo(path).absoluteFilePath()) == 0)
+        return;
+    m_settings.setRecentFiles(files);
+    Q_EMIT recentChanged();
 }
 
 void ProjectFiles::fillRecent()
@@ -257,23 +245,6 @@ void ProjectFiles::fillRecent()
             action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
     }
     m_recent.menuAction()->setEnabled(number > 0);
-}
-
-bool ProjectFiles::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop) {
-        auto *drop = static_cast<QDropEvent *>(event);
-        const QString path = droppedProject(*drop->mimeData());
-        if (!path.isEmpty()) {
-            drop->setDropAction(Qt::CopyAction); // the file stays where it is
-            drop->accept();
-            if (event->type() == QEvent::Drop)
-                QMetaObject::invokeMethod(
-                    this, [this, path] { open(path); }, Qt::QueuedConnection);
-            return true;
-        }
-    }
-    return QObject::eventFilter(watched, event);
 }
 
 } // namespace codewheel

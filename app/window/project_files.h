@@ -18,7 +18,7 @@ class ProjectDocument;
 class WindowActions;
 class WindowSettings;
 
-// The project as a file of the window: new, open, save, recent files, files dropped onto the window, the mark
+// The project as a file of the window: new, open, save, recent files, the mark
 // of what is not saved; asks before anything is lost. What goes wrong is told inline.
 class ProjectFiles : public QObject
 {
@@ -34,7 +34,11 @@ public:
 
     // Each asks first what shall become of changes that are not saved. False: nothing was opened.
     bool open(const QString &path);
-    void makeNew();
+    bool makeNew();
+    // By a dialog.
+    bool askOpen();
+    // Takes it off the recent files.
+    void forget(const QString &path);
     // False: it was not saved, and says why; or the user gave up.
     bool save();
     bool saveAs();
@@ -43,18 +47,14 @@ public:
 
 Q_SIGNALS:
     void told(const codewheel::Message &message);
-
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
+    void recentChanged();
 
 private:
-    void askOpen();
     bool keep(const QString &path, const std::optional<QByteArray> &over = {});
     bool saveBesideAnother(); // what another program has saved is there
     QString leftOut() const;
     void refuse(const Refusal &why);
     void remember(const QString &path);
-    void forget(const QString &path);
     void fillRecent();
     void showTitle();
 

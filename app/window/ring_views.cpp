@@ -54,7 +54,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
-    onAction(m_actions.connectBus, [this] { m_connection->connectRing(); });
+    onAction(m_actions.connectBus, [this] { connectBus(); });
     onAction(m_actions.disconnectBus, [this] { m_connection->disconnectRing(); });
     onAction(m_actions.readIn, [this] { m_connection->readIn(); });
     onAction(m_actions.confirmDiagnostics, [this] { m_connection->confirmDiagnostics(); });
@@ -93,6 +93,11 @@ std::optional<int> RingViews::chosenSegment() const
 void RingViews::open()
 {
     Q_EMIT panelRequested(masterPanel);
+}
+
+void RingViews::connectBus()
+{
+    m_connection->connectRing();
 }
 
 void RingViews::showPicture()

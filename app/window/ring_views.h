@@ -34,6 +34,8 @@ public:
     bool tellsState() const override { return true; }
     void setChosen(std::optional<Place> place) override;
     void open() override;
+    void connectBus() override;
+    void connectTraining() override { connectBus(); } // a ring of the program is a training ring
     void showPicture() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;

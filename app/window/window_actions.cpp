@@ -98,6 +98,11 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
                                 tr("Edits the planned bus"));
     compare = described(menu->addAction(lineIcon(Icon::compare), tr("&Compare with the bus")), Qt::Key_F9,
                         tr("Shows what is configured for the chosen bus beside what is connected"));
+    menu->addSeparator();
+    settings =
+        described(menu->addAction(lineIcon(Icon::operate), tr("&Settings...")), Qt::CTRL | Qt::Key_Comma,
+                  tr("Language, look, numbers, EEPROM warnings, and where files are"));
+    settings->setMenuRole(QAction::PreferencesRole);
 }
 
 void WindowActions::makeBusMenu()

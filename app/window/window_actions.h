@@ -66,6 +66,7 @@ public:
     QAction *redo;
     QAction *structureEditor;
     QAction *compare;
+    QAction *settings;
     // Bus
     QAction *watch;
     QAction *operate;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/window_settings.h"
 
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QSettings>
 
@@ -30,18 +31,31 @@ QString layoutKey(WindowSize size)
     return QStringLiteral("window/layouts/%1").arg(QLatin1String(names.at(static_cast<std::size_t>(size))));
 }
 
+constexpr std::array signNames{"language", "point", "comma"};
+
+DecimalSign signOf(const QString &name)
+{
+    const auto found =
+        std::ranges::find_if(signNames, [&](const char *known) { return name == QLatin1String(known); });
+    return found == signNames.end() ? DecimalSign::ofLanguage
+                                    : static_cast<DecimalSign>(found - signNames.begin());
+}
+
 const QString languageKey = QStringLiteral("language");
 const QString schemeKey = QStringLiteral("appearance/scheme");
 const QString largeControlsKey = QStringLiteral("appearance/largeControls");
 const QString lessMotionKey = QStringLiteral("appearance/lessMotion");
+const QString lastFileKey = QStringLiteral("project/lastFile");
 const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString monitorsKey = QStringLiteral("window/monitors");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
-constexpr qint64 usualMessageFile = 200; // MB
-constexpr qint64 smallestMessageFile = 1;
-constexpr qint64 megabyte = 1'000'000;
+const QString decimalSignKey = QStringLiteral("appearance/decimalSign");
+const QString pictureRateKey = QStringLiteral("window/picturesPerSecond");
+const QString eepromKey = QStringLiteral("eeprom/questionFromPercent");
+const QString traceRowsKey = QStringLiteral("trace/mostRows");
+const QString keepingKey = QStringLiteral("recovery/seconds");
 
 } // namespace
 
@@ -54,28 +68,62 @@ WindowSettings::WindowSettings(const QString &file)
 
 WindowSettings::~WindowSettings() = default;
 
-QString WindowSettings::language() const
+int WindowSettings::number(const QString &key, int usual, SettingRange range) const
 {
-    return m_settings->value(languageKey).toString();
+    return std::clamp(m_settings->value(key, usual).toInt(), range.least, range.most);
 }
 
-void WindowSettings::setLanguage(const QString &language)
+ProgramSettings WindowSettings::choices() const
 {
-    m_settings->setValue(languageKey, language);
+    const ProgramSettings usual;
+    const int rate = m_settings->value(pictureRateKey, usual.picturesPerSecond).toInt();
+    return {
+        .language = m_settings->value(languageKey).toString(),
+        .appearance = {.scheme = schemeOf(m_settings->value(schemeKey).toString()),
+                       .largeControls = m_settings->value(largeControlsKey).toBool(),
+                       .lessMotion = m_settings->value(lessMotionKey).toBool()},
+        .decimalSign = signOf(m_settings->value(decimalSignKey).toString()),
+        .picturesPerSecond = std::ranges::count(pictureRates, rate) > 0 ? rate : usual.picturesPerSecond,
+        .eepromQuestionFrom = number(eepromKey, usual.eepromQuestionFrom, eepromQuestionRange),
+        .largestMessageFile = number(largestMessageFileKey, usual.largestMessageFile, messageFileRange),
+        .traceRows = number(traceRowsKey, usual.traceRows, traceRowsRange),
+        .secondsBetweenKeeping = number(keepingKey, usual.secondsBetweenKeeping, keepingRange),
+    };
 }
 
-Appearance WindowSettings::appearance() const
+void WindowSettings::setChoices(const ProgramSettings &choices)
 {
-    return {.scheme = schemeOf(m_settings->value(schemeKey).toString()),
-            .largeControls = m_settings->value(largeControlsKey).toBool(),
-            .lessMotion = m_settings->value(lessMotionKey).toBool()};
+    m_settings->setValue(languageKey, choices.language);
+    m_settings->setValue(schemeKey, nameOf(choices.appearance.scheme));
+    m_settings->setValue(largeControlsKey, choices.appearance.largeControls);
+    m_settings->setValue(lessMotionKey, choices.appearance.lessMotion);
+    m_settings->setValue(decimalSignKey,
+                         QLatin1String(signNames.at(static_cast<std::size_t>(choices.decimalSign))));
+    m_settings->setValue(pictureRateKey, choices.picturesPerSecond);
+    m_settings->setValue(eepromKey, choices.eepromQuestionFrom);
+    m_settings->setValue(largestMessageFileKey, choices.largestMessageFile);
+    m_settings->setValue(traceRowsKey, choices.traceRows);
+    m_settings->setValue(keepingKey, choices.secondsBetweenKeeping);
 }
 
-void WindowSettings::setAppearance(const Appearance &appearance)
+QString WindowSettings::folder() const
 {
-    m_settings->setValue(schemeKey, nameOf(appearance.scheme));
-    m_settings->setValue(largeControlsKey, appearance.largeControls);
-    m_settings->setValue(lessMotionKey, appearance.lessMotion);
+    return QFileInfo(m_settings->fileName()).path();
+}
+
+bool WindowSettings::isFirstStart() const
+{
+    return !m_settings->contains(geometryKey);
+}
+
+QString WindowSettings::lastFile() const
+{
+    return m_settings->value(lastFileKey).toString();
+}
+
+void WindowSettings::setLastFile(const QString &file)
+{
+    m_settings->setValue(lastFileKey, file);
 }
 
 QStringList WindowSettings::recentFiles() const
@@ -132,12 +180,6 @@ QStringList WindowSettings::typedRequests() const
 void WindowSettings::setTypedRequests(const QStringList &requests)
 {
     m_settings->setValue(typedRequestsKey, requests);
-}
-
-qint64 WindowSettings::largestMessageFile() const
-{
-    const qint64 megabytes = m_settings->value(largestMessageFileKey, usualMessageFile).toLongLong();
-    return std::max(megabytes, smallestMessageFile) * megabyte;
 }
 
 } // namespace codewheel

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/window/window_size.h"
-#include "widgets/look/appearance.h"
+#include "widgets/settings/program_settings.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -25,11 +25,13 @@ public:
     explicit WindowSettings(const QString &file = {});
     ~WindowSettings();
 
-    QString language() const; // "de", "en", or empty: the system's
-    void setLanguage(const QString &language);
-    Appearance appearance() const;
-    void setAppearance(const Appearance &appearance);
+    // What is set in the dialog; each value within its range, whatever the file says.
+    ProgramSettings choices() const;
+    void setChoices(const ProgramSettings &choices);
 
+    bool isFirstStart() const; // no window was ever closed
+    QString lastFile() const;  // the project that was open last; empty: none was
+    void setLastFile(const QString &file);
     QStringList recentFiles() const; // the last one first
     void setRecentFiles(const QStringList &files);
 
@@ -45,11 +47,11 @@ public:
     QStringList typedRequests() const;
     void setTypedRequests(const QStringList &requests);
 
-    // Beyond it the oldest messages are dropped; bytes. "messages/largestFile", in MB, is changed in the
-    // file.
-    qint64 largestMessageFile() const;
+    QString folder() const; // of the file
 
 private:
+    int number(const QString &key, int usual, SettingRange range) const;
+
     std::unique_ptr<QSettings> m_settings;
 };
 

@@ -5,10 +5,12 @@
 #include "app/window/project_recovery.h"
 #include "project/project_file.h"
 #include "project/project_take_over.h"
+#include "project/word_list.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/sequence/sequence_view.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -292,6 +294,32 @@ TEST_F(ProjectFilesTest, AFileDroppedOntoTheWindowIsOpened)
     EXPECT_EQ(station(), QStringLiteral("hoist"));
     drop(path("picture.png"));
     EXPECT_EQ(document().file(), path("crane.codewheel"));
+    EXPECT_TRUE(notice().contains(QStringLiteral("picture.png cannot be read")));
+}
+
+TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
+{
+    const auto write = [this](const char *name, const QByteArray &text) {
+        QFile file(path(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        return path(name);
+    };
+    drop(write("words.txt", sequenceToJson({.words = {0x020000FF, 0x80000000}})));
+    EXPECT_EQ(window().findChild<SequenceView *>()->list().words.size(), 2u);
+    drop(write("steps.json", R"({"format": "codewheel-faults", "version": 1})"));
+    EXPECT_TRUE(notice().contains(QStringLiteral("none that is opened by dropping")));
+    drop(write("readme.txt", "encoders"));
+    EXPECT_TRUE(notice().contains(QStringLiteral("none of the files")));
+    drop(write("own.json", R"({"vendor": "Own", "profile": "unheard of"})"));
+    EXPECT_TRUE(notice("droppedDevice").contains(QStringLiteral("no device description that can be used")));
+    QFile::rename(saved("crane.codewheel", QStringLiteral("hoist")), path("crane.json"));
+    nameStation(QStringLiteral("unsaved"));
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        drop(path("crane.json"));
+    }
+    EXPECT_EQ(station(), QStringLiteral("unsaved")) << "asked, as Open does";
+    EXPECT_TRUE(document().file().isEmpty());
 }
 
 TEST_F(ProjectFilesTest, TheProjectNamesTheDevicesOfTheRing)

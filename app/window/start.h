@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/file_look.h"
+#include "encoder/place.h"
+
+#include <QObject>
+
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace codewheel {
+
+class BusAtWork;
+class InlineMessage;
+class Plant;
+class ProjectDocument;
+class ProjectFiles;
+class StartPage;
+class WindowActions;
+class WindowSettings;
+
+// The start page in the window: seen in place of the monitors while no bus is connected, and what its entries
+// do. Connects nothing by itself.
+class Start : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it; the page is put into `pages`.
+    struct Parts
+    {
+        Plant &plant;
+        ProjectDocument &project;
+        ProjectFiles &files;
+        const WindowSettings &settings;
+        const WindowActions &actions;
+        QStackedWidget &pages;
+        QVBoxLayout &notices; // above the pages
+    };
+    explicit Start(const Parts &parts, QObject *parent = nullptr);
+
+    // The project that the last session had open; empty: it had none.
+    void offer(const QString &lastFile);
+    // What is shown in the middle where no other page is open.
+    QWidget *pageInsteadOf(QWidget *monitors) const;
+    QWidget *page() const;
+
+Q_SIGNALS:
+    void connectRequested(codewheel::BusId bus);
+    void trainingRequested(codewheel::BusId bus); // its simulated link
+
+private:
+    bool isAnyOpen() const;
+    void showProject();
+    void showFiles();
+    void lookAtFiles();
+    void openTraining();
+    void chooseBus();
+    std::vector<BusAtWork *> closedBuses() const; // that are planned; where no device is, all
+    void beginReplacing();
+    void showReplacing();
+
+    const Parts m_parts;
+    StartPage *m_page;
+    InlineMessage *m_replacing; // how it goes on
+    FileLook m_look;
+    QString m_last;
+    bool m_replaces = false;
+};
+
+} // namespace codewheel

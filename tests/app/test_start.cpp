@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The start page: when it is seen, and what its entries do.
+#include "app/window/plant.h"
+#include "app/window/program.h"
+#include "app/window/project_files.h"
+#include "app/window/start.h"
+#include "project/project_file.h"
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/start/recent_list.h"
+#include "widgets/start/start_page.h"
+
+#include <QAction>
+#include <QFile>
+#include <QMenu>
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using test::Question;
+
+constexpr int longestWait = 60'000; // ms
+
+class StartPageTest : public test::WindowTest
+{
+protected:
+    void disconnectAll()
+    {
+        ringActions().disconnectBus->trigger();
+        lineActions().disconnectLine->trigger();
+        advance(5);
+    }
+    StartPage &start() { return *window().findChild<StartPage *>(); }
+    bool isSeen() { return page() == &start(); }
+    QPushButton &entry(const char *name) { return *start().findChild<QPushButton *>(QLatin1String(name)); }
+    RecentList &recent() { return *start().findChild<RecentList *>(); }
+    QString save(const char *name)
+    {
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        EXPECT_TRUE(saveProject(shown->project().project(), path));
+        return path;
+    }
+    QString replaceNotice()
+    {
+        const auto *notice = window().findChild<InlineMessage *>(QStringLiteral("replaceNotice"));
+        return notice->isVisible() ? notice->sentence() : QString();
+    }
+    bool waitForRow(int row, const QString &text)
+    {
+        return QTest::qWaitFor([&] { return recent().item(row)->text().contains(text); }, longestWait);
+    }
+};
+
+TEST_F(StartPageTest, StandsInPlaceOfTheMonitorsWhileNoBusIsConnected)
+{
+    EXPECT_EQ(page(), &monitors());
+    ringActions().disconnectBus->trigger();
+    advance(5);
+    EXPECT_EQ(page(), &monitors()) << "the line is connected";
+    lineActions().disconnectLine->trigger();
+    advance(5);
+    EXPECT_TRUE(isSeen());
+    actions().monitors->trigger();
+    EXPECT_TRUE(isSeen());
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_EQ(page(), &monitors());
+}
+
+TEST_F(StartPageTest, LeavesAPageThatIsOpenInItsPlace)
+{
+    actions().structureEditor->trigger();
+    const QWidget *editor = page();
+    disconnectAll();
+    EXPECT_EQ(page(), editor);
+    actions().monitors->trigger();
+    EXPECT_TRUE(isSeen());
+}
+
+TEST_F(StartPageTest, TheTrainingBusOfThePlantIsConnectedByItsKeyAndThePlanStays)
+{
+    shown->project().editDevice(test::fraba, QStringLiteral("Station"),
+                                [](ProjectDevice &device) { device.station = QStringLiteral("Hoist"); });
+    disconnectAll();
+    actions().monitors->trigger();
+    start().setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
+    advance(50);
+    EXPECT_EQ(shown->buses().open().size(), 2u);
+    EXPECT_EQ(shown->project().device(test::fraba).station, QStringLiteral("Hoist"));
+    EXPECT_EQ(page(), &monitors());
+}
+
+TEST_F(StartPageTest, TheTrainingBusLeavesAProjectThatWasOpened)
+{
+    const QString path = save("crane.codewheel");
+    disconnectAll();
+    ASSERT_TRUE(window().files().open(path));
+    entry("startTraining").click();
+    advance(50);
+    EXPECT_TRUE(shown->project().file().isEmpty());
+    EXPECT_FALSE(shown->project().project().devices.empty()) << "it is that of the plant";
+    EXPECT_EQ(shown->buses().open().size(), 2u);
+}
+
+TEST_F(StartPageTest, ConnectOffersTheBusesOfAPlanOrAll)
+{
+    disconnectAll();
+    entry("startConnect").click(); // the ring alone is planned
+    advance(50);
+    EXPECT_TRUE(bus().isOpen());
+    disconnectAll();
+    shown->project().setProject({}, {});
+    entry("startConnect").click();
+    auto *menu = start().findChild<QMenu *>();
+    ASSERT_NE(menu, nullptr);
+    ASSERT_EQ(menu->actions().size(), 2);
+    menu->actions().at(1)->trigger();
+    EXPECT_EQ(page()->objectName(), QStringLiteral("lineSettings")) << "nothing is opened unasked";
+    EXPECT_TRUE(shown->buses().open().empty());
+    delete menu;
+}
+
+TEST_F(StartPageTest, RecentProjectsAreOpenedAndTakenOffTheList)
+{
+    const QString first = save("first.codewheel");
+    const QString second = save("second.codewheel");
+    ASSERT_TRUE(window().files().open(first));
+    ASSERT_TRUE(window().files().open(second));
+    ASSERT_TRUE(QFile::remove(first));
+    disconnectAll();
+    actions().structureEditor->trigger();
+    actions().monitors->trigger(); // looks at the files again
+    ASSERT_EQ(recent().count(), 2);
+    ASSERT_TRUE(waitForRow(1, QStringLiteral("not there any more")));
+    recent().setFocus();
+    recent().setCurrentRow(1);
+    QTest::keyClick(&recent(), Qt::Key_Return);
+    advance(5);
+    EXPECT_EQ(shown->project().file(), second) << "what is not there is not opened";
+    QTest::keyClick(&recent(), Qt::Key_Delete);
+    ASSERT_EQ(recent().count(), 1);
+    QTest::keyClick(&recent(), Qt::Key_Return);
+    advance(5);
+    EXPECT_EQ(shown->project().file(), second);
+}
+
+TEST_F(StartPageTest, TheProjectOfTheSessionBeforeIsOffered)
+{
+    const QString path = save("crane.codewheel");
+    disconnectAll();
+    EXPECT_FALSE(entry("startReopen").isVisible());
+    window().start().offer(path);
+    EXPECT_TRUE(entry("startReopen").isVisible());
+    EXPECT_TRUE(entry("startReopen").accessibleName().contains(QStringLiteral("crane.codewheel")));
+    entry("startReopen").click();
+    EXPECT_EQ(shown->project().file(), path);
+    EXPECT_FALSE(entry("startReopen").isVisible());
+    EXPECT_TRUE(shown->buses().open().empty()) << "nothing is connected unasked";
+}
+
+TEST_F(StartPageTest, ReplacingLeadsOverConnectingToTheReplacePage)
+{
+    disconnectAll();
+    entry("startReplace").click();
+    EXPECT_TRUE(replaceNotice().contains(QStringLiteral("connect")));
+    auto *notice = window().findChild<InlineMessage *>(QStringLiteral("replaceNotice"));
+    const auto press = [notice] {
+        for (auto *button : notice->findChildren<QPushButton *>())
+            if (button->isVisible())
+                return button->click();
+        ADD_FAILURE() << "no button";
+    };
+    press();
+    advance(50);
+    EXPECT_TRUE(bus().isOpen());
+    EXPECT_TRUE(replaceNotice().contains(QStringLiteral("choose")));
+    press();
+    EXPECT_TRUE(replaceNotice().isEmpty());
+    EXPECT_EQ(page()->accessibleName(), QStringLiteral("Replace encoder"));
+}
+
+class StartOfTheProgram : public testing::Test
+{
+protected:
+    void start(const QString &file = {})
+    {
+        program.reset();
+        program = std::make_unique<Program>(*qApp, folder.filePath(QStringLiteral("program.ini")));
+        program->openAtStart(file);
+        program->openWindow();
+        program->window()->show();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return program->plant() != nullptr; }, longestWait));
+    }
+    void end()
+    {
+        program->window()->saveWindow();
+        program.reset();
+    }
+    bool isConnected()
+    {
+        return QTest::qWaitFor([this] { return !program->plant()->buses().open().empty(); }, 1'000);
+    }
+    StartPage &page() { return *program->window()->findChild<StartPage *>(); }
+
+    QTemporaryDir folder;
+    std::unique_ptr<Program> program;
+};
+
+TEST_F(StartOfTheProgram, TheFirstIsAliveAndTheNextOffersWhatTheLastHadOpen)
+{
+    start();
+    ASSERT_TRUE(isConnected());
+    const QString file = folder.filePath(QStringLiteral("crane.codewheel"));
+    ASSERT_TRUE(saveProject({}, file));
+    ASSERT_TRUE(program->window()->files().open(file));
+    end();
+    start();
+    EXPECT_TRUE(program->plant()->buses().open().empty());
+    EXPECT_TRUE(page().isVisible());
+    EXPECT_TRUE(page().reopen->isVisible());
+    EXPECT_EQ(program->window()->windowTitle(), QStringLiteral("Untitled[*]"));
+    page().training->trigger();
+    ASSERT_TRUE(isConnected());
+    EXPECT_FALSE(page().isVisible());
+}
+
+TEST_F(StartOfTheProgram, WithAProjectConnectsNothing)
+{
+    const QString file = folder.filePath(QStringLiteral("crane.codewheel"));
+    ASSERT_TRUE(saveProject({}, file));
+    start(file);
+    EXPECT_EQ(program->window()->windowTitle(), QStringLiteral("crane.codewheel[*]"));
+    EXPECT_TRUE(program->plant()->buses().open().empty());
+    EXPECT_TRUE(page().isVisible());
+    EXPECT_FALSE(page().reopen->isVisible());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/settings/folder_rows.h"
+#include "widgets/settings/program_settings.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QSpinBox;
+class QTabWidget;
+
+namespace codewheel {
+
+// The settings of the program. Stands beside the window, so that ALARM STOP stays in reach, and what is
+// chosen acts at once: changed(). Whoever shows it takes back what was changed when it is rejected.
+class SettingsDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    SettingsDialog(const ProgramSettings &settings, const std::vector<KeptFolder> &folders,
+                   QWidget *parent = nullptr);
+
+    const ProgramSettings &settings() const { return m_settings; }
+    void setSettings(const ProgramSettings &settings); // as somebody changed them elsewhere
+    int page() const;
+    void setPage(int page);
+
+    void accept() override;
+
+Q_SIGNALS:
+    void changed(const codewheel::ProgramSettings &settings);
+
+private:
+    QFormLayout *addPage(const QString &title);
+    QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &what);
+    QCheckBox *addSwitch(QFormLayout &form, const char *id, const QString &label, const QString &what);
+    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &unit, const QString &what,
+                        SettingRange range);
+    void makeLook();
+    void makeWarnings();
+    void makeKept(const std::vector<KeptFolder> &folders);
+    void makeButtons();
+    void showValues(const ProgramSettings &settings);
+    void take();
+
+    ProgramSettings m_settings;
+    bool m_isShowing = true; // what comes from the fields then is nobody's choice
+    QTabWidget *m_pages;
+    QComboBox *m_language = nullptr;
+    QComboBox *m_scheme = nullptr;
+    QCheckBox *m_largeControls = nullptr;
+    QCheckBox *m_lessMotion = nullptr;
+    QComboBox *m_decimalSign = nullptr;
+    QComboBox *m_pictures = nullptr;
+    QSpinBox *m_eeprom = nullptr;
+    QSpinBox *m_messageFile = nullptr;
+    QSpinBox *m_traceRows = nullptr;
+    QSpinBox *m_keeping = nullptr;
+};
+
+} // namespace codewheel
