@@ -11,6 +11,8 @@ constexpr qsizetype longestDecimal = 18;
 constexpr qsizetype longestHexadecimal = 15;
 constexpr qsizetype digitsOfWord = 8;
 
+constexpr QStringView plcMark = u"16#";
+
 struct HexText
 {
     QStringView digits;
@@ -22,6 +24,8 @@ HexText withoutHexMark(QStringView text)
 {
     if (text.startsWith(u"0x", Qt::CaseInsensitive))
         return {text.sliced(2), true};
+    if (text.startsWith(plcMark))
+        return {text.sliced(plcMark.size()), true};
     if (text.endsWith(u'h', Qt::CaseInsensitive))
         return {text.chopped(1), true};
     return {text, false};
@@ -54,6 +58,18 @@ std::optional<std::int64_t> digitsToNumber(QStringView digits, int base, qsizety
     return number;
 }
 
+// "16#0200 16#00FF"
+std::optional<Word> plcWords(QStringView text)
+{
+    const auto second = text.lastIndexOf(plcMark);
+    if (second <= 0 || !text.startsWith(plcMark))
+        return std::nullopt;
+    const auto high =
+        digitsToNumber(text.sliced(plcMark.size(), second - plcMark.size()).trimmed(), 16, digitsOfWord / 2);
+    const auto low = digitsToNumber(text.sliced(second + plcMark.size()), 16, digitsOfWord / 2);
+    return high && low ? std::optional(static_cast<Word>(*high << 16 | *low)) : std::nullopt;
+}
+
 } // namespace
 
 QString hexWord(Word word)
@@ -63,8 +79,12 @@ QString hexWord(Word word)
 
 std::optional<Word> parseHexWord(QStringView text)
 {
-    QString digits = withoutHexMark(text.trimmed()).digits.toString();
-    digits.removeIf([](QChar c) { return c.isSpace(); });
+    const QStringView plain = text.trimmed();
+    if (const auto words = plcWords(plain))
+        return words;
+    QString digits = withoutHexMark(plain).digits.toString();
+    const bool isPlc = plain.startsWith(plcMark);
+    digits.removeIf([isPlc](QChar c) { return c.isSpace() || (isPlc && c == u'_'); });
     const auto number = digitsToNumber(digits, 16, digitsOfWord);
     return number ? std::optional(static_cast<Word>(*number)) : std::nullopt;
 }

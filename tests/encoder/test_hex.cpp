@@ -19,6 +19,10 @@ TEST(Hex, WordsAreReadInEverySpellingOfTheTrade)
          {u"020000FF", u"20000ff", u"0x20000ff", u"0X020000FF", u"20000FFh", u"20000FFH", u" 0200 00FF ",
           u"02 00 00 FF", u"0200 00FF h", u"0x 0200 00FF"})
         EXPECT_EQ(parseHexWord(text), 0x0200'00FFu) << text.toString().toStdString();
+    for (const auto text : {u"16#020000FF", u"16#0200_00FF", u"16#0200 16#00ff", u"16#200 16#FF"})
+        EXPECT_EQ(parseHexWord(text), 0x0200'00FFu);
+    for (const auto text : {u"0200_00FF", u"16#", u"16#20000 16#FF", u"0200 16#00FF", u"16#0200 16#"})
+        EXPECT_FALSE(parseHexWord(text));
     EXPECT_EQ(parseHexWord(u"0"), 0u);
     EXPECT_EQ(parseHexWord(u"FFFFFFFF"), 0xFFFF'FFFFu);
 }

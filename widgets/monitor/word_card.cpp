@@ -14,6 +14,7 @@
 #include "widgets/look/wrapped_label.h"
 #include "widgets/models/age_timer.h"
 #include "widgets/monitor/bar_view.h"
+#include "widgets/monitor/copy_menu.h"
 #include "widgets/monitor/display_menu.h"
 #include "widgets/monitor/meaning_line.h"
 #include "widgets/monitor/number_fields.h"
@@ -241,6 +242,7 @@ void WordCard::makeSender(WordSender &sender, NumberFields &numbers)
         if (m_hasSent)
             showRefusal(why);
     });
+    numbers.hexadecimal()->setAcceptDrops(false); // a device belongs onto the card
     connect(&numbers, &NumberFields::wordTyped, this, &WordCard::stageTyped);
     connect(&numbers, &NumberFields::problemChanged, this, &WordCard::showProblem);
     connect(&numbers, &NumberFields::entered, &sender, &WordSender::edited);
@@ -271,21 +273,27 @@ void WordCard::makeKeys()
             onKey(QKeySequence(Qt::CTRL | key), [sender] { sender->write(); });
         onKey(QKeySequence(Qt::Key_Escape), [sender] { sender->discard(); });
     }
-    addCopyAction(tr("Copy as hexadecimal"), QKeySequence::Copy, &WordLine::hexText);
+    addCopyAction(tr("Copy as hexadecimal"), QKeySequence::Copy, WordNotation::hexadecimal);
     if (m_bits->bits() == 32)
         addCopyAction(tr("Copy as two words of a PLC"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                      &WordLine::plcText);
+                      WordNotation::plcWords);
+    auto *menu = new CopyMenu(this);
+    connect(menu, &CopyMenu::chosen, this, &WordCard::copy);
+    addAction(menu->menuAction());
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void WordCard::addCopyAction(const QString &text, const QKeySequence &key,
-                             QString (WordLine::*content)() const)
+void WordCard::copy(WordNotation notation)
+{
+    QApplication::clipboard()->setText(chosenLine().copiedText(notation));
+}
+
+void WordCard::addCopyAction(const QString &text, const QKeySequence &key, WordNotation notation)
 {
     QAction *action = new QAction(lineIcon(Icon::copy), text, this);
     action->setShortcut(key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    connect(action, &QAction::triggered, this,
-            [this, content] { QApplication::clipboard()->setText((chosenLine().*content)()); });
+    connect(action, &QAction::triggered, this, [this, notation] { copy(notation); });
     addAction(action);
 }
 

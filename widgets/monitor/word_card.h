@@ -70,7 +70,8 @@ private:
     void arrange(QHBoxLayout *title);
     void makeSender(WordSender &sender, NumberFields &numbers);
     void makeKeys();
-    void addCopyAction(const QString &text, const QKeySequence &key, QString (WordLine::*content)() const);
+    void copy(WordNotation notation); // the word that was chosen last
+    void addCopyAction(const QString &text, const QKeySequence &key, WordNotation notation);
     WordLine *outLine() const;
     const WordLine &chosenLine() const;
 

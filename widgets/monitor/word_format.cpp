@@ -61,9 +61,26 @@ QString binaryText(Word word, int bits)
     return text;
 }
 
-QString plcWordsText(Word word)
+QString copiedText(Word word, int bits, WordNotation notation)
 {
-    return hexWord(word).insert(digitsOfWord / 2, QLatin1Char(' '));
+    const QString digits = hexWord(word).last(bits / bitsOfNibble);
+    const qsizetype half = digitsOfWord / 2;
+    const bool isDouble = digits.size() > half;
+    switch (notation) {
+    case WordNotation::plc:
+        return isDouble ? QStringLiteral("16#%1_%2").arg(digits.first(half), digits.last(half))
+                        : QStringLiteral("16#") + digits;
+    case WordNotation::plcWords:
+        return isDouble ? QStringLiteral("16#%1 16#%2").arg(digits.first(half), digits.last(half))
+                        : QStringLiteral("16#") + digits;
+    case WordNotation::decimal:
+        return QString::number(lowBits(word, bits));
+    case WordNotation::binary:
+        return QStringLiteral("2#") + binaryText(word, bits).replace(QLatin1Char(' '), QLatin1Char('_'));
+    case WordNotation::hexadecimal:
+        break;
+    }
+    return digits;
 }
 
 QString hexProblem(const QString &text)

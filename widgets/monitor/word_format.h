@@ -15,8 +15,11 @@ QString signedText(Word word, int bits); // two's complement
 QString grayText(Word word, int bits);   // what the bits give when they are read as Gray code
 QString binaryText(Word word, int bits); // "0000 0010 ...", by nibbles
 
-// As a PLC sees a 32-bit word, high word first: "0200 00FF".
-QString plcWordsText(Word word);
+// How a word of 16 or 32 bits is written for other programs: "020000FF", "16#0200_00FF", "16#0200 16#00FF"
+// (the two words of a PLC, high word first), "33554687", "2#0000_0010_...". The sequence takes all but the
+// last two back.
+enum class WordNotation : std::uint8_t { hexadecimal, plc, plcWords, decimal, binary };
+QString copiedText(Word word, int bits, WordNotation notation);
 
 // Why a text is no hexadecimal word, in a sentence; empty where it is one.
 QString hexProblem(const QString &text);

@@ -106,14 +106,9 @@ QString WordLine::meaning() const
     return m_meaning->text();
 }
 
-QString WordLine::hexText() const
+QString WordLine::copiedText(WordNotation notation) const
 {
-    return hexWord(shown()).last(m_form.bits / 4);
-}
-
-QString WordLine::plcText() const
-{
-    return plcWordsText(shown());
+    return codewheel::copiedText(shown(), m_form.bits, notation);
 }
 
 void WordLine::setDisplay(const MonitorDisplay &display)

@@ -5,6 +5,7 @@
 #include "encoder/encoder_session.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/word_form.h"
+#include "widgets/monitor/word_format.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -49,8 +50,7 @@ public:
     bool isOld() const;
     QString bitText(int bit) const;
     QString meaning() const;
-    QString hexText() const;
-    QString plcText() const;
+    QString copiedText(WordNotation notation) const; // of the word that is shown
 
     NumberFields *numbers() const { return m_numbers; }
     WordSender *sender() const { return m_sender; } // null: IN

@@ -322,7 +322,7 @@ TEST_F(WordCardTest, CopiesAsHexadecimalAndAsTheWordsOfAPlc)
     QTest::keyClick(&bits, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("020000FF"));
     QTest::keyClick(&bits, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("0200 00FF"));
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("16#0200 16#00FF"));
 }
 
 TEST_F(WordCardTest, ANumberIsCopiedByItself)

@@ -60,7 +60,13 @@ TEST(WordFormat, WritesBinaryByNibbles)
 
 TEST(WordFormat, WritesTheTwoWordsOfAPlcHighWordFirst)
 {
-    EXPECT_EQ(plcWordsText(0x020000FF), QStringLiteral("0200 00FF"));
+    EXPECT_EQ(copiedText(0x020000FF, 32, WordNotation::hexadecimal), QStringLiteral("020000FF"));
+    EXPECT_EQ(copiedText(0x020000FF, 32, WordNotation::plc), QStringLiteral("16#0200_00FF"));
+    EXPECT_EQ(copiedText(0x020000FF, 32, WordNotation::plcWords), QStringLiteral("16#0200 16#00FF"));
+    EXPECT_EQ(copiedText(0x020000FF, 32, WordNotation::decimal), QStringLiteral("33554687"));
+    EXPECT_EQ(copiedText(0x02FF, 16, WordNotation::plc), QStringLiteral("16#02FF"));
+    EXPECT_EQ(copiedText(0x02FF, 16, WordNotation::plcWords), QStringLiteral("16#02FF"));
+    EXPECT_EQ(copiedText(0x02FF, 16, WordNotation::binary), QStringLiteral("2#0000_0010_1111_1111"));
 }
 
 TEST(WordFormat, SaysWhatIsWrongWithAHexadecimalWord)

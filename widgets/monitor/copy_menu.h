@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/monitor/word_format.h"
+
+#include <QMenu>
+
+namespace codewheel {
+
+// "Copy as": how the words that are copied are written. For the context menus of all that shows words.
+class CopyMenu : public QMenu
+{
+    Q_OBJECT
+
+public:
+    explicit CopyMenu(QWidget *parent = nullptr);
+
+Q_SIGNALS:
+    void chosen(codewheel::WordNotation notation);
+};
+
+} // namespace codewheel
