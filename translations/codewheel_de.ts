@@ -13328,6 +13328,18 @@ Worte: IN %3, OUT %4</translation>
         <source>Words can be sent to it once its bus is connected.</source>
         <translation>Worte lassen sich senden, sobald der Bus verbunden ist.</translation>
     </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected words, or all, one a line</source>
+        <translation>Kopiert die gewählten Worte oder alle, eines je Zeile</translation>
+    </message>
+    <message>
+        <source>There are no words of %1 to take: nothing was sent to it, or the list is full.</source>
+        <translation>Von %1 sind keine Worte zu übernehmen: Nichts wurde ihm gesendet, oder die Liste ist voll.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>
@@ -15804,6 +15816,33 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CopyMenu</name>
+    <message>
+        <source>Copy &amp;as</source>
+        <translation>Kopieren &amp;als</translation>
+    </message>
+    <message>
+        <source>&amp;Hexadecimal: 020000FF</source>
+        <translation>&amp;Hexadezimal: 020000FF</translation>
+    </message>
+    <message>
+        <source>&amp;PLC: 16#0200_00FF</source>
+        <translation>&amp;SPS: 16#0200_00FF</translation>
+    </message>
+    <message>
+        <source>PLC, two &amp;words: 16#0200 16#00FF</source>
+        <translation>SPS, zwei &amp;Worte: 16#0200 16#00FF</translation>
+    </message>
+    <message>
+        <source>&amp;Decimal: 33554687</source>
+        <translation>&amp;Dezimal: 33554687</translation>
+    </message>
+    <message>
+        <source>&amp;Binary: 2#0000_0010_...</source>
+        <translation>&amp;Binär: 2#0000_0010_...</translation>
     </message>
 </context>
 </TS>

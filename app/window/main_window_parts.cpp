@@ -12,6 +12,7 @@
 #include "app/window/transfer_pages.h"
 #include "app/window/window_kinds.h"
 #include "app/window/window_layouts.h"
+#include "bus/word_channel.h"
 #include "transfer/values_before.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
@@ -173,6 +174,13 @@ void MainWindow::connectDrops()
 void MainWindow::connectViews()
 {
     connectDrops();
+    m_sequence->setWordsOf([this](Place place) {
+        std::vector<Word> words = m_trace->outWords(place);
+        const WordChannel *channel = m_buses->channel(place);
+        if (channel != nullptr && channel->staged())
+            words.push_back(*channel->staged());
+        return words;
+    });
     connect(m_start, &Start::connectRequested, this, [this](BusId bus) {
         m_structure->choose(bus);
         if (BusViews *views = viewsOf(bus))

@@ -7,7 +7,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
-#include "widgets/models/place_drag.h"
+#include "widgets/models/dragged_place.h"
 #include "widgets/monitor/word_card.h"
 
 #include <QDragEnterEvent>
@@ -57,6 +57,20 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
             card->busStateChanged();
     });
     showWhatThereIs();
+}
+
+void MonitorArea::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (const auto place = placeDragged(*event->mimeData()); place && canShow(*place))
+        event->acceptProposedAction();
+}
+
+void MonitorArea::dropEvent(QDropEvent *event)
+{
+    if (const auto place = placeDragged(*event->mimeData()); place && canShow(*place)) {
+        event->acceptProposedAction();
+        pin(*place);
+    }
 }
 
 void MonitorArea::setStations(std::function<QString(Place)> stationOf)
@@ -133,21 +147,6 @@ void MonitorArea::pin(Place place)
     else
         add(place, true);
     notePinned(place, true);
-}
-
-void MonitorArea::dragEnterEvent(QDragEnterEvent *event)
-{
-    if (const auto place = draggedPlace(*event->mimeData()); place && canShow(*place))
-        event->acceptProposedAction();
-}
-
-void MonitorArea::dropEvent(QDropEvent *event)
-{
-    const auto place = draggedPlace(*event->mimeData());
-    if (!place)
-        return;
-    pin(*place);
-    event->acceptProposedAction();
 }
 
 void MonitorArea::notePinned(Place place, bool pinned)

@@ -48,6 +48,7 @@ public:
     void restoreState(const QJsonObject &state);
 
 protected:
+    // A device out of the bus structure is pinned.
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 

@@ -15,11 +15,14 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/dragged_place.h"
+#include "widgets/monitor/copy_menu.h"
 #include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_model.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
@@ -66,6 +69,7 @@ SequenceView::SequenceView(QWidget *parent)
     m_pages->addWidget(page);
     connect(m_empty, &EmptyState::actionTriggered, this, &SequenceView::terminalRequested);
     layOutColumn(this, {m_pages}, {.margins = QMargins()});
+    setAcceptDrops(true);
     setEncoder(nullptr);
 }
 
@@ -114,6 +118,7 @@ void SequenceView::makeTable()
 
 void SequenceView::makeTools()
 {
+    makeCopying();
     setUpToolBar(*m_tools);
     const auto makeTool = [this](const Tool &tool, void (SequenceView::*slot)()) {
         QAction *action = addTool(*this, *m_tools, tool);
@@ -253,6 +258,32 @@ void SequenceView::moveSelected(int by)
     m_table->selectRow(row + by);
 }
 
+// Words to be pasted into a PLC program, a table or a sequence: one a line.
+void SequenceView::makeCopying()
+{
+    auto *action = new QAction(lineIcon(Icon::copy), tr("&Copy"), m_table);
+    action->setShortcut(QKeySequence::Copy);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setToolTip(tr("Copies the selected words, or all, one a line"));
+    connect(action, &QAction::triggered, this, [this] { copy(WordNotation::hexadecimal); });
+    auto *menu = new CopyMenu(m_table);
+    connect(menu, &CopyMenu::chosen, this, &SequenceView::copy);
+    m_table->addActions({action, menu->menuAction()});
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void SequenceView::copy(WordNotation notation)
+{
+    const std::vector<Word> words = m_model->words();
+    const QItemSelectionModel &selection = *m_table->selectionModel();
+    QStringList lines;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (!selection.hasSelection() || selection.isRowSelected(row))
+            lines << copiedText(words[static_cast<std::size_t>(row)], 32, notation);
+    if (!lines.isEmpty())
+        QApplication::clipboard()->setText(lines.join(u'\n') + u'\n');
+}
+
 void SequenceView::paste()
 {
     const auto words = parseColumn(QApplication::clipboard()->text());
@@ -261,10 +292,42 @@ void SequenceView::paste()
         return;
     }
     m_message->withdraw();
+    insert(*words);
+}
+
+void SequenceView::insert(const std::vector<Word> &words)
+{
     int row = selectedRow() < 0 ? m_model->rowCount() : selectedRow() + 1;
-    for (const Word word : *words)
+    for (const Word word : words)
         m_model->insertAt(row++, {.word = word});
     m_table->selectRow(row - 1);
+}
+
+void SequenceView::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (m_wordsOf && !m_job->isRunning() && placeDragged(*event->mimeData()))
+        event->acceptProposedAction();
+}
+
+// What the list has stays: words can be removed again, and another encoder may have been meant.
+void SequenceView::dropEvent(QDropEvent *event)
+{
+    const auto place = placeDragged(*event->mimeData());
+    if (!place || !m_wordsOf || m_job->isRunning())
+        return;
+    event->acceptProposedAction();
+    std::vector<Word> words = m_wordsOf(*place);
+    const std::size_t room = WordList::mostWords - std::min(WordList::mostWords, m_model->words().size());
+    if (words.size() > room)
+        words.erase(words.begin(), words.end() - static_cast<std::ptrdiff_t>(room));
+    if (words.empty()) {
+        say(Role::attention,
+            tr("There are no words of %1 to take: nothing was sent to it, or the list is full.")
+                .arg(place->shown()));
+        return;
+    }
+    m_message->withdraw();
+    insert(words);
 }
 
 void SequenceView::askLoad()

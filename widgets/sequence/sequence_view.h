@@ -4,12 +4,15 @@
 #include "encoder/place.h"
 #include "project/word_list.h"
 #include "widgets/look/roles.h"
+#include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_job.h"
 
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 class QAction;
 class QLabel;
@@ -38,6 +41,10 @@ public:
     // Null: an empty state, which tells whether one is chosen that is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
+    // What was sent to an encoder, for one that is dropped here out of the bus structure.
+    using WordsOf = std::function<std::vector<Word>(Place)>;
+    void setWordsOf(WordsOf wordsOf) { m_wordsOf = std::move(wordsOf); }
+
     WordList list() const;
     void setList(const WordList &list);
     bool isSending() const { return m_job->isRunning(); }
@@ -51,7 +58,12 @@ Q_SIGNALS:
     void sendingEnded();
     void terminalRequested(); // where what an encoder on a serial line is to be sent is typed
 
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
 private:
+    void insert(const std::vector<Word> &words); // below the chosen row
     void makeTable();
     void makeTools();
     void makeSending();
@@ -60,6 +72,8 @@ private:
     void moveUp() { moveSelected(-1); }
     void moveDown() { moveSelected(1); }
     void moveSelected(int by);
+    void makeCopying();
+    void copy(WordNotation notation);
     void paste();
     void askLoad();
     void askSave();
@@ -84,6 +98,7 @@ private:
     QPushButton *m_send;
     QPushButton *m_stop;
     InlineMessage *m_message;
+    WordsOf m_wordsOf;
     bool m_isRefused = false;      // what the message says: it goes when sending is allowed
     QList<QAction *> m_rowActions; // need a selected row
 };

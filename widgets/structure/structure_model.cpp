@@ -4,7 +4,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "project/bus_kind.h"
-#include "widgets/models/place_drag.h"
+#include "widgets/models/dragged_place.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -384,19 +384,20 @@ int StructureModel::columnCount(const QModelIndex &) const
 
 Qt::ItemFlags StructureModel::flags(const QModelIndex &index) const
 {
-    const Qt::ItemFlags usual = QAbstractItemModel::flags(index);
-    return placeAt(index) ? usual | Qt::ItemIsDragEnabled : usual;
-}
-
-QStringList StructureModel::mimeTypes() const
-{
-    return {QLatin1String(placeMimeType)};
+    const Qt::ItemFlags flags = QAbstractItemModel::flags(index);
+    return placeAt(index) ? flags | Qt::ItemIsDragEnabled : flags;
 }
 
 QMimeData *StructureModel::mimeData(const QModelIndexList &indexes) const
 {
-    const auto place = indexes.isEmpty() ? std::nullopt : placeAt(indexes.front());
-    return place ? dragged(*place) : nullptr;
+    for (const QModelIndex &index : indexes)
+        if (const auto place = placeAt(index)) {
+            QStringList texts;
+            for (const Column column : {deviceColumn, stateColumn, positionColumn})
+                texts << index.siblingAtColumn(column).data().toString();
+            return draggedPlace(*place, texts.join(u'\t')).release();
+        }
+    return nullptr;
 }
 
 } // namespace codewheel

@@ -191,6 +191,16 @@ TrafficModel *TraceView::model(Place number) const
     return found == m_collected.end() ? nullptr : found->second.rows.get();
 }
 
+std::vector<Word> TraceView::outWords(Place place) const
+{
+    std::vector<Word> words;
+    const TrafficModel *rows = model(place);
+    for (int row = 1; rows != nullptr && row < rows->rowCount(); ++row)
+        if (const Word out = rows->rowAt(row).what.out; out != rows->rowAt(row - 1).what.out)
+            words.push_back(out);
+    return words;
+}
+
 int TraceView::meaningColumn() const
 {
     return m_shown->columnOf(TrafficColumn::meaning);

@@ -35,9 +35,11 @@ public:
 
     // Null: an empty state, which tells whether one is chosen that is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
-    void setMostRows(int rows); // of each encoder
+    void setMostRows(int rows);                         // of each encoder
     bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
-    TrafficModel *model(Place number) const;            // null: nothing was collected for it
+    std::vector<Word>
+    outWords(Place place) const;             // that it has, oldest first, without what stood there at first
+    TrafficModel *model(Place number) const; // null: nothing was collected for it
 
     // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
     bool exportTo(const QString &path);
