@@ -10707,11 +10707,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>not read yet</source>
-        <translation>noch nicht gelesen</translation>
+        <translation>ungelesen</translation>
     </message>
     <message>
         <source>cannot be read</source>
-        <translation>nicht auslesbar</translation>
+        <translation>nicht lesbar</translation>
     </message>
 </context>
 <context>
