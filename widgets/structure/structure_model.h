@@ -101,7 +101,7 @@ private:
 
     static QVariant busCell(const BusBranch &branch, int column, int role);
     static QVariant deviceCell(const BusBranch &branch, const Row &row, int column, int role);
-    static bool showsPositions(const BusBranch &branch, const Row &row);
+    static QString shownPosition(const BusBranch &branch, const Row &row);
     static QString toolTip(const BusBranch &branch, const Row &row);
 
     const ProjectDocument *m_project = nullptr;
