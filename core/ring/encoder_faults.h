@@ -7,7 +7,9 @@
 
 namespace codewheel {
 
+class EncoderSession;
 class RingSession;
+struct Reading;
 
 // What an encoder of a running ring shows, or leaves in doubt; by its place in the ring.
 std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device);
