@@ -25,8 +25,8 @@ namespace {
 
 // Where something is cut off as yet. Nothing is added to it.
 const QStringList notYet =
-    QStringLiteral("structureDock messagesDock traceDock sequenceDock terminalDock " // panels
-                   "window window-small trace sequence parameters structure-editor structure-insert "
+    QStringLiteral("structureDock messagesDock traceDock terminalDock " // panels
+                   "window window-small trace parameters structure-editor structure-insert "
                    "structure-small transfer " // pictures
                    "replace messages bus-fault parameters-rod question-preset question-reset "
                    "wizard-rod-handshake line line-small line-terminal line-settings line-search "

@@ -4,9 +4,48 @@
 #include "widgets/look/grid.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QToolBar>
 
 namespace codewheel {
+namespace {
+
+// Where a tool bar has no room for all of its words, its buttons are icons alone, so that none is out of
+// sight.
+class ToolWords final : public QObject
+{
+public:
+    explicit ToolWords(QToolBar &bar)
+        : QObject(&bar)
+        , m_bar(bar)
+    {
+        bar.installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
+            fit();
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    void fit()
+    {
+        const bool hasWords = m_bar.toolButtonStyle() == Qt::ToolButtonTextBesideIcon;
+        if (hasWords)
+            m_withWords = m_bar.sizeHint().width();
+        const bool fits = m_bar.width() >= m_withWords;
+        if (fits != hasWords)
+            m_bar.setToolButtonStyle(fits ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    }
+
+    QToolBar &m_bar;
+    int m_withWords = 0; // its width, when it last had them
+};
+
+} // namespace
 
 QAction *addTool(QWidget &view, QToolBar &bar, const Tool &tool)
 {
@@ -23,6 +62,7 @@ void setUpToolBar(QToolBar &bar)
 {
     bar.setIconSize({grid::smallIcon, grid::smallIcon});
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    new ToolWords(bar);
 }
 
 } // namespace codewheel

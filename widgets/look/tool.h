@@ -24,7 +24,7 @@ struct Tool
 // Shows it at the end of `bar`; its action belongs to `view`.
 QAction *addTool(QWidget &view, QToolBar &bar, const Tool &tool);
 
-// Small icons with their texts beside them.
+// Small icons with their texts beside them, as long as all of them have room.
 void setUpToolBar(QToolBar &bar);
 
 } // namespace codewheel
