@@ -13340,6 +13340,10 @@ Worte: IN %3, OUT %4</translation>
         <source>There are no words of %1 to take: nothing was sent to it, or the list is full.</source>
         <translation>Von %1 sind keine Worte zu übernehmen: Nichts wurde ihm gesendet, oder die Liste ist voll.</translation>
     </message>
+    <message>
+        <source>No words yet</source>
+        <translation>Noch keine Worte</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>

@@ -56,6 +56,8 @@ SequenceView::SequenceView(QWidget *parent)
     makeSending();
 
     auto *page = new QWidget;
+    m_summary->setWordWrap(true);
+    m_summary->setToolTip(tr("Add or paste words to send."));
     auto *holdLabel = new QLabel(tr("&Unacknowledged words for"), page);
     holdLabel->setBuddy(m_hold);
     layOutColumn(
@@ -428,7 +430,7 @@ void SequenceView::showWhatIsPossible()
     m_stop->setEnabled(runs);
     const QString place = m_encoder ? m_encoder->place().shown() : QString();
     m_summary->setText(m_model->rowCount() == 0
-                           ? tr("Add or paste words to send.")
+                           ? tr("No words yet")
                            : tr("%n words to %1", nullptr, m_model->rowCount()).arg(place));
     m_send->setToolTip(
         tr("Send the words to %1 one after the other, each until it is acknowledged").arg(place));
