@@ -2,6 +2,7 @@
 #include "widgets/monitor/meaning_line.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/may_elide.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -13,6 +14,7 @@ MeaningLine::MeaningLine(QWidget *parent, Qt::Alignment side)
     : QWidget(parent)
     , m_side(side)
 {
+    allowEliding(*this);
     setAutoFillBackground(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 }
