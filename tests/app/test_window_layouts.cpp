@@ -56,6 +56,16 @@ TEST_F(WindowLayoutsTest, ANarrowWindowHasOneColumnWithTabs)
     EXPECT_TRUE(window().tabifiedDockWidgets(&panel("parametersDock")).contains(&panel("dialDock")));
 }
 
+TEST_F(WindowLayoutsTest, InTheSmallestWindowACardHasItsBitsInOneRowAndIsWhole)
+{
+    resizeTo(small);
+    const auto *card = window().findChild<WordCard *>();
+    ASSERT_NE(card, nullptr);
+    EXPECT_LE(card->height(), 210) << "32 bits in a row";
+    EXPECT_EQ(card->visibleRegion().boundingRect(), card->rect())
+        << "nothing is scrolled to, Write is in sight";
+}
+
 TEST_F(WindowLayoutsTest, SmallAndLargeAgainGivesBackWhatWasThere)
 {
     panel("messagesDock").close();
