@@ -3909,6 +3909,18 @@
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
+    <message>
+        <source>Edits cam programs of the project; only Read, Write and Compare send.</source>
+        <translation>Bearbeitet Nockenprogramme des Projekts; nur Auslesen, Schreiben und Vergleichen senden.</translation>
+    </message>
+    <message>
+        <source>Edits cam programs of the project. Nothing is sent here.</source>
+        <translation>Bearbeitet Nockenprogramme des Projekts. Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Cams</source>
+        <translation>Nocken</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
@@ -6644,6 +6656,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Take over from the bus</source>
         <translation>Vom Bus übernehmen</translation>
+    </message>
+    <message>
+        <source>What you take over changes the project alone. Nothing is sent here.</source>
+        <translation>Was übernommen wird, ändert nur das Projekt. Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Compare with the bus</source>
+        <translation>Mit dem Bus vergleichen</translation>
     </message>
 </context>
 <context>
@@ -9393,6 +9413,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>&quot;%1&quot; is no address. Give two hexadecimal digits, 01 to 1F.</source>
         <translation>„%1“ ist keine Adresse. Zwei Hexziffern angeben, 01 bis 1F.</translation>
     </message>
+    <message>
+        <source>Asks encoders for their serial numbers. Nothing is written.</source>
+        <translation>Fragt Geber nach ihrer Seriennummer. Geschrieben wird nichts.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineSettingsForm</name>
@@ -9596,6 +9620,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Port and settings are in the project.</source>
         <translation>Anschluss und Einstellungen stehen im Projekt.</translation>
+    </message>
+    <message>
+        <source>Connect asks for positions from then on. Nothing is written to an encoder.</source>
+        <translation>Verbinden fragt von da an Positionen ab. In Geber wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Port and settings</source>
+        <translation>Anschluss und Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -10895,6 +10927,31 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Sends the steps above to the encoder.</source>
         <translation>Sendet die Schritte oben an den Geber.</translation>
     </message>
+    <message>
+        <source>Takes back what was set here, and leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
+        <translation>Nimmt zurück, was hier eingestellt wurde, und verlässt den Assistenten. Während eines Handshakes erst nach der Frage, wie der Geber verlassen werden soll.</translation>
+    </message>
+    <message>
+        <source>Parameter wizard %1/%2</source>
+        <comment>step of steps</comment>
+        <translation>Parametrier-Assistent %1/%2</translation>
+    </message>
+    <message>
+        <source>Edits wanted values of the project; nothing is sent before the handshake.</source>
+        <translation>Bearbeitet gewünschte Werte des Projekts; vor dem Handshake wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Writes to the encoder.</source>
+        <translation>Schreibt in den Geber.</translation>
+    </message>
+    <message>
+        <source>Nothing is sent here.</source>
+        <translation>Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>What was set in the wizard is taken back: %1.</source>
+        <translation>Was im Assistenten eingestellt wurde, wird zurückgenommen: %1.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::PlanRules</name>
@@ -11112,6 +11169,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>B&amp;uses</source>
         <translation>B&amp;usse</translation>
+    </message>
+    <message>
+        <source>Edits what the project says of itself, and its list of buses. Nothing is sent here.</source>
+        <translation>Bearbeitet, was das Projekt von sich sagt, und die Liste seiner Busse. Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
     </message>
 </context>
 <context>
@@ -11350,6 +11415,27 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Sends what is shown above to the new encoder</source>
         <translation>Sendet das oben Gezeigte an den neuen Geber</translation>
+    </message>
+    <message>
+        <source>Replace encoder %1/%2</source>
+        <comment>step of steps</comment>
+        <translation>Geber ersetzen %1/%2</translation>
+    </message>
+    <message>
+        <source>What was written. Nothing more is sent.</source>
+        <translation>Was geschrieben wurde. Es wird nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Writes to the encoder.</source>
+        <translation>Schreibt in den Geber.</translation>
+    </message>
+    <message>
+        <source>Nothing is sent or planned before Write.</source>
+        <translation>Vor Schreiben wird nichts gesendet und nichts geplant.</translation>
+    </message>
+    <message>
+        <source>Nothing has been written to %1, and what was given here is forgotten.</source>
+        <translation>In %1 wurde nichts geschrieben; was hier angegeben wurde, geht verloren.</translation>
     </message>
 </context>
 <context>
@@ -12277,6 +12363,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
             <numerusform>Beim Zurücklesen weicht %n Zeile vom Projekt ab.</numerusform>
             <numerusform>Beim Zurücklesen weichen %n Zeilen vom Projekt ab.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Changes the project, or the master, as you choose; the master in Operate alone.</source>
+        <translation>Ändert je nach Wahl das Projekt oder den Master; den Master nur in Bedienen.</translation>
     </message>
 </context>
 <context>
@@ -13763,6 +13853,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Insert the first one, or connect the bus and take it over.</source>
         <translation>Das erste einfügen, oder den Bus verbinden und den Aufbau übernehmen.</translation>
     </message>
+    <message>
+        <source>Bus structure</source>
+        <translation>Busaufbau</translation>
+    </message>
+    <message>
+        <source>Edits the planned bus. Nothing is sent here.</source>
+        <translation>Bearbeitet den geplanten Bus. Hier wird nichts gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>
@@ -14431,6 +14529,18 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Sends what is shown above to the chosen encoders, one after the other</source>
         <translation>Sendet das oben Gezeigte an die gewählten Geber, an einen nach dem anderen</translation>
+    </message>
+    <message>
+        <source>What was written. Nothing more is sent.</source>
+        <translation>Was geschrieben wurde. Es wird nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Keeps what encoders have in the project. Nothing is sent before Read and store.</source>
+        <translation>Legt im Projekt ab, was Geber haben. Vor Lesen und Ablegen wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Writes to encoders. Nothing is sent before Write.</source>
+        <translation>Schreibt in Geber. Vor Schreiben wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -15166,6 +15276,18 @@ Worte: IN %3, OUT %4</translation>
         <source>Language, look, numbers, EEPROM warnings, and where files are</source>
         <translation>Sprache, Aussehen, Zahlen, EEPROM-Warnungen und wo Dateien liegen</translation>
     </message>
+    <message>
+        <source>Shows the monitors; a page that is open can be gone on with</source>
+        <translation>Zeigt die Monitore; auf einer offenen Seite kann danach weitergearbeitet werden</translation>
+    </message>
+    <message>
+        <source>Close pag&amp;e</source>
+        <translation>S&amp;eite schließen</translation>
+    </message>
+    <message>
+        <source>Closes the page that is open, and shows the monitors</source>
+        <translation>Schließt die offene Seite und zeigt die Monitore</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -15847,6 +15969,34 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Binary: 2#0000_0010_...</source>
         <translation>&amp;Binär: 2#0000_0010_...</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PageHead</name>
+    <message>
+        <source>Back to the monitors (Esc, Ctrl+W)</source>
+        <translation>Zurück zu den Monitoren (Esc, Strg+W)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <comment>a page</comment>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>What is typed there is not taken.</source>
+        <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>Close this page?</source>
+        <translation>Diese Seite schließen?</translation>
+    </message>
+    <message>
+        <source>&amp;Close the page</source>
+        <translation>Seite &amp;schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 </TS>

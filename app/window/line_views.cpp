@@ -91,6 +91,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showPlanned);
     connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showChosen);
+    connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showName);
     connect(m_training, &LineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(&line, &LineAtWork::portOpened, this, &LineViews::showOpened);
@@ -250,6 +251,15 @@ void LineViews::showPlanned()
 {
     if (const LinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
         m_form->setSettings(planned->settings);
+    showName();
+}
+
+void LineViews::showName()
+{
+    const PlannedBus *planned = findBus(m_line.project().project(), m_line.id());
+    const QString name = planned != nullptr ? planned->name : QString();
+    m_form->setAbout(name);
+    m_search->setAbout(name);
 }
 
 void LineViews::showSettings()

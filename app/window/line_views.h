@@ -85,6 +85,7 @@ private:
     void showChosen();
     void showActions();
     void showPlanned();
+    void showName();
 
     LineAtWork &m_line;
     const WindowParts m_parts;

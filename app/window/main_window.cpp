@@ -6,6 +6,7 @@
 #include "app/window/device_choice.h"
 #include "app/window/fault_notice.h"
 #include "app/window/leaving.h"
+#include "app/window/page_head.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
@@ -19,9 +20,6 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/input/wheel_rule.h"
-#include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
-#include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
@@ -38,7 +36,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QLabel>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -65,8 +62,8 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_status(new StatusLine(*statusBar(), this))
     , m_wanted(new WantedValues(project, this))
     , m_notice(new InlineMessage(this))
-    , m_whosePage(describe(new QLabel(this), tr("Bus of the page"), tr("The bus that this page is of")))
     , m_pages(new QStackedWidget(this))
+    , m_head(new PageHead(*m_pages, *this))
     , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -74,11 +71,8 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
-    rows->addWidget(m_whosePage);
+    rows->addWidget(m_head);
     rows->addWidget(m_pages, 1);
-    m_whosePage->setFont(textFont(TextSize::large));
-    m_whosePage->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);
-    m_whosePage->hide();
     setCentralWidget(center);
     m_notice->setObjectName(QStringLiteral("notice"));
     setDockNestingEnabled(true);
@@ -125,7 +119,12 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connect(m_buses, &Buses::changed, this, &MainWindow::showStart);
     connect(m_buses, &Buses::changed, m_messages, &MessagesView::showPlaces);
     connect(m_buses, &Buses::changed, m_parameters, &ParameterPanel::showWhose);
-    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::tellWhose);
+    connect(m_head, &PageHead::closed, this, [this] {
+        showMonitors();
+        m_structure->setFocus();
+    });
+    connect(m_head, &PageHead::pageChanged, this,
+            [this] { m_actions.closePage->setEnabled(m_head->page()); });
     showBusState();
     showStart();
     if (m_pages->currentWidget() == m_monitors)

@@ -15,7 +15,6 @@
 #include <set>
 #include <vector>
 
-class QLabel;
 class QStackedWidget;
 
 namespace codewheel {
@@ -38,6 +37,7 @@ class MessageModel;
 struct Message;
 class MessagesView;
 class MonitorArea;
+class PageHead;
 class ParameterPanel;
 class ParameterWizard;
 class Plant;
@@ -166,8 +166,8 @@ private:
     StatusLine *m_status;
     WantedValues *m_wanted;
     InlineMessage *m_notice;
-    QLabel *m_whosePage; // the bus that the page is of
     QStackedWidget *m_pages;
+    PageHead *m_head;
     ProjectFiles *m_files;
     FaultNotice *m_faults = nullptr;
     ReportExport *m_report = nullptr;

@@ -5,6 +5,7 @@
 #include "app/window/help.h"
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
+#include "app/window/page_head.h"
 #include "app/window/plant.h"
 #include "app/window/status_line.h"
 #include "app/window/window_layouts.h"
@@ -40,6 +41,7 @@ void MainWindow::connectActions()
     connect(m_actions.settings, &QAction::triggered, this, &MainWindow::settingsRequested);
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
+    connect(m_actions.closePage, &QAction::triggered, m_head, &PageHead::closePage);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
     connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);

@@ -2,6 +2,7 @@
 // The buses in the window: each has views of its own kind, and one of them is the chosen one.
 #include "app/window/device_choice.h"
 #include "app/window/main_window.h"
+#include "app/window/page_head.h"
 #include "app/window/plant.h"
 #include "app/window/window_kinds.h"
 #include "bus/buses.h"
@@ -12,7 +13,6 @@
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
-#include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -96,6 +96,8 @@ void MainWindow::removeBus(BusAtWork *bus)
     bus->disconnect(this);
     const BusId id = bus->id();
     if (BusViews *views = viewsOf(id)) {
+        if (views->owns(m_pages->currentWidget()))
+            showMonitors();
         views->setCurrent(false);
         m_views.erase(id);
         delete views;
@@ -209,10 +211,7 @@ void MainWindow::tellWhose()
 {
     if (m_structure != nullptr)
         m_structure->showTitles();
-    QString ofPage;
     for (const auto &[bus, views] : m_views) {
-        if (views->owns(m_pages->currentWidget()))
-            ofPage = nameAmongOthers(bus);
         const bool isCurrent = bus == m_currentOf.value(m_plant->find(bus)->kind());
         const bool isOneOfSeveral = !nameAmongOthers(bus).isEmpty();
         const bool isPlain = bus == m_chosenBus && !isOneOfSeveral;
@@ -221,8 +220,7 @@ void MainWindow::tellWhose()
             if (panel == &panel::training ? bus == m_chosenBus : isCurrent)
                 m_panels.tellWhose(*panel, nameAmongOthers(bus));
     }
-    m_whosePage->setText(ofPage);
-    m_whosePage->setVisible(!ofPage.isEmpty());
+    m_head->showHead();
 }
 
 void MainWindow::chooseBusOf(Place place)

@@ -46,6 +46,7 @@ void MainWindow::makePages()
     m_monitors->setStations([this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_monitors, &MonitorArea::showStations);
     m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
+    m_wizard->setStations([this](Place place) { return m_project.device(place).station; });
     m_cams = new CamEditor(m_plant->catalog(), m_project, this);
     m_editor = new StructureEditor(m_project, m_plant->catalog(), this);
     m_projectPage = new ProjectPage(m_project, this);
@@ -120,7 +121,6 @@ void MainWindow::connectProject()
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
-    connect(m_transfer, &TransferPages::closeRequested, this, &MainWindow::showMonitors);
 }
 
 // Each is opened as its own page or panel opens it, and asks what that asks.
@@ -206,7 +206,6 @@ void MainWindow::connectViews()
     });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
-    connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
     const auto openChosen = [this] {
         const auto place = m_choice->place();
         if (BusViews *views = place ? viewsOf(place->bus) : nullptr)

@@ -38,9 +38,7 @@ TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, Project
     pages.addWidget(m_transfer);
     pages.addWidget(m_replace);
     connect(m_transfer, &TransferPage::messaged, this, &TransferPages::told);
-    connect(m_transfer, &TransferPage::closeRequested, this, &TransferPages::closeRequested);
     connect(m_replace, &ReplacePage::messaged, this, &TransferPages::told);
-    connect(m_replace, &ReplacePage::closeRequested, this, &TransferPages::closeRequested);
     connect(actions.transfer, &QAction::triggered, this, &TransferPages::showTransfer);
     connect(actions.restoreValues, &QAction::triggered, this, &TransferPages::showRestore);
     connect(actions.replaceEncoder, &QAction::triggered, this, &TransferPages::showReplace);

@@ -36,7 +36,6 @@ public:
 
 Q_SIGNALS:
     void told(const codewheel::Message &message);
-    void closeRequested();
 
 private:
     void showTransfer();

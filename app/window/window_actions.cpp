@@ -111,10 +111,10 @@ void WindowActions::makeBusMenu()
     const auto section = [this, menu](Section which) { m_sections[which] = {menu, menu->addSeparator()}; };
     section(Section::connections);
     auto *mode = new QActionGroup(this);
-    watch =
-        described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is written"));
+    watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_F11,
+                      tr("Watch: nothing is written"));
     watch->setIcon(lineIcon(Icon::watch));
-    operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::SHIFT | Qt::Key_W,
+    operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::SHIFT | Qt::Key_F11,
                         tr("Operate: writing is allowed"));
     operate->setIcon(lineIcon(Icon::operate));
     menu->addActions(mode->actions());
@@ -224,7 +224,10 @@ void WindowActions::makeViewMenu()
 {
     QMenu *menu = addMenu(tr("&View"));
     monitors = described(menu->addAction(lineIcon(Icon::monitor), tr("&Monitors")), Qt::Key_F7,
-                         tr("Shows the monitors"));
+                         tr("Shows the monitors; a page that is open can be gone on with"));
+    closePage = described(menu->addAction(lineIcon(Icon::cancel), tr("Close pag&e")), Qt::CTRL | Qt::Key_W,
+                          tr("Closes the page that is open, and shows the monitors"));
+    closePage->setEnabled(false);
     menu->addSeparator();
     docks = menu->addMenu(tr("&Panels"));
     defaultLayout =

@@ -85,6 +85,7 @@ public:
     // View
     QMenu *docks;
     QAction *monitors;
+    QAction *closePage;
     QAction *largeControls;
     QAction *lessMotion;
     QActionGroup *scheme;   // data(): int(Scheme)

@@ -40,6 +40,7 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
         session()->disconnect(this);
     const bool hasCams = encoder.isThere() && encoder.can().cams;
     m_encoder = hasCams ? encoder : ShownEncoder();
+    Q_EMIT headChanged();
     m_message->withdraw();
     m_mode->hide();
     m_range->hide();
@@ -69,6 +70,19 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
         connectSession(*session());
     showKnown();
     showLive();
+}
+
+QString CamEditor::about() const
+{
+    return m_encoder.isThere() ? calledInFull(m_encoder.place(), m_project.device(m_encoder.place()).station,
+                                              m_encoder.device())
+                               : QString();
+}
+
+QString CamEditor::effect() const
+{
+    return session() != nullptr ? tr("Edits cam programs of the project; only Read, Write and Compare send.")
+                                : tr("Edits cam programs of the project. Nothing is sent here.");
 }
 
 void CamEditor::connectSession(EncoderSession &session)

@@ -4,10 +4,9 @@
 #include "cams/cam_file.h"
 #include "widgets/cams/cam_jobs.h"
 #include "widgets/cams/cam_sheet.h"
+#include "widgets/look/page.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/shown_encoder.h"
-
-#include <QWidget>
 
 #include <functional>
 #include <memory>
@@ -33,7 +32,7 @@ class JobStrip;
 // The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
 // their own. What is edited is part of the project, and can be edited while the encoder is not connected.
 // Sends nothing unless asked, and shows what will be written before.
-class CamEditor : public QWidget
+class CamEditor : public Page
 {
     Q_OBJECT
 
@@ -43,6 +42,9 @@ public:
     CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent = nullptr);
 
     void setEncoder(const codewheel::ShownEncoder &encoder);
+    QString title() const override { return tr("Cams"); }
+    QString about() const override;
+    QString effect() const override;
 
     // All programs a file holds; or the open program alone. Each says on the spot what went wrong.
     bool load(const QString &path);

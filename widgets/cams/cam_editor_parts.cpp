@@ -23,7 +23,7 @@
 namespace codewheel {
 
 CamEditor::CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_catalog(catalog)
     , m_project(project)
     , m_sheet(new CamSheet(project, this))

@@ -34,7 +34,7 @@ std::vector<std::size_t> allLines(const Comparison &comparison)
 
 ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog, BusId bus,
                                const QString &kind, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_edits(document, catalog)
     , m_model(new ComparisonModel(this))
     , m_table(describe(new QTableView(this), "comparison", tr("Configured and connected bus"),
@@ -71,6 +71,17 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { showWhatIsPossible(); });
     connect(&document, &ProjectDocument::changed, this, &ComparisonPage::compare);
+}
+
+QString ComparisonPage::about() const
+{
+    const PlannedBus *bus = findBus(m_edits.project(), m_edits.bus());
+    return bus != nullptr ? bus->name : QString();
+}
+
+QString ComparisonPage::effect() const
+{
+    return tr("What you take over changes the project alone. Nothing is sent here.");
 }
 
 void ComparisonPage::arrange()

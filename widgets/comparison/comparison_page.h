@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/page.h"
 #include "widgets/structure_editor/plan_edits.h"
 
 #include <QPointer>
-#include <QWidget>
 
 class QCheckBox;
 class QGridLayout;
@@ -22,7 +22,7 @@ class InlineMessage;
 
 // What is configured for a bus beside what is connected, by the rules of its kind. Lines are taken over into
 // the project. A kind with more to compare derives from it.
-class ComparisonPage : public QWidget
+class ComparisonPage : public Page
 {
     Q_OBJECT
 
@@ -33,6 +33,9 @@ public:
 
     void setBus(EncoderBus *bus); // null: there is none
     int differences() const;
+    QString title() const override { return tr("Compare with the bus"); }
+    QString about() const override;
+    QString effect() const override;
 
 protected:
     void compare();

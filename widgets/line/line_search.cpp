@@ -62,7 +62,7 @@ QSpinBox *addressField(int value, const QString &name, QWidget *parent)
 } // namespace
 
 LineSearch::LineSearch(QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_first(addressField(1, tr("First address"), this))
     , m_last(addressField(LineAddress::last, tr("Last address"), this))
     , m_rates(describe(new QComboBox(this), tr("Baud rates of the search"),
@@ -116,6 +116,12 @@ LineSearch::LineSearch(QWidget *parent)
 LineSearch::~LineSearch()
 {
     m_table->setModel(nullptr);
+}
+
+void LineSearch::setAbout(const QString &line)
+{
+    m_about = line;
+    Q_EMIT headChanged();
 }
 
 void LineSearch::makeFields()

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "esc_line/line_event.h"
+#include "widgets/look/page.h"
 
 #include <QPointer>
-#include <QWidget>
 
 class QCheckBox;
 class QComboBox;
@@ -24,7 +24,7 @@ class LineSession;
 
 // Looks for the encoders on a serial line, shows what each tells of itself, and hands over those that are
 // chosen. Sends reads only.
-class LineSearch : public QWidget
+class LineSearch : public Page
 {
     Q_OBJECT
 
@@ -38,6 +38,14 @@ public:
 
     explicit LineSearch(QWidget *parent = nullptr);
     ~LineSearch() override;
+
+    void setAbout(const QString &line); // the name of the line
+    QString title() const override { return tr("Search for encoders"); }
+    QString about() const override { return m_about; }
+    QString effect() const override
+    {
+        return tr("Asks encoders for their serial numbers. Nothing is written.");
+    }
 
     void setLine(codewheel::LineSession *line); // null: none
     // What those that are found may be: an encoder does not tell its interface.
@@ -65,6 +73,7 @@ private:
     void showWhatIsPossible();
     bool isConnected() const;
 
+    QString m_about;
     QPointer<LineSession> m_line;
     bool m_isSearching = false;
     QSpinBox *m_first;

@@ -19,6 +19,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void setPeriod(QSpinBox &field)
 } // namespace
 
 LineSettingsForm::LineSettingsForm(QWidget *parent)
-    : QScrollArea(parent)
+    : Page(parent)
     , m_content(new QWidget(this))
     , m_trouble(new InlineMessage(m_content))
     , m_rateTold(new InlineMessage(m_content))
@@ -55,8 +56,6 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
 {
     setAccessibleName(tr("Settings of the serial line"));
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
     auto *column = layOut<QVBoxLayout>(m_content, grid::margin, grid::margin);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(grid::groupGap);
@@ -79,13 +78,29 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     buttons->addWidget(m_connect);
     column->addLayout(buttons);
     column->addStretch(1);
-    setWidget(m_content);
+    auto *area = new QScrollArea(this); // for low windows
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setWidget(m_content);
+    layOutColumn(this, {area}, {.margins = QMargins()});
     setFocusProxy(m_port);
     for (const QComboBox *box : {m_port, m_baudRate}) // the field that is typed into
         describe(box->lineEdit(), box->accessibleName(), box->toolTip());
     connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
     setSettings({});
     showPorts();
+}
+
+void LineSettingsForm::setAbout(const QString &line)
+{
+    m_about = line;
+    Q_EMIT headChanged();
+}
+
+QString LineSettingsForm::effect() const
+{
+    return tr("Connect asks for positions from then on. Nothing is written to an encoder.");
 }
 
 void LineSettingsForm::setConnecting(bool on)

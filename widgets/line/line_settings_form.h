@@ -3,8 +3,7 @@
 
 #include "esc_line/line_limits.h"
 #include "widgets/line/port_row.h"
-
-#include <QScrollArea>
+#include "widgets/look/page.h"
 
 #include <optional>
 #include <vector>
@@ -22,12 +21,17 @@ class InlineMessage;
 
 // How a serial line is to be opened: the port by list or by its path, what the bytes look like, and the times
 // that the manual leaves open. Knows no ports by itself: the list is given.
-class LineSettingsForm : public QScrollArea
+class LineSettingsForm : public Page
 {
     Q_OBJECT
 
 public:
     explicit LineSettingsForm(QWidget *parent = nullptr);
+
+    void setAbout(const QString &line); // the name of the line
+    QString title() const override { return tr("Port and settings"); }
+    QString about() const override { return m_about; }
+    QString effect() const override;
 
     // `trouble`: a sentence that stands at the list, such as missing rights; empty: none. What is chosen
     // stays chosen, also where it is not in the list.
@@ -78,6 +82,7 @@ private:
     void pick() { m_isPicked = true; }
     void showPorts();
 
+    QString m_about;
     std::vector<PortRow> m_ports;
     QWidget *m_content;
     QComboBox *m_port = nullptr;

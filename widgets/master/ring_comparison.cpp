@@ -65,6 +65,11 @@ RingComparison::RingComparison(ProjectDocument &document, RingSession &bus, QWid
     setBus(&bus);
 }
 
+QString RingComparison::effect() const
+{
+    return tr("Changes the project, or the master, as you choose; the master in Operate alone.");
+}
+
 RingStructure RingComparison::configured() const
 {
     return structureOf(m_document.project(), m_ring.id());

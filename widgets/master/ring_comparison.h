@@ -15,6 +15,7 @@ class RingComparison final : public ComparisonPage
     Q_OBJECT
 
 public:
+    QString effect() const override;
     // Both must outlive it.
     RingComparison(ProjectDocument &document, RingSession &bus, QWidget *parent = nullptr);
 

@@ -50,4 +50,12 @@ private:
     std::shared_ptr<const DeviceDescription> m_planned; // null: connected, or none
 };
 
+// One that is there, in a line: "1.0  Hoist  FRABA OCD-IB K3".
+inline QString calledInFull(Place place, const QString &station, const DeviceDescription &device)
+{
+    QStringList parts{place.shown(), station, device.fullName()};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral("  "));
+}
+
 } // namespace codewheel

@@ -20,7 +20,7 @@ constexpr int widestTitle = 140 * grid::unit;
 } // namespace
 
 ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_document(document)
     , m_title(describe(new TextField(this), "projectTitle", tr("Title of the project"),
                        tr("Stands at the head of the commissioning report")))
@@ -47,6 +47,11 @@ ProjectPage::~ProjectPage()
 {
     m_title->disconnect(this);
     m_note->disconnect(this);
+}
+
+QString ProjectPage::effect() const
+{
+    return tr("Edits what the project says of itself, and its list of buses. Nothing is sent here.");
 }
 
 void ProjectPage::makeFields()
@@ -108,6 +113,7 @@ void ProjectPage::showProject()
         m_note->setTakenText(project.note);
     m_file->setText(m_document.file().isEmpty() ? tr("not saved yet")
                                                 : QDir::toNativeSeparators(m_document.file()));
+    Q_EMIT headChanged();
 }
 
 } // namespace codewheel

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/page.h"
 #include "widgets/project/project_document.h"
-
-#include <QWidget>
 
 class QLabel;
 
@@ -14,7 +13,7 @@ class NoteField;
 class TextField;
 
 // What the project says of itself: title, buses and note. A field that was left is one step of undo.
-class ProjectPage : public QWidget
+class ProjectPage : public Page
 {
     Q_OBJECT
 
@@ -24,6 +23,9 @@ public:
     ~ProjectPage() override;
 
     BusList &buses() { return *m_buses; }
+    QString title() const override { return tr("Project"); }
+    QString about() const override { return m_document.project().title; }
+    QString effect() const override;
 
 private:
     void makeFields();

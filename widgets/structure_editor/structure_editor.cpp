@@ -53,6 +53,12 @@ void StructureEditor::setBus(BusId bus, const QString &kind)
     fitColumns();
 }
 
+QString StructureEditor::about() const
+{
+    const PlannedBus *bus = findBus(m_document.project(), m_edits.bus());
+    return bus != nullptr ? bus->name : QString();
+}
+
 void StructureEditor::addFields(BusId bus, QWidget *fields)
 {
     m_below->addWidget(fields);
@@ -180,6 +186,7 @@ void StructureEditor::showBuses()
     m_bus->setCurrentIndex(static_cast<int>(std::ranges::find(m_buses, m_edits.bus()) - m_buses.begin()));
     m_bus->setVisible(m_buses.size() > 1);
     m_busLabel->setVisible(m_buses.size() > 1);
+    Q_EMIT headChanged();
 }
 
 // What is to be seen and done is the kind's.

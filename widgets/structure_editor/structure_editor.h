@@ -2,11 +2,11 @@
 #pragma once
 
 #include "encoder/place.h"
+#include "widgets/look/page.h"
 #include "widgets/look/tool.h"
 #include "widgets/structure_editor/plan_edits.h"
 
 #include <QPointer>
-#include <QWidget>
 
 #include <map>
 
@@ -28,7 +28,7 @@ class PlanModel;
 
 // The planned bus: insert, remove, move by drag and by keys, search, stations, groups and addresses in place;
 // what is wrong stands beside it. All of it can be undone. Nothing here is sent to the bus.
-class StructureEditor : public QWidget
+class StructureEditor : public Page
 {
     Q_OBJECT
 
@@ -42,6 +42,9 @@ public:
     void addFields(BusId bus, QWidget *fields);
     void choose(Place number);
     void openInsertPanel();
+    QString title() const override { return tr("Bus structure"); }
+    QString about() const override;
+    QString effect() const override { return tr("Edits the planned bus. Nothing is sent here."); }
 
 Q_SIGNALS:
     void chosen(codewheel::Place number);

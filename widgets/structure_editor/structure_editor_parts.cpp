@@ -37,7 +37,7 @@ constexpr int rowsInSight = 4;    // however low the window is; one is below the
 } // namespace
 
 StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_document(document)
     , m_edits(document, catalog)
     , m_model(new PlanModel(m_edits, this))

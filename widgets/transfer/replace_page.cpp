@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_page.h"
 
+#include "bus/participant.h"
+#include "catalog/catalog.h"
 #include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
@@ -27,25 +28,25 @@ constexpr int replaceStepsFrom = 560;
 
 ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
                          const LastPositions &positions, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_replacing{.buses = buses, .catalog = catalog, .project = project}
     , m_positions(positions)
-    , m_title(named(new QLabel(this), "replaceTitle"))
+    , m_stepName(named(new QLabel(this), "replaceStep"))
     , m_pages(new QStackedWidget(this))
     , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
     , m_next(named(new QPushButton(lineIcon(Icon::next), {}, this), "replaceNext"))
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
 {
     setAccessibleName(tr("Replace encoder"));
-    m_title->setFont(textFont(TextSize::large));
     describe(m_back, "replaceBack", tr("To the step before"));
     m_next->setDefault(true);
     describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
     makeSteps();
-    layOutColumn(
-        this,
-        {m_title, {layOutRow({m_list, {m_pages, 1}}), 1}, layOutRow({m_cancel, Stretch{1}, m_back, m_next})},
-        {.spacing = grid::margin, .margins = allAround(grid::margin)});
+    layOutColumn(this,
+                 {m_stepName,
+                  {layOutRow({m_list, {m_pages, 1}}), 1},
+                  layOutRow({m_cancel, Stretch{1}, m_back, m_next})},
+                 {.spacing = grid::margin, .margins = allAround(grid::margin)});
     connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
     connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
     connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
@@ -103,7 +104,7 @@ void ReplacePage::replace(Place number)
     makeSteps();
     auto *middle = static_cast<QHBoxLayout *>(layout()->itemAt(1)->layout());
     middle->insertWidget(0, m_list);
-    m_list->setVisible(width() >= replaceStepsFrom);
+    showList();
     showStep(device);
 }
 
@@ -133,21 +134,61 @@ void ReplacePage::leaveProject()
 void ReplacePage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    showList();
+}
+
+void ReplacePage::showList()
+{
     m_list->setVisible(width() >= replaceStepsFrom);
+    m_stepName->setVisible(width() < replaceStepsFrom);
 }
 
 void ReplacePage::showStep(int step)
 {
     m_pages->setCurrentIndex(step);
     m_list->setCurrent(step);
-    m_title->setText(tr("Replace encoder %1: %2 of %3  %4")
-                         .arg(m_replacing.place.shown())
-                         .arg(step + 1)
-                         .arg(stepCount)
-                         .arg(current()->title()));
     current()->enter();
     showButtons();
+    m_stepName->setText(current()->title());
+    Q_EMIT headChanged();
     current()->setFocus();
+}
+
+QString ReplacePage::title() const
+{
+    return tr("Replace encoder %1/%2", "step of steps").arg(m_pages->currentIndex() + 1).arg(stepCount);
+}
+
+QString ReplacePage::about() const
+{
+    const Participant &planned = m_replacing.before.participant;
+    QStringList parts{m_replacing.place.shown(), m_replacing.before.station,
+                      participantName(planned, m_replacing.catalog.find(planned.deviceKey))};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral("  "));
+}
+
+QString ReplacePage::effect() const
+{
+    return m_pages->currentIndex() == account ? tr("What was written. Nothing more is sent.")
+           : isBusy()                         ? tr("Writes to the encoder.")
+                                              : tr("Nothing is sent or planned before Write.");
+}
+
+QString ReplacePage::lostByClosing() const
+{
+    const Replacement &now = m_replacing.now;
+    const bool isGiven = m_pages->currentIndex() != device || now.turns > 0 || !now.serialNumber.isEmpty();
+    return m_hasBegun || !isGiven
+               ? QString()
+               : tr("Nothing has been written to %1, and what was given here is forgotten.")
+                     .arg(m_replacing.place.shown());
+}
+
+void ReplacePage::leave()
+{
+    if (!m_hasBegun)
+        replace(m_replacing.place);
 }
 
 void ReplacePage::next()
@@ -161,6 +202,7 @@ void ReplacePage::next()
         m_hasBegun = true;
         putIntoProject();
         m_write->begin();
+        Q_EMIT headChanged();
     } else {
         showStep(step + 1);
     }

@@ -3,6 +3,7 @@
 
 #include "encoder/message.h"
 #include "transfer/last_positions.h"
+#include "widgets/look/page.h"
 #include "widgets/transfer/replace_step.h"
 
 #include <array>
@@ -20,7 +21,7 @@ class StepList;
 // An encoder has been replaced, perhaps at night: which one is there now, which position it shall show, what
 // is written to it from the project, and what was written. A page of the main window, step by step as the
 // parameter wizard.
-class ReplacePage : public QWidget
+class ReplacePage : public Page
 {
     Q_OBJECT
 
@@ -32,10 +33,14 @@ public:
     // Begins anew; not while something is written.
     void replace(Place number);
     bool isBusy() const;
+    QString title() const override;
+    QString about() const override;
+    QString effect() const override;
+    QString lostByClosing() const override;
+    void leave() override;
 
 Q_SIGNALS:
     void messaged(const codewheel::Message &message);
-    void closeRequested();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -46,6 +51,7 @@ private:
 
     void makeSteps();
     void showStep(int step);
+    void showList();
     void next();
     void back();
     void cancel();
@@ -63,8 +69,8 @@ private:
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
     bool m_hasBegun = false; // to write: what was looked at counts from then on
-    QLabel *m_title;
     StepList *m_list = nullptr;
+    QLabel *m_stepName; // where there is no room for the list
     QStackedWidget *m_pages;
     QPushButton *m_back;
     QPushButton *m_next;

@@ -69,6 +69,14 @@ void TransferPage::showEvent(QShowEvent *event)
         showPlan();
 }
 
+QString TransferPage::effect() const
+{
+    return m_stage->currentWidget() == m_done ? tr("What was written. Nothing more is sent.")
+           : m_choice->what() == What::store
+               ? tr("Keeps what encoders have in the project. Nothing is sent before Read and store.")
+               : tr("Writes to encoders. Nothing is sent before Write.");
+}
+
 // Nothing changes in the table while it is carried out.
 void TransferPage::planSoon()
 {
@@ -105,6 +113,7 @@ void TransferPage::showSummary()
 {
     const std::vector<Place> chosen = m_model->chosen();
     const bool stores = m_choice->what() == What::store;
+    Q_EMIT headChanged();
     m_begin->setText(stores ? tr("&Read and store") : tr("&Write"));
     m_begin->setIcon(lineIcon(stores ? Icon::read : Icon::write));
     m_begin->setToolTip(stores ? tr("Reads the chosen encoders, and keeps what they have in the project. "
@@ -191,7 +200,6 @@ void TransferPage::carryOut()
     m_choice->setEnabled(false);
     m_table->setEnabled(false);
     m_begin->setEnabled(false);
-    m_close->setEnabled(false);
     m_progress->begin();
     m_progress->show();
     m_progress->setFocus();
@@ -203,7 +211,6 @@ void TransferPage::finish()
 {
     m_choice->setEnabled(true);
     m_table->setEnabled(true);
-    m_close->setEnabled(true);
     m_progress->hide();
     if (m_choice->what() == What::store)
         finishStoring();
@@ -272,6 +279,7 @@ void TransferPage::finishWriting()
         reportOf(account, m_catalog, QCoreApplication::applicationVersion()),
         QStringLiteral("transfer-%1").arg(account.at.toString(QStringLiteral("yyyy-MM-dd-hhmm"))));
     m_stage->setCurrentWidget(m_done);
+    Q_EMIT headChanged();
     m_account->setFocus();
 }
 

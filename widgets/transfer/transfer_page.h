@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/message.h"
+#include "widgets/look/page.h"
 #include "widgets/transfer/transfer_choice.h"
 #include "widgets/transfer/transfer_model.h"
 
@@ -25,7 +26,7 @@ class TransferTable;
 // Values to and from several encoders: what is transferred, which encoders, what differs with its words and
 // EEPROM writes; then the writing, with progress and cancel; then what was written where. A page of the main
 // window, for engineers who commission a bus, and technicians who bring it back.
-class TransferPage : public QWidget
+class TransferPage : public Page
 {
     Q_OBJECT
 
@@ -37,10 +38,11 @@ public:
     // Shows what differs now. `number`: the encoder that is chosen elsewhere.
     void choose(TransferChoice::What what, std::optional<Place> number);
     bool isBusy() const { return m_round.isRunning(); }
+    QString title() const override { return tr("Transfer"); }
+    QString effect() const override;
 
 Q_SIGNALS:
     void messaged(const codewheel::Message &message);
-    void closeRequested();
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -82,7 +84,6 @@ private:
     InlineMessage *m_problem;
     EepromGate *m_gate;
     QPushButton *m_begin;
-    QPushButton *m_close;
     JobStrip *m_progress;
     QStackedWidget *m_stage;
     QWidget *m_choosing;

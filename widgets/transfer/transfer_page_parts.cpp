@@ -27,7 +27,7 @@ constexpr auto planDelay = std::chrono::milliseconds(50);
 
 TransferPage::TransferPage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
                            FindValuesBefore findBefore, QWidget *parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_buses(buses)
     , m_catalog(catalog)
     , m_project(project)
@@ -44,8 +44,6 @@ TransferPage::TransferPage(const Buses &buses, const Catalog &catalog, ProjectDo
     , m_problem(new InlineMessage(this))
     , m_gate(new EepromGate(this))
     , m_begin(named(new QPushButton(this), "transferBegin"))
-    , m_close(describe(new QPushButton(tr("&Close"), this), "transferClose",
-                       tr("Back to the monitors; nothing is sent")))
     , m_progress(new JobStrip(m_round, this))
     , m_stage(new QStackedWidget(this))
     , m_choosing(new QWidget(this))
@@ -75,7 +73,7 @@ void TransferPage::layOut()
                   m_problem,
                   m_gate,
                   m_progress,
-                  layOutRow({{m_summary, 1}, m_begin, m_close})},
+                  layOutRow({{m_summary, 1}, m_begin})},
                  {.spacing = grid::margin, .margins = QMargins()});
     layOutColumn(m_done, {m_result, {m_account, 1}, {m_back, 0, Qt::AlignLeft}},
                  {.spacing = grid::margin, .margins = QMargins()});
@@ -96,7 +94,6 @@ void TransferPage::connectAll()
     connect(m_none, &QPushButton::clicked, m_model, [this] { m_model->chooseAll(false); });
     connect(m_gate, &EepromGate::changed, this, &TransferPage::showBegin);
     connect(m_begin, &QPushButton::clicked, this, &TransferPage::begin);
-    connect(m_close, &QPushButton::clicked, this, &TransferPage::closeRequested);
     connect(m_back, &QPushButton::clicked, this, &TransferPage::backToChoice);
     connect(&m_round, &JobRound::finished, this, &TransferPage::finish);
     connect(&m_soon, &QTimer::timeout, this, &TransferPage::showPlan);

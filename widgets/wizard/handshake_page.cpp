@@ -300,8 +300,6 @@ void HandshakePage::leaveEncoder(OnCancel how)
 void HandshakePage::goOn()
 {
     m_isCancelled = false;
-    if (m_job)
-        Q_EMIT goesOn();
 }
 
 void HandshakePage::bringBack(bool restore)

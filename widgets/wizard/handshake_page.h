@@ -36,13 +36,10 @@ public:
 
     void start(); // sends nothing by hand, the first word running by itself
     bool isBusy() const { return m_job.has_value(); }
-    // Asks where the encoder has taken something, perhaps a moment later (goesOn). False: the user goes on
-    // with the handshake.
+    // Asks where the encoder has taken something, perhaps a moment later. False: the user goes on with the
+    // handshake.
     bool cancel();
     void showRow(const Exchange &row);
-
-Q_SIGNALS:
-    void goesOn(); // after all
 
 private:
     Result<void> startJob();

@@ -4,10 +4,10 @@
 #include "bus/buses.h"
 #include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
+#include "widgets/models/shown_encoder.h"
 #include "widgets/wizard/device_page.h"
 #include "widgets/wizard/direction_page.h"
 #include "widgets/wizard/handshake_page.h"
@@ -29,12 +29,13 @@ constexpr int wizardStepsFrom = 680; // logical pixels
 } // namespace
 
 ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *parent)
-    : QWidget(parent)
+    : codewheel::Page(parent)
     , m_setup(new Setup{.buses = &buses, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
-    , m_title(new QLabel(this))
+    , m_stepName(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this), "wizardCancel",
-                        tr("Leaves the wizard. During a handshake it first asks how to leave the encoder.")))
+                        tr("Takes back what was set here, and leaves the wizard. During a handshake it first "
+                           "asks how to leave the encoder.")))
     , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "wizardBack",
                       tr("To the page before.")))
     , m_next(named(new QPushButton(lineIcon(Icon::next), tr("&Next"), this), "wizardNext"))
@@ -44,12 +45,12 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
     for (const WizardPage *page : m_all)
         titles.append(page->title());
     m_stepList = new StepList(titles, this);
-    m_title->setFont(textFont(TextSize::large));
 
-    layOutRow(this,
-              {m_stepList,
-               {layOutColumn({m_title, {m_pages, 1}, layOutRow({m_cancel, Stretch{}, m_back, m_next})}), 1}},
-              {.margins = allAround(grid::margin)});
+    layOutRow(
+        this,
+        {m_stepList,
+         {layOutColumn({m_stepName, {m_pages, 1}, layOutRow({m_cancel, Stretch{}, m_back, m_next})}), 1}},
+        {.margins = allAround(grid::margin)});
 
     connect(m_cancel, &QPushButton::clicked, this, &ParameterWizard::cancel);
     connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);
@@ -89,7 +90,6 @@ void ParameterWizard::makePages()
         connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
     }
     connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::follow);
-    connect(m_handshakePage, &HandshakePage::goesOn, this, [this] { m_closes = false; });
 }
 
 EncoderSession *ParameterWizard::encoder() const
@@ -114,6 +114,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
     m_setup->takeWanted();
     m_setup->keep();
     m_setup->record = {};
+    Q_EMIT headChanged();
     if (encoder == nullptr)
         return;
     connect(encoder, &EncoderSession::latestChanged, this, [this] { current()->showLatest(); });
@@ -126,11 +127,11 @@ void ParameterWizard::follow(EncoderSession *encoder)
     connect(encoder, &QObject::destroyed, this, [this] { showPage(device); });
 }
 
-// The title tells the step too: where it is narrow, that must do.
 void ParameterWizard::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     m_stepList->setVisible(width() >= wizardStepsFrom);
+    m_stepName->setVisible(width() < wizardStepsFrom);
 }
 
 void ParameterWizard::focusPage()
@@ -160,10 +161,11 @@ void ParameterWizard::showPage(int page)
     const bool isElsewhere = focus != nullptr && !isAncestorOf(focus);
     m_pages->setCurrentIndex(page);
     m_stepList->setCurrent(page);
-    m_title->setText(tr("%1 of %2  %3").arg(page + 1).arg(pageCount).arg(current()->title()));
     if (m_setup->encoder || page == device)
         current()->enter();
     showButtons();
+    m_stepName->setText(current()->title());
+    Q_EMIT headChanged();
     if (!isElsewhere)
         current()->setFocus();
 }
@@ -203,14 +205,41 @@ void ParameterWizard::cancel()
     Q_EMIT closeRequested();
 }
 
-ParameterWizard::Closing ParameterWizard::askBeforeClosing()
+QString ParameterWizard::title() const
 {
-    if (!isBusy())
-        return Closing::now;
-    if (!m_handshakePage->cancel())
-        return Closing::stay;
-    m_closes = isBusy();
-    return m_closes ? Closing::whenReady : Closing::now;
+    return tr("Parameter wizard %1/%2", "step of steps").arg(page() + 1).arg(pageCount);
+}
+
+QString ParameterWizard::about() const
+{
+    if (!m_setup->encoder)
+        return {};
+    const Place place = m_setup->encoder->place();
+    return calledInFull(place, m_stationOf(place), m_setup->encoder->device());
+}
+
+QString ParameterWizard::effect() const
+{
+    return page() < handshake
+               ? tr("Edits wanted values of the project; nothing is sent before the handshake.")
+           : page() == handshake ? tr("Writes to the encoder.")
+                                 : tr("Nothing is sent here.");
+}
+
+QString ParameterWizard::lostByClosing() const
+{
+    const QStringList changed = isBusy() || !m_setup->encoder ? QStringList() : m_setup->changed();
+    return changed.isEmpty()
+               ? QString()
+               : tr("What was set in the wizard is taken back: %1.").arg(changed.join(QStringLiteral(", ")));
+}
+
+void ParameterWizard::leave()
+{
+    if (isBusy())
+        return;
+    m_setup->takeBack();
+    showPage(device);
 }
 
 void ParameterWizard::showButtons()
@@ -236,8 +265,6 @@ void ParameterWizard::takeOutcome(const Outcome &outcome)
     m_handshakePage->showOutcome(outcome);
     if (current() != m_handshakePage)
         current()->showOutcome(outcome);
-    if (!isBusy() && std::exchange(m_closes, false))
-        Q_EMIT readyToClose();
 }
 
 void ParameterWizard::takeRow(const Exchange &row)

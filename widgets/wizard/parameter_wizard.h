@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/page.h"
 #include "widgets/wizard/setup.h"
 
-#include <QWidget>
-
+#include <functional>
 #include <memory>
 
 class QLabel;
@@ -20,7 +20,7 @@ class WizardPage;
 
 // The way through the parameterization of one encoder, page by page: encoder, what is known, direction,
 // values, review, handshake, report. A page of the main window, no dialog. Sends nothing before the review.
-class ParameterWizard : public QWidget
+class ParameterWizard : public codewheel::Page
 {
     Q_OBJECT
 
@@ -39,18 +39,18 @@ public:
     void focusPage();    // the keys go to the page that is shown
     bool isBusy() const; // a handshake is on its way
 
-    enum class Closing { now, whenReady, stay };
-    // Asks the same as Cancel. whenReady: readyToClose() comes when the encoder has been left as was chosen.
-    Closing askBeforeClosing();
+    using StationOf = std::function<QString(Place)>; // in the project; empty: none
+    void setStations(StationOf stationOf) { m_stationOf = std::move(stationOf); }
 
     Page page() const;
+    QString title() const override;
+    QString about() const override;
+    QString effect() const override;
+    QString lostByClosing() const override; // what was set here; looking at the monitors meanwhile keeps it
+    void leave() override;
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
-
-Q_SIGNALS:
-    void closeRequested(); // back to the monitors
-    void readyToClose();
 
 private:
     void makePages();
@@ -66,16 +66,16 @@ private:
     WizardPage *current() const;
 
     std::unique_ptr<Setup> m_setup;
+    StationOf m_stationOf = [](Place) { return QString(); };
     std::vector<WizardPage *> m_all;
     DevicePage *m_devicePage = nullptr;
     HandshakePage *m_handshakePage = nullptr;
     StepList *m_stepList;
-    QLabel *m_title;
+    QLabel *m_stepName; // where there is no room for the list
     QStackedWidget *m_pages;
     QPushButton *m_cancel;
     QPushButton *m_back;
     QPushButton *m_next;
-    bool m_closes = false; // readyToClose() when the job has ended
 };
 
 } // namespace codewheel

@@ -28,6 +28,15 @@ void Setup::want(const Wishes &wishes)
     takeWanted();
 }
 
+QStringList Setup::changed() const
+{
+    QStringList names;
+    for (const auto &[parameter, change] : given)
+        if (change.now != change.before && valueOf(wish.wanted, parameter) == change.now)
+            names << parameterName(parameter);
+    return names;
+}
+
 void Setup::takeBack()
 {
     if (!encoder)

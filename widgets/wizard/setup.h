@@ -49,6 +49,7 @@ struct Setup
     // What the pages of the wizard have put among the wanted values is as it was before; what was changed
     // elsewhere since stays.
     void takeBack();
+    QStringList changed() const; // names of what takeBack() would take
     // It is the user's now: nothing is taken back.
     void keep() { given.clear(); }
     void takeWanted() { wish.wanted = encoder ? wanted.values(encoder->place()) : ParameterValues{}; }

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/page_head.h"
+
+#include "widgets/input/form_fields.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
+#include "widgets/monitor/meaning_line.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+
+namespace codewheel {
+namespace {
+
+// As if the user had pressed it: each field knows what was in it before.
+void giveValueBefore(QWidget &field)
+{
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QApplication::sendEvent(&field, &press);
+}
+
+} // namespace
+
+PageHead::PageHead(QStackedWidget &pages, QWidget &window)
+    : QWidget(&window)
+    , m_pages(pages)
+    , m_window(window)
+    , m_title(named(new MeaningLine(this), "pageTitle"))
+    , m_effect(named(new MeaningLine(this), "pageEffect"))
+    , m_close(describe(new QToolButton(this), "closePage", tr("Back to the monitors (Esc, Ctrl+W)")))
+{
+    setObjectName(QStringLiteral("pageHead"));
+    m_title->setFont(textFont(TextSize::large));
+    m_close->setIcon(lineIcon(Icon::cancel));
+    m_close->setText(tr("Close", "a page"));
+    m_close->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_close->setFocusPolicy(Qt::TabFocus);
+    layOutColumn(this, {layOutRow({{m_title, 1}, m_close}, {.spacing = grid::margin}), m_effect},
+                 {.spacing = 0, .margins = QMargins(grid::margin, grid::unit, grid::margin, 0)});
+    hide();
+    connect(m_close, &QToolButton::clicked, this, &PageHead::closePage);
+    connect(&pages, &QStackedWidget::currentChanged, this, &PageHead::follow);
+    window.installEventFilter(this);
+}
+
+void PageHead::follow()
+{
+    auto *page = qobject_cast<Page *>(m_pages.currentWidget());
+    if (page == m_page)
+        return;
+    if (m_page)
+        m_page->disconnect(this);
+    m_page = page;
+    if (page != nullptr) {
+        connect(page, &Page::headChanged, this, &PageHead::showHead);
+        connect(page, &Page::closeRequested, this, &PageHead::closed);
+    }
+    setVisible(page != nullptr);
+    showHead();
+    Q_EMIT pageChanged();
+}
+
+void PageHead::showHead()
+{
+    if (!m_page)
+        return;
+    const QString about = m_page->about();
+    m_title->setText(about.isEmpty() ? m_page->title()
+                                     : QStringLiteral("%1 \u2013 %2").arg(m_page->title(), about));
+    m_effect->setText(m_page->effect());
+}
+
+void PageHead::closePage()
+{
+    const QPointer<Page> page = m_page;
+    if (!page || !mayClose(*page) || page != m_page)
+        return;
+    page->leave();
+    Q_EMIT closed();
+}
+
+// What is typed and good is taken, as it is when a field is left any other way.
+bool PageHead::mayClose(Page &page)
+{
+    const QWidget *refused = nullptr;
+    while (true) {
+        const QString wrong = takeFields(page);
+        QWidget *field = m_window.focusWidget(); // that is refused
+        if (wrong.isEmpty() || field == nullptr || field == refused)
+            break;
+        if (!ask(wrong + QStringLiteral("\n\n") + tr("What is typed there is not taken.")))
+            return false;
+        refused = field;
+        giveValueBefore(*field);
+    }
+    const QString lost = page.lostByClosing();
+    return lost.isEmpty() || ask(lost);
+}
+
+bool PageHead::ask(const QString &what)
+{
+    QMessageBox box(QMessageBox::Question, m_page->title(), tr("Close this page?"), QMessageBox::NoButton,
+                    &m_window);
+    box.setInformativeText(what);
+    const QPushButton *close = box.addButton(tr("&Close the page"), QMessageBox::DestructiveRole);
+    QPushButton *stay = box.addButton(tr("&Stay"), QMessageBox::RejectRole);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == close;
+}
+
+// A key comes to the window once nobody on the way wants it: a field gives the value before, a list or a
+// question over the page closes first.
+bool PageHead::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::KeyPress || !m_page)
+        return QWidget::eventFilter(watched, event);
+    const auto *key = static_cast<QKeyEvent *>(event);
+    if (key->key() != Qt::Key_Escape || key->modifiers() != Qt::NoModifier)
+        return QWidget::eventFilter(watched, event);
+    closePage();
+    return true;
+}
+
+} // namespace codewheel

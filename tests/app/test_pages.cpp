@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One head for all pages: what it says, and how a page is closed, with mouse and keys.
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+#include "widgets/cams/cam_editor.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/look/page.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/structure_editor/structure_editor.h"
+#include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/transfer_page.h"
+#include "widgets/wizard/parameter_wizard.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+
+class PagesTest : public test::WindowTest
+{
+protected:
+    QString head(const char *part)
+    {
+        return window().findChild<QWidget *>(QLatin1String(part))->accessibleName();
+    }
+    void choose(Place place) { window().findChild<StructureView *>()->choose(place); }
+    bool isOpen() { return window().findChild<QWidget *>(QStringLiteral("pageHead"))->isVisible(); }
+    void clickClose()
+    {
+        auto *close = window().findChild<QToolButton *>(QStringLiteral("closePage"));
+        ASSERT_TRUE(close->isVisible());
+        QTest::mouseClick(close, Qt::LeftButton);
+    }
+    void press(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
+    template <typename Widget>
+    Widget &find(const char *name)
+    {
+        return *window().findChild<Widget *>(QLatin1String(name));
+    }
+    QList<QAction *> opening()
+    {
+        const WindowActions &its = actions();
+        return {its.wizard,   its.cams,           its.structureEditor, its.compare,
+                its.transfer, its.replaceEncoder, its.projectPage};
+    }
+};
+
+TEST_F(PagesTest, EachHasAHeadAndIsClosedByMouseAndByKeys)
+{
+    choose(fraba);
+    QList<QAction *> all = opening();
+    all << lineActions().settings << lineActions().search;
+    QStringList titles;
+    for (QAction *open : all) {
+        const std::string name = open->text().toStdString();
+        open->trigger();
+        EXPECT_TRUE(isOpen()) << name;
+        EXPECT_FALSE(head("pageTitle").isEmpty()) << name;
+        EXPECT_TRUE(head("pageEffect").endsWith(u'.')) << name;
+        titles << head("pageTitle");
+        clickClose();
+        EXPECT_EQ(page(), &monitors()) << name;
+        EXPECT_FALSE(isOpen()) << name;
+
+        open->trigger();
+        press(Qt::Key_Escape);
+        EXPECT_EQ(page(), &monitors()) << name << " by Esc";
+        open->trigger();
+        QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);
+        EXPECT_EQ(page(), &monitors()) << name << " by Ctrl+W";
+    }
+    EXPECT_EQ(titles.removeDuplicates(), 0);
+    EXPECT_TRUE(titles.contains(QStringLiteral("Cams \u2013 1.0  FRABA OCD-IB K3")))
+        << titles.join(u'|').toStdString();
+    EXPECT_TRUE(titles.contains(QStringLiteral("Bus structure \u2013 Ring")))
+        << titles.join(u'|').toStdString();
+    EXPECT_TRUE(bus().isOperating()) << "Ctrl+W closes, and nothing else";
+}
+
+TEST_F(PagesTest, WithoutAPageTheKeysDoNothing)
+{
+    QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);
+    QTest::keyClick(&window(), Qt::Key_Escape);
+    EXPECT_EQ(page(), &monitors());
+    EXPECT_TRUE(bus().isOperating());
+    EXPECT_FALSE(actions().closePage->isEnabled());
+}
+
+TEST_F(PagesTest, TheStationStandsInTheHead)
+{
+    choose(fraba);
+    shown->project().editDevice(fraba, QStringLiteral("name"),
+                                [](ProjectDevice &device) { device.station = QStringLiteral("Hoist"); });
+    for (QAction *open : {actions().wizard, actions().cams, actions().replaceEncoder}) {
+        open->trigger();
+        EXPECT_TRUE(head("pageTitle").endsWith(QStringLiteral("1.0  Hoist  FRABA OCD-IB K3")))
+            << head("pageTitle").toStdString();
+    }
+}
+
+TEST_F(PagesTest, EscIsForTheFieldFirst)
+{
+    actions().projectPage->trigger();
+    auto &title = find<QLineEdit>("projectTitle");
+    title.setFocus();
+    QTest::keyClicks(&title, QStringLiteral("Crane"));
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(isOpen());
+    EXPECT_TRUE(title.text().isEmpty());
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(isOpen());
+    EXPECT_TRUE(shown->project().project().title.isEmpty());
+}
+
+TEST_F(PagesTest, WhatIsTypedIsTakenWhenThePageIsClosed)
+{
+    actions().projectPage->trigger();
+    auto &title = find<QLineEdit>("projectTitle");
+    title.setFocus();
+    QTest::keyClicks(&title, QStringLiteral("Crane"));
+    clickClose();
+    EXPECT_FALSE(isOpen());
+    EXPECT_EQ(shown->project().project().title, QStringLiteral("Crane"));
+}
+
+TEST_F(PagesTest, EscEndsTheFieldOfACellBeforeThePage)
+{
+    choose(fraba);
+    actions().structureEditor->trigger();
+    auto &tree = find<QTreeView>("plan");
+    QModelIndex cell = tree.currentIndex();
+    while (!cell.flags().testFlag(Qt::ItemIsEditable))
+        cell = cell.siblingAtColumn(cell.column() + 1);
+    tree.edit(cell);
+    ASSERT_NE(QApplication::focusWidget(), &tree);
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(isOpen());
+    EXPECT_EQ(QApplication::focusWidget(), &tree);
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(isOpen());
+}
+
+TEST_F(PagesTest, EscClosesAListBeforeThePage)
+{
+    actions().transfer->trigger();
+    auto *what = window().findChild<TransferPage *>()->findChild<QComboBox *>();
+    what->showPopup();
+    ASSERT_NE(QApplication::activePopupWidget(), nullptr);
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+    EXPECT_TRUE(isOpen());
+}
+
+TEST_F(PagesTest, WhatIsRefusedIsAskedAbout)
+{
+    lineActions().settings->trigger();
+    auto &form = *window().findChild<LineSettingsForm *>();
+    const LineSettings before = form.settings();
+    auto *number = form.findChild<QSpinBox *>();
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, QStringLiteral("999999"));
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Stay"));
+        clickClose();
+        EXPECT_TRUE(isOpen());
+        EXPECT_TRUE(question.text().contains(QStringLiteral("not taken"))) << question.text().toStdString();
+    }
+    const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
+    clickClose();
+    EXPECT_FALSE(isOpen());
+    EXPECT_EQ(form.settings(), before);
+    EXPECT_FALSE(number->text().contains(QStringLiteral("999999"))) << number->text().toStdString();
+}
+
+TEST_F(PagesTest, TheWizardAsksBeforeItTakesBackWhatWasSet)
+{
+    choose(fraba);
+    actions().wizard->trigger();
+    auto &wizard = *window().findChild<ParameterWizard *>();
+    auto &next = find<QPushButton>("wizardNext");
+    const ProjectDevice before = shown->project().device(fraba);
+    while (wizard.page() != ParameterWizard::values)
+        QTest::mouseClick(&next, Qt::LeftButton);
+    for (const auto &[name, value] : {std::pair("steps", "255"), std::pair("revolutions", "1")}) {
+        const auto fields = wizard.findChildren<QLineEdit *>(QLatin1String(name));
+        QLineEdit &field = **std::ranges::find_if(fields, &QWidget::isVisible);
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, QLatin1String(value));
+    }
+    QTest::mouseClick(&next, Qt::LeftButton);
+    ASSERT_EQ(wizard.page(), ParameterWizard::review);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Stay"));
+        press(Qt::Key_Escape);
+        EXPECT_TRUE(question.text().contains(QStringLiteral("Steps"))) << question.text().toStdString();
+    }
+    EXPECT_EQ(wizard.page(), ParameterWizard::review);
+    actions().monitors->trigger();
+    actions().wizard->trigger();
+    EXPECT_EQ(wizard.page(), ParameterWizard::review) << "monitors were looked at meanwhile";
+    const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
+    clickClose();
+    EXPECT_EQ(page(), &monitors());
+    EXPECT_EQ(wizard.page(), ParameterWizard::device);
+    EXPECT_EQ(shown->project().device(fraba).wanted, before.wanted);
+}
+
+TEST_F(PagesTest, AReplacementThatHasBegunIsAskedAbout)
+{
+    choose(fraba);
+    actions().replaceEncoder->trigger();
+    QTest::mouseClick(&find<QPushButton>("replaceNext"), Qt::LeftButton);
+    const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_EQ(page(), &monitors());
+}
+
+TEST_F(PagesTest, AJobOfAPageThatIsClosedGoesOn)
+{
+    shown->project().editDevice(fraba, QStringLiteral("want"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 4096}};
+    });
+    actions().transfer->trigger();
+    auto &transfer = *window().findChild<TransferPage *>();
+    QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
+    advance(4);
+    ASSERT_TRUE(transfer.isBusy());
+    press(Qt::Key_Escape);
+    EXPECT_EQ(page(), &monitors());
+    EXPECT_TRUE(transfer.isBusy());
+    advance(500);
+    EXPECT_FALSE(transfer.isBusy());
+    EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 4096);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace codewheel {
+
+// A page of the main window, in the place of the monitors. It tells what stands in the head over it, and what
+// would be lost if it were closed; whoever shows it asks then.
+class Page : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    virtual QString title() const = 0;
+    virtual QString about() const { return {}; } // the encoder or bus it is about; empty: none in particular
+    virtual QString effect() const = 0;          // what it changes and sends, in a sentence
+    // A sentence; empty: nothing. What is typed and not taken yet is not meant.
+    virtual QString lostByClosing() const { return {}; }
+    // The user has closed it: it begins anew next time. A job that runs goes on, and is shown then.
+    virtual void leave() {}
+
+Q_SIGNALS:
+    void headChanged();
+    void closeRequested(); // it has ended by itself
+};
+
+} // namespace codewheel
