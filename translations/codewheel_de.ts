@@ -3911,7 +3911,7 @@
     </message>
     <message>
         <source>Edits cam programs of the project; only Read, Write and Compare send.</source>
-        <translation>Bearbeitet Nockenprogramme des Projekts; nur Auslesen, Schreiben und Vergleichen senden.</translation>
+        <translation>Bearbeitet Nocken; nur Auslesen, Schreiben und Vergleichen senden.</translation>
     </message>
     <message>
         <source>Edits cam programs of the project. Nothing is sent here.</source>
@@ -10934,11 +10934,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Parameter wizard %1/%2</source>
         <comment>step of steps</comment>
-        <translation>Parametrier-Assistent %1/%2</translation>
+        <translation>Parametrierassistent %1/%2</translation>
     </message>
     <message>
         <source>Edits wanted values of the project; nothing is sent before the handshake.</source>
-        <translation>Bearbeitet gewünschte Werte des Projekts; vor dem Handshake wird nichts gesendet.</translation>
+        <translation>Bearbeitet gewünschte Werte; vor dem Handshake wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Writes to the encoder.</source>
@@ -11172,7 +11172,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>Edits what the project says of itself, and its list of buses. Nothing is sent here.</source>
-        <translation>Bearbeitet, was das Projekt von sich sagt, und die Liste seiner Busse. Hier wird nichts gesendet.</translation>
+        <translation>Bearbeitet Angaben und Busse des Projekts. Hier wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Project</source>
@@ -15288,6 +15288,31 @@ Worte: IN %3, OUT %4</translation>
         <source>Closes the page that is open, and shows the monitors</source>
         <translation>Schließt die offene Seite und zeigt die Monitore</translation>
     </message>
+    <message>
+        <source>Wizard</source>
+        <comment>on a button</comment>
+        <translation>Assistent</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <comment>on a button</comment>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <comment>on a button</comment>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <comment>on a button</comment>
+        <translation>Übertragung</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <comment>on a button</comment>
+        <translation>Ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -15997,6 +16022,13 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ModeSwitch</name>
+    <message>
+        <source>Watch or Operate</source>
+        <translation>Beobachten oder Bedienen</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 #include "app/window/main_window.h"
 
 #include "app/window/alarm_stop.h"
+#include "app/window/bottom_fold.h"
 #include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/fault_notice.h"
@@ -123,8 +124,13 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         showMonitors();
         m_structure->setFocus();
     });
-    connect(m_head, &PageHead::pageChanged, this,
-            [this] { m_actions.closePage->setEnabled(m_head->page()); });
+    connect(m_head, &PageHead::opened, this, [this](bool isOpen) {
+        m_actions.closePage->setEnabled(isOpen);
+        if (isOpen)
+            m_panels.fold().fold();
+        else
+            m_panels.fold().unfold();
+    });
     showBusState();
     showStart();
     if (m_pages->currentWidget() == m_monitors)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the window do, and when they can be had.
+#include "app/window/bottom_fold.h"
 #include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
 #include "app/window/help.h"
@@ -138,6 +139,7 @@ void MainWindow::showBusState()
         names << m_plant->nameOf(bus->id());
         effects << QStringLiteral("%1: %2").arg(names.back(), bus->outline().alarmStop());
     }
+    m_actions.tellMode(open.size() > 1 ? m_plant->nameOf(m_chosenBus) : QString());
     m_actions.alarmStop->setEnabled(!open.empty());
     m_actions.showAlarmStop(names, effects);
     tellWhose();

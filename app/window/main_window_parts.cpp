@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window is made of, and how its parts are connected.
 #include "app/user_devices.h"
+#include "app/window/bottom_fold.h"
 #include "app/window/device_choice.h"
 #include "app/window/dropped_device.h"
 #include "app/window/dropped_files.h"
@@ -101,15 +102,24 @@ void MainWindow::makeDocks(MessageModel &messages)
             addPaged(*its);
     m_panels.arrange(windowSizeOf(size()));
     m_defaultLayout = saveState(layoutVersion);
-    m_layouts = new WindowLayouts(
-        *this, {.save = [this] { return saveState(layoutVersion); },
-                .restore = [this](const QByteArray &state) { return restoreState(state, layoutVersion); },
-                .arrange =
-                    [this](WindowSize size) {
-                        restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
-                        m_panels.arrange(size);
-                        m_panels.raiseFirst();
-                    }});
+    m_layouts =
+        new WindowLayouts(*this, {.save =
+                                      [this] {
+                                          const BottomFold::Pause whole(m_panels.fold());
+                                          return saveState(layoutVersion);
+                                      },
+                                  .restore =
+                                      [this](const QByteArray &state) {
+                                          const BottomFold::Pause whole(m_panels.fold());
+                                          return restoreState(state, layoutVersion);
+                                      },
+                                  .arrange =
+                                      [this](WindowSize size) {
+                                          const BottomFold::Pause whole(m_panels.fold());
+                                          restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
+                                          m_panels.arrange(size);
+                                          m_panels.raiseFirst();
+                                      }});
     m_layouts->begin(m_settings.layouts());
 }
 

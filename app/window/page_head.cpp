@@ -7,6 +7,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/monitor/meaning_line.h"
 
 #include <QApplication>
@@ -38,6 +39,8 @@ PageHead::PageHead(QStackedWidget &pages, QWidget &window)
 {
     setObjectName(QStringLiteral("pageHead"));
     m_title->setFont(textFont(TextSize::large));
+    for (MeaningLine *line : {m_title, m_effect}) // names are as long as they like
+        allowEliding(*line);
     m_close->setIcon(lineIcon(Icon::cancel));
     m_close->setText(tr("Close", "a page"));
     m_close->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -55,6 +58,7 @@ void PageHead::follow()
     auto *page = qobject_cast<Page *>(m_pages.currentWidget());
     if (page == m_page)
         return;
+    const bool wasOpen = !isHidden();
     if (m_page)
         m_page->disconnect(this);
     m_page = page;
@@ -62,9 +66,12 @@ void PageHead::follow()
         connect(page, &Page::headChanged, this, &PageHead::showHead);
         connect(page, &Page::closeRequested, this, &PageHead::closed);
     }
+    if (!wasOpen && page != nullptr)
+        Q_EMIT opened(true); // there is room before it is needed
     setVisible(page != nullptr);
     showHead();
-    Q_EMIT pageChanged();
+    if (wasOpen && page == nullptr)
+        Q_EMIT opened(false);
 }
 
 void PageHead::showHead()

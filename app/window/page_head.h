@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
     void closed();
-    void pageChanged(); // another one is open, or none
+    void opened(bool isOpen); // a page in place of the monitors, or they in place of it
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

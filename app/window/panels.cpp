@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels.h"
 
+#include "app/window/bottom_fold.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QLocale>
@@ -29,16 +31,20 @@ QWidget *firstFocus(QWidget &content)
     return &content;
 }
 
-QAction *makePanelAction(QDockWidget &panel)
+// One that is folded is not seen: its key brings it.
+QAction *makePanelAction(QDockWidget &panel, BottomFold &fold)
 {
     auto *action = new QAction(panel.windowTitle(), &panel);
     action->setCheckable(true);
     QObject::connect(&panel, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-    QObject::connect(action, &QAction::triggered, &panel, [&panel](bool show) {
-        if (!show) {
+    QObject::connect(action, &QAction::triggered, &panel, [&panel, &fold, action](bool show) {
+        if (!show && !fold.isFolded(panel)) {
             panel.close();
             return;
         }
+        if (fold.isFolded(panel))
+            fold.unfold();
+        action->setChecked(true);
         panel.show();
         panel.raise();
         firstFocus(*panel.widget())->setFocus(Qt::ShortcutFocusReason);
@@ -47,6 +53,11 @@ QAction *makePanelAction(QDockWidget &panel)
 }
 
 } // namespace
+
+Panels::Panels(QMainWindow &window)
+    : m_window(window)
+    , m_fold(*new BottomFold(window))
+{}
 
 const Panels::Dock &Panels::find(const Panel &panel) const
 {
@@ -60,7 +71,7 @@ QAction *Panels::add(const Panel &panel, QWidget *content)
     dock->setWidget(content);
     content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
     m_docks.push_back({&panel, dock, qobject_cast<QStackedWidget *>(content)});
-    QAction *toggle = makePanelAction(*dock);
+    QAction *toggle = makePanelAction(*dock, m_fold);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(dock->windowTitle()));
     toggle->setShortcut(panel.key);
     return toggle;
@@ -96,6 +107,8 @@ void Panels::setUnseen(const Panel &panel, int count)
 void Panels::show(const Panel &panel)
 {
     QDockWidget *its = dock(panel);
+    if (m_fold.isFolded(*its))
+        m_fold.unfold();
     its->show();
     its->raise();
     const int wanted = m_window.height() / 3;

@@ -15,6 +15,8 @@ class QStackedWidget;
 
 namespace codewheel {
 
+class BottomFold;
+
 // A panel of the main window; each is one object.
 struct Panel
 {
@@ -55,9 +57,7 @@ class Panels
     Q_DECLARE_TR_FUNCTIONS(codewheel::Panels)
 
 public:
-    explicit Panels(QMainWindow &window)
-        : m_window(window)
-    {}
+    explicit Panels(QMainWindow &window);
 
     // Each is added once before all else. Gives the action that shows a panel and gives it the keys, also
     // when it is behind another one, and hides it when it is in sight.
@@ -70,6 +70,7 @@ public:
     // How much there is in it that was not seen, in its title; 0: nothing.
     void setUnseen(const Panel &panel, int count);
     void show(const Panel &panel); // in front, with some rows of it in sight
+    BottomFold &fold() { return m_fold; }
     // Where they are at first in a window of this size.
     void arrange(WindowSize size);
     // Brings those to the front that are looked at first.
@@ -95,6 +96,7 @@ private:
     void stackBehind(const Panel &front, Panel::Behind which);
 
     QMainWindow &m_window;
+    BottomFold &m_fold;
     std::vector<Dock> m_docks; // in the order in which they were added
 };
 

@@ -3,6 +3,8 @@
 
 #include "app/window/alarm_stop.h"
 #include "app/window/described_action.h"
+#include "app/window/mode_switch.h"
+#include "app/window/tool_bar_fit.h"
 #include "bus/word_channel.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/appearance.h"
@@ -134,11 +136,25 @@ void WindowActions::makeBusMenu()
     showAlarmStop({}, {});
 }
 
+void WindowActions::tellMode(const QString &bus)
+{
+    for (QAction *action : {watch, operate})
+        tellBus(action, bus);
+    m_mode->tellBus(bus);
+}
+
+// A long name must not push the button out of the window; the tooltip has it whole.
+QString WindowActions::shortName(const QString &bus)
+{
+    static constexpr qsizetype longest = 24;
+    return bus.size() <= longest ? bus : bus.left(longest - 1) + u'\u2026';
+}
+
 void WindowActions::showAlarmStop(const QStringList &buses, const QStringList &effects)
 {
     const auto count = static_cast<int>(buses.size());
     const QString text = count == 0   ? tr("&ALARM STOP")
-                         : count == 1 ? tr("&ALARM STOP %1", "name of a bus").arg(buses.front())
+                         : count == 1 ? tr("&ALARM STOP %1", "name of a bus").arg(shortName(buses.front()))
                                       : tr("&ALARM STOP %n buses", nullptr, count);
     if (alarmStop->text() != text)
         alarmStop->setText(text);
@@ -288,6 +304,21 @@ QWidget *WindowActions::menuParent() const
     return &m_window;
 }
 
+QList<QAction *> WindowActions::pages() const
+{
+    return {monitors, wizard, cams, structureEditor, compare, transfer, replaceEncoder, projectPage};
+}
+
+// On buttons there is room for a word.
+void WindowActions::makePages()
+{
+    wizard->setIconText(tr("Wizard", "on a button"));
+    structureEditor->setIconText(tr("Structure", "on a button"));
+    compare->setIconText(tr("Compare", "on a button"));
+    transfer->setIconText(tr("Transfer", "on a button"));
+    replaceEncoder->setIconText(tr("Replace", "on a button"));
+}
+
 void WindowActions::makeToolBar()
 {
     QToolBar *bar = m_window.addToolBar(tr("Bus"));
@@ -296,18 +327,22 @@ void WindowActions::makeToolBar()
     bar->setContextMenuPolicy(
         Qt::PreventContextMenu); // it cannot be hidden: ALARM STOP is always one click away
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->addAction(watch);
-    bar->addAction(operate);
+    makePages();
+    for (QAction *page : pages())
+        if (page != projectPage) { // that of the file menu
+            bar->addAction(page);
+            bar->widgetForAction(page)->setAccessibleName(page->text().remove(u'&'));
+        }
     bar->addSeparator();
-    bar->addAction(start);
-    bar->addAction(stop);
-    bar->addSeparator();
-    bar->addAction(wizard);
-    bar->addAction(cams);
+    bar->addActions({start, stop});
     auto *space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_sections[Section::toolBar] = {bar, bar->addWidget(space)};
-    bar->addWidget(makeAlarmStopButton(alarmStop, bar));
+    m_mode = new ModeSwitch(*watch, *operate, bar);
+    bar->addWidget(m_mode);
+    QWidget *alarm = makeAlarmStopButton(alarmStop, bar);
+    bar->addWidget(alarm);
+    new ToolBarFit(*bar, *m_mode, *alarm);
     showFocusOf(*bar);
     space->setFocusPolicy(Qt::NoFocus);
 }

@@ -16,6 +16,7 @@ class QUndoStack;
 
 namespace codewheel {
 
+class ModeSwitch;
 class ShownEncoder;
 class WordChannel;
 
@@ -47,6 +48,8 @@ public:
     // Its words can be looked at where its bus is open; null: it has none.
     void showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen);
     void showTrace(bool isThere);
+    // Which bus Watch and Operate mean; empty: there is no doubt.
+    void tellMode(const QString &bus);
     // On which buses it acts, by their names, and what it does there.
     void showAlarmStop(const QStringList &buses, const QStringList &effects);
 
@@ -105,7 +108,10 @@ private:
     void makeDeviceMenu();
     void makeViewMenu();
     void makeHelpMenu();
+    void makePages();
     void makeToolBar();
+    QList<QAction *> pages() const;
+    static QString shortName(const QString &bus);
     static void showFocusOf(QToolBar &bar);
 
     struct Spot
@@ -115,6 +121,7 @@ private:
     };
 
     QMainWindow &m_window;
+    ModeSwitch *m_mode = nullptr;
     std::map<Section, Spot> m_sections;
 };
 

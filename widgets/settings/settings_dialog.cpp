@@ -25,7 +25,7 @@ namespace {
 constexpr int charactersInLine = 60;
 constexpr int linesHigh = 34; // the highest page; in a smaller window it is scrolled
 
-QString withoutKey(const QString &label)
+QString nameOfLabel(const QString &label)
 {
     return QString(label).remove(u'&');
 }
@@ -79,7 +79,7 @@ QFormLayout *SettingsDialog::addPage(const QString &title)
 
 QComboBox *SettingsDialog::addChoice(QFormLayout &form, const QString &label, const QString &what)
 {
-    auto *box = describe(new QComboBox(form.parentWidget()), withoutKey(label), what);
+    auto *box = describe(new QComboBox(form.parentWidget()), nameOfLabel(label), what);
     form.addRow(label, box);
     form.addRow(QString(), sentence(what, form.parentWidget()));
     connect(box, &QComboBox::currentIndexChanged, this, &SettingsDialog::take);
@@ -99,7 +99,7 @@ QCheckBox *SettingsDialog::addSwitch(QFormLayout &form, const char *id, const QS
 QSpinBox *SettingsDialog::addNumber(QFormLayout &form, const QString &label, const QString &unit,
                                     const QString &what, SettingRange range)
 {
-    auto *field = describe(new IntegerField(form.parentWidget()), withoutKey(label), what);
+    auto *field = describe(new IntegerField(form.parentWidget()), nameOfLabel(label), what);
     field->setRange(range.least, range.most);
     field->setSuffix(unit);
     form.addRow(label, field);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+class QTabBar;
+
+namespace codewheel {
+
+// Folds the panels at the bottom of the window to their tabs, so that a page has their height, and brings
+// them back as they were. A click on a tab, or whatever shows one of them, does that, too. Panels elsewhere,
+// and those that float, are left alone.
+class BottomFold : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit BottomFold(QMainWindow &window);
+
+    void fold();
+    void unfold();
+    bool isFolded() const { return m_isFolded; }
+    bool isFolded(const QDockWidget &panel) const { return m_isFolded && m_folded.contains(&panel); }
+
+    // While the layout of the window is kept or restored, nothing is folded.
+    class Pause
+    {
+    public:
+        explicit Pause(BottomFold &fold)
+            : m_fold(fold)
+            , m_wasFolded(fold.isFolded())
+        {
+            m_fold.unfold();
+        }
+        ~Pause()
+        {
+            if (m_wasFolded)
+                m_fold.fold();
+        }
+        Pause(const Pause &) = delete;
+        Pause &operator=(const Pause &) = delete;
+
+    private:
+        BottomFold &m_fold;
+        const bool m_wasFolded;
+    };
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void foldPanel(QDockWidget &panel);
+    bool isOfFolded(const QTabBar &tabs, const QPoint &pressed) const;
+
+    QMainWindow &m_window;
+    bool m_isFolded = false;
+    QHash<const QDockWidget *, int> m_folded; // their heights before
+};
+
+} // namespace codewheel

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// While a page is open, the panels at the bottom are folded to their tabs.
+#include "tests/app/window_test.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QTabBar>
+
+namespace codewheel {
+namespace {
+
+class BottomFoldTest : public test::WindowTest
+{
+protected:
+    BottomFoldTest()
+    {
+        window().resize(1280, 800);
+        advance(50);
+    }
+    QDockWidget &panel(const char *name) { return *window().findChild<QDockWidget *>(QLatin1String(name)); }
+    int height() // of what is in front at the bottom
+    {
+        QCoreApplication::processEvents(); // it is laid out
+        for (const char *name : {"messagesDock", "traceDock", "sequenceDock", "terminalDock"})
+            if (const QDockWidget &each = panel(name); !each.isFloating() && !each.visibleRegion().isEmpty())
+                return each.height();
+        return 0;
+    }
+    bool isFolded()
+    {
+        return QTest::qWaitFor([this] { return height() < 10; });
+    }
+    void clickTab(const QString &title)
+    {
+        for (auto *tabs : window().findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+            for (int i = 0; i < tabs->count(); ++i)
+                if (tabs->isVisible() && tabs->tabText(i) == title) {
+                    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
+                    return;
+                }
+        FAIL() << title.toStdString();
+    }
+};
+
+TEST_F(BottomFoldTest, APageHasTheirHeightUntilItIsClosed)
+{
+    const int before = height();
+    EXPECT_GT(before, 100);
+    actions().cams->trigger();
+    EXPECT_TRUE(isFolded());
+    const int low = page()->height();
+    actions().transfer->trigger();
+    EXPECT_TRUE(isFolded()) << "another page";
+    actions().closePage->trigger();
+    EXPECT_NEAR(height(), before, 2);
+    EXPECT_LT(page()->height(), low);
+}
+
+TEST_F(BottomFoldTest, AClickOnATabUnfoldsThemWhileThePageStays)
+{
+    const int before = height();
+    actions().cams->trigger();
+    EXPECT_TRUE(isFolded());
+    clickTab(QStringLiteral("Handshake trace"));
+    EXPECT_NEAR(height(), before, 2);
+    actions().transfer->trigger();
+    EXPECT_NEAR(height(), before, 2) << "they stay so for the next page";
+    actions().closePage->trigger();
+    EXPECT_NEAR(height(), before, 2);
+}
+
+TEST_F(BottomFoldTest, ATabElsewhereUnfoldsNothing)
+{
+    actions().cams->trigger();
+    clickTab(QStringLiteral("Device"));
+    EXPECT_TRUE(isFolded());
+}
+
+TEST_F(BottomFoldTest, TheKeyOfAPanelUnfoldsIt)
+{
+    const int before = height();
+    actions().cams->trigger();
+    EXPECT_TRUE(isFolded());
+    QTest::keyClick(&window(), Qt::Key_6, Qt::AltModifier); // that in front
+    EXPECT_NEAR(height(), before, 2);
+    EXPECT_TRUE(panel("traceDock").isVisible());
+    QTest::keyClick(&window(), Qt::Key_6, Qt::AltModifier);
+    EXPECT_FALSE(panel("traceDock").isVisible()) << "in sight, it is closed as ever";
+}
+
+TEST_F(BottomFoldTest, WhatAPageAsksForIsSeen)
+{
+    actions().cams->trigger();
+    lineActions().terminal->trigger();
+    QCoreApplication::processEvents();
+    EXPECT_GT(panel("terminalDock").height(), 100);
+}
+
+TEST_F(BottomFoldTest, OneThatFloatsIsLeftAlone)
+{
+    auto &messages = panel("messagesDock");
+    messages.setFloating(true);
+    messages.resize(400, 300);
+    advance(50);
+    const QSize before = messages.size();
+    actions().cams->trigger();
+    EXPECT_TRUE(isFolded());
+    EXPECT_EQ(messages.size(), before);
+}
+
+TEST_F(BottomFoldTest, OneThatStandsAloneKeepsItsTitle)
+{
+    for (const char *name : {"messagesDock", "sequenceDock", "terminalDock"})
+        panel(name).close();
+    const int before = height();
+    actions().cams->trigger();
+    EXPECT_GT(height(), 10);
+    EXPECT_LT(height(), 40);
+    QTest::mouseClick(&panel("traceDock"), Qt::LeftButton, {}, QPoint(20, 5));
+    EXPECT_NEAR(height(), before, 2);
+}
+
+TEST_F(BottomFoldTest, WhatIsKeptIsNotFolded)
+{
+    const int before = height();
+    actions().cams->trigger();
+    EXPECT_TRUE(isFolded());
+    window().saveWindow();
+    EXPECT_TRUE(isFolded());
+    open(); // with what was kept
+    EXPECT_NEAR(height(), before, 2);
+}
+
+TEST_F(BottomFoldTest, TheDefaultLayoutCanBeAskedForOnAPage)
+{
+    const int before = height();
+    actions().cams->trigger();
+    actions().defaultLayout->trigger();
+    EXPECT_TRUE(isFolded());
+    actions().closePage->trigger();
+    EXPECT_NEAR(height(), before, 20);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An encoder that was replaced gets the values of the project with few clicks, in the smallest window; what
+// is clicked is in sight without scrolling.
+#include "language.h"
+#include "tests/app/window_test.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/transfer/replace_page.h"
+
+#include <QAction>
+#include <QLocale>
+#include <QPushButton>
+#include <QToolBar>
+#include <QTreeView>
+
+namespace codewheel {
+namespace {
+
+constexpr Place replacedPlace = test::fraba;
+
+class ReplacingByHand : public test::WindowTest, public testing::WithParamInterface<const char *>
+{
+protected:
+    ReplacingByHand()
+    {
+        language.use(QString::fromLatin1(GetParam()));
+        open();
+        window().resize(1024, 640);
+        actions().defaultLayout->trigger(); // that of a low window
+        window().resize(1024, 640);
+        shown->project().editDevice(replacedPlace, QStringLiteral("plan"), [](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
+        });
+        advance(500);
+    }
+    ~ReplacingByHand() override { QLocale::setDefault(QLocale::c()); }
+
+    // The encoder goes, and another one is there.
+    void exchange()
+    {
+        shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 1);
+        advance(2000);
+        shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 0);
+        advance(500);
+    }
+    void click(QWidget &widget, QRect part)
+    {
+        ASSERT_TRUE(widget.isVisible() && widget.isEnabled());
+        ASSERT_EQ(widget.visibleRegion().intersected(part), QRegion(part)) << "it is not in sight";
+        QTest::mouseClick(&widget, Qt::LeftButton, {}, part.center());
+        ++clicks;
+        advance(50);
+    }
+    void clickDevice()
+    {
+        auto &tree = *window().findChild<StructureView *>()->findChild<QTreeView *>();
+        const QModelIndex ring = tree.model()->index(0, 0);
+        for (int row = 0; row < tree.model()->rowCount(ring); ++row) {
+            const QModelIndex device = tree.model()->index(row, 0, ring);
+            if (device.data().toString().startsWith(replacedPlace.toString())) {
+                click(*tree.viewport(), tree.visualRect(device).intersected(tree.viewport()->rect()));
+                return;
+            }
+        }
+        FAIL() << "no row";
+    }
+    void clickReplace()
+    {
+        QWidget *button = window()
+                              .findChild<QToolBar *>(QStringLiteral("busToolBar"))
+                              ->widgetForAction(actions().replaceEncoder);
+        click(*button, button->rect());
+    }
+    void clickNext()
+    {
+        auto &next = *window().findChild<QPushButton *>(QStringLiteral("replaceNext"));
+        click(next, next.rect());
+    }
+
+    Language language;
+    int clicks = 0;
+};
+
+TEST_P(ReplacingByHand, TakesSixClicks)
+{
+    exchange();
+    clickDevice();
+    clickReplace();
+    clickNext(); // the same make
+    clickNext(); // the position from before it went
+    clickNext(); // Write
+    const auto &replacing = *window().findChild<ReplacePage *>();
+    for (int i = 0; i < 200 && replacing.isBusy(); ++i)
+        advance(50);
+    ASSERT_FALSE(replacing.isBusy());
+    EXPECT_EQ(replacing.title().right(3), QStringLiteral("4/4"));
+    clickNext(); // Close
+    EXPECT_EQ(page(), &monitors());
+    EXPECT_EQ(clicks, 6);
+    EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::steps)->value, 4096);
+    EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::revolutions)->value, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Language, ReplacingByHand, testing::Values("en", "de"),
+                         [](const auto &tested) { return std::string(tested.param); });
+
+} // namespace
+} // namespace codewheel
