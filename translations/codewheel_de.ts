@@ -4158,6 +4158,34 @@
         <source>Drag to draw cam %1</source>
         <translation>Ziehen zeichnet Nocken %1</translation>
     </message>
+    <message>
+        <source>Moves the cam or its edge by one step</source>
+        <translation>Verschiebt den Nocken oder seine Kante um einen Schritt</translation>
+    </message>
+    <message>
+        <source>Moves it to the next line of the ruler</source>
+        <translation>Verschiebt ihn zum nächsten Strich des Lineals</translation>
+    </message>
+    <message>
+        <source>Takes the first or the last position of the cam</source>
+        <translation>Fasst die erste oder die letzte Position des Nockens</translation>
+    </message>
+    <message>
+        <source>To another cam</source>
+        <translation>Zu einem anderen Nocken</translation>
+    </message>
+    <message>
+        <source>Switches what has the focus on or off</source>
+        <translation>Schaltet ein oder aus, was den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Clears the cam</source>
+        <translation>Löscht den Nocken</translation>
+    </message>
+    <message>
+        <source>Back to the whole cam</source>
+        <translation>Zurück zum ganzen Nocken</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamSheet</name>
@@ -4214,6 +4242,18 @@
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Edits a position; so does typing</source>
+        <translation>Bearbeitet eine Position; Tippen ebenso</translation>
+    </message>
+    <message>
+        <source>Switches the cam on or off</source>
+        <translation>Schaltet den Nocken ein oder aus</translation>
+    </message>
+    <message>
+        <source>Clears the cam</source>
+        <translation>Löscht den Nocken</translation>
     </message>
 </context>
 <context>
@@ -9884,6 +9924,50 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>A sequence is being sent: it stays until that has ended.</source>
         <translation>Eine Sequenz wird gerade gesendet: Sie bleibt, bis das zu Ende ist.</translation>
     </message>
+    <message>
+        <source>Bits of a word</source>
+        <translation>Bits eines Worts</translation>
+    </message>
+    <message>
+        <source>Table of parameters</source>
+        <translation>Tabelle der Parameter</translation>
+    </message>
+    <message>
+        <source>Ruler of the cams</source>
+        <translation>Lineal der Nocken</translation>
+    </message>
+    <message>
+        <source>Table of the cams</source>
+        <translation>Tabelle der Nocken</translation>
+    </message>
+    <message>
+        <source>Saved for support: %1</source>
+        <translation>Für den Support gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>Monitor eines Geräts</translation>
+    </message>
+    <message>
+        <source>Writes OUT</source>
+        <translation>Schreibt OUT</translation>
+    </message>
+    <message>
+        <source>Discards what is staged</source>
+        <translation>Verwirft, was vorgemerkt ist</translation>
+    </message>
+    <message>
+        <source>Structure editor</source>
+        <translation>Busaufbau bearbeiten</translation>
+    </message>
+    <message>
+        <source>Finds a device</source>
+        <translation>Sucht ein Gerät</translation>
+    </message>
+    <message>
+        <source>The next one found, or the one before</source>
+        <translation>Der nächste Treffer oder der davor</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -10892,6 +10976,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Parameters of the encoder</source>
         <translation>Parameter des Gebers</translation>
     </message>
+    <message>
+        <source>Edits the wanted value; so does typing</source>
+        <translation>Bearbeitet den gewünschten Wert; Tippen ebenso</translation>
+    </message>
+    <message>
+        <source>Leaves the parameter alone</source>
+        <translation>Lässt den Parameter, wie er ist</translation>
+    </message>
+    <message>
+        <source>Opens or closes a heading</source>
+        <translation>Klappt eine Überschrift auf oder zu</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterWizard</name>
@@ -11621,6 +11717,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>The report was not saved: %1 ends neither in .pdf nor in .html.</source>
         <translation>Der Bericht wurde nicht gespeichert: %1 endet weder auf .pdf noch auf .html.</translation>
+    </message>
+    <message>
+        <source>No program of this computer opens %1. The report is saved.</source>
+        <translation>Kein Programm dieses Rechners öffnet %1. Der Bericht ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
     </message>
 </context>
 <context>
@@ -15313,6 +15417,38 @@ Worte: IN %3, OUT %4</translation>
         <comment>on a button</comment>
         <translation>Ersetzen</translation>
     </message>
+    <message>
+        <source>&amp;Help on this</source>
+        <translation>&amp;Hilfe hierzu</translation>
+    </message>
+    <message>
+        <source>Opens the manual where it tells of what has the focus</source>
+        <translation>Öffnet das Handbuch dort, wo es vom Element mit dem Fokus handelt</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>Hand&amp;buch</translation>
+    </message>
+    <message>
+        <source>Opens the manual at its first page</source>
+        <translation>Öffnet das Handbuch auf der ersten Seite</translation>
+    </message>
+    <message>
+        <source>Prints the table that has the focus, or else the commissioning report, after a preview</source>
+        <translation>Druckt die Tabelle mit dem Fokus, sonst das Inbetriebnahmebericht, nach einer Vorschau</translation>
+    </message>
+    <message>
+        <source>&amp;Collect for support...</source>
+        <translation>Für den &amp;Support sammeln...</translation>
+    </message>
+    <message>
+        <source>Saves what is needed to look into a problem as one file, after it was shown; sends nothing</source>
+        <translation>Speichert in einer Datei, was zur Klärung eines Problems nötig ist, nachdem es gezeigt wurde; sendet nichts</translation>
+    </message>
+    <message>
+        <source>Pr&amp;int...</source>
+        <translation>D&amp;rucken...</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -15474,6 +15610,18 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 bit %2</source>
         <translation>%1 Bit %2</translation>
+    </message>
+    <message>
+        <source>To the next bit</source>
+        <translation>Zum nächsten Bit</translation>
+    </message>
+    <message>
+        <source>To the highest or the lowest bit</source>
+        <translation>Zum höchsten oder niedrigsten Bit</translation>
+    </message>
+    <message>
+        <source>Toggles a bit of OUT</source>
+        <translation>Schaltet ein Bit von OUT um</translation>
     </message>
 </context>
 <context>
@@ -16029,6 +16177,297 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Watch or Operate</source>
         <translation>Beobachten oder Bedienen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FindBar</name>
+    <message>
+        <source>Find in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Marks this text wherever it stands on the page</source>
+        <translation>Markiert diesen Text überall auf der Seite</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>The one before (Shift+F3)</source>
+        <translation>Die Stelle davor (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>The next one (F3)</source>
+        <translation>Die nächste Stelle (F3)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Ends finding (Esc)</source>
+        <translation>Beendet die Suche (Esc)</translation>
+    </message>
+    <message>
+        <source>Not on this page</source>
+        <translation>Nicht auf dieser Seite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>3 of 12 places</comment>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpBrowser</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>The manual is in English only.</source>
+        <translation>Das Handbuch gibt es nur auf Englisch.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpSidebar</name>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Searches all pages for sections that have all these words (Ctrl+Shift+F)</source>
+        <translation>Sucht auf allen Seiten nach Abschnitten, die alle diese (englischen) Wörter enthalten (Strg+Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Sections found</source>
+        <translation>Gefundene Abschnitte</translation>
+    </message>
+    <message>
+        <source>Sections of the manual that have all words searched for</source>
+        <translation>Abschnitte des Handbuchs, die alle gesuchten Wörter enthalten</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Pages of the manual and their sections</source>
+        <translation>Seiten des Handbuchs und ihre Abschnitte</translation>
+    </message>
+    <message>
+        <source>Files and protocols</source>
+        <translation>Dateien und Protokolle</translation>
+    </message>
+    <message>
+        <source>No section of the manual has all these words.</source>
+        <translation>Kein Abschnitt des Handbuchs enthält alle diese Wörter. Es ist auf Englisch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Abschnitt</numerusform>
+            <numerusform>%n Abschnitte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the page before</source>
+        <translation>Zur Seite davor</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>To the page that was left by Back</source>
+        <translation>Zur Seite, die mit Zurück verlassen wurde</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>To the first page of the manual</source>
+        <translation>Zur ersten Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Searches all pages</source>
+        <translation>Durchsucht alle Seiten</translation>
+    </message>
+    <message>
+        <source>Find in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Marks a text on this page</source>
+        <translation>Markiert einen Text auf dieser Seite</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Place before</source>
+        <translation>Stelle davor</translation>
+    </message>
+    <message>
+        <source>The manual is not there: %1 is missing. It comes with the program; build or install the program again.</source>
+        <translation>Das Handbuch ist nicht da: %1 fehlt. Es gehört zum Programm; das Programm neu bauen oder installieren.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::KeySheet</name>
+    <message>
+        <source>Search the keys</source>
+        <translation>Tasten durchsuchen</translation>
+    </message>
+    <message>
+        <source>Leaves the keys that do this, or have this name</source>
+        <translation>Lässt die Tasten stehen, die das tun oder so heißen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>All keys, by the menu or the part of the window in which they work</source>
+        <translation>Alle Tasten, nach dem Menü oder dem Teil des Fensters, in dem sie wirken</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Printing</name>
+    <message>
+        <source>The last %1 of %2 rows.</source>
+        <translation>Die letzten %1 von %2 Zeilen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Support</name>
+    <message>
+        <source>The project as it is now, with what is not saved</source>
+        <translation>Das Projekt, wie es jetzt ist, mit dem, was nicht gespeichert ist</translation>
+    </message>
+    <message>
+        <source>The newest messages, %1 at most</source>
+        <translation>Die neuesten Meldungen, höchstens %1</translation>
+    </message>
+    <message>
+        <source>Handshake trace of %1</source>
+        <translation>Handshake-Protokoll von %1</translation>
+    </message>
+    <message>
+        <source>Versions of program and system, language, screens</source>
+        <translation>Versionen von Programm und System, Sprache, Bildschirme</translation>
+    </message>
+    <message>
+        <source>Serial ports and their adapters</source>
+        <translation>Serielle Schnittstellen und ihre Adapter</translation>
+    </message>
+    <message>
+        <source>Buses, their states and devices</source>
+        <translation>Busse, ihre Zustände und Geräte</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SupportDialog</name>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>Goes into the file as message.txt; may be left empty</source>
+        <translation>Kommt als message.txt in die Datei; darf leer bleiben</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, what should have happened?</source>
+        <translation>Was wurde getan, was ist geschehen, was hätte geschehen sollen?</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>What the chosen file holds</source>
+        <translation>Was in der gewählten Datei steht</translation>
+    </message>
+    <message>
+        <source>Collect for support</source>
+        <translation>Für den Support sammeln</translation>
+    </message>
+    <message>
+        <source>&amp;Save...</source>
+        <translation>&amp;Speichern...</translation>
+    </message>
+    <message>
+        <source>Asks where to save the file; nothing is sent</source>
+        <translation>Fragt, wohin die Datei soll; es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>What will be in the file; what is not ticked is left out (Space)</source>
+        <translation>Was in die Datei kommt; was nicht angehakt ist, bleibt weg (Leertaste)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What it tells</source>
+        <translation>Was darin steht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, %1 before they are compressed</source>
+        <translation>
+            <numerusform>%n Datei, %1 unkomprimiert</numerusform>
+            <numerusform>%n Dateien, %1 unkomprimiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save for support</source>
+        <translation>Für den Support speichern</translation>
+    </message>
+    <message>
+        <source>Zip files (*.zip)</source>
+        <translation>Zip-Dateien (*.zip)</translation>
+    </message>
+    <message>
+        <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the name of the user in paths and that of this computer are taken out. Nothing is sent: give the file to whom you want.</source>
+        <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
     </message>
 </context>
 </TS>

@@ -273,4 +273,24 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>codewheel::HelpSidebar</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SupportDialog</name>
+    <message numerus="yes">
+        <source>%n files, %1 before they are compressed</source>
+        <translation>
+            <numerusform>%n file, %1 before it is compressed</numerusform>
+            <numerusform>%n files, %1 before they are compressed</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "encoder/hex.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/job/cancel_question.h"
 
 #include <QMessageBox>
@@ -143,6 +144,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
                                                      : tr("Stop the bus");
     QMessageBox box(QMessageBox::Question, title, tr("Not all OUT words are 00000000."),
                     QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
                            tr("Shall they be set to 00000000 (normal running) first?"));
     const bool mayZero = canSend();

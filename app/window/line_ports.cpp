@@ -28,4 +28,16 @@ LinePorts linePorts(const std::vector<PortInfo> &ports)
     return listed;
 }
 
+QStringList adapterRows()
+{
+    QStringList rows;
+    for (const PortInfo &port : serialPorts())
+        rows << QStringLiteral("%1: %2; USB %3:%4, at %5")
+                    .arg(port.path, port.label())
+                    .arg(port.vendor, 4, 16, QChar(u'0'))
+                    .arg(port.product, 4, 16, QChar(u'0'))
+                    .arg(port.usbPath);
+    return rows;
+}
+
 } // namespace codewheel

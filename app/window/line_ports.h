@@ -15,6 +15,8 @@ struct LinePorts
     std::vector<PortRow> rows;
     QString trouble;
 };
+// One a row, with all it tells of its adapter; in English.
+QStringList adapterRows();
 LinePorts linePorts(const std::vector<PortInfo> &ports);
 
 } // namespace codewheel

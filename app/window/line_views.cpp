@@ -13,6 +13,7 @@
 #include "encoder/refusal_text.h"
 #include "esc_line/line_session.h"
 #include "widgets/comparison/comparison_page.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -76,6 +77,10 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     parts.pages.addWidget(m_form);
     parts.pages.addWidget(m_search);
     parts.pages.addWidget(m_comparison);
+    setHelpTopic(*m_form, "serial-line.md#connecting");
+    setHelpTopic(*m_search, "serial-line.md#searching-for-encoders");
+    setHelpTopic(*m_comparison, "project.md#comparing");
+    setHelpTopic(*m_training, "training.md#the-serial-line");
     m_terminal->setHistory(parts.settings.typedRequests());
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });

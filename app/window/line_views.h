@@ -26,9 +26,11 @@ class LineAtWork;
 struct LineSettings;
 
 inline constexpr Panel terminalPanel{"terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
-                                     Qt::ALT | Qt::Key_0, Panel::Behind::messages};
+                                     Qt::ALT | Qt::Key_0, "serial-line.md#the-terminal",
+                                     Panel::Behind::messages};
 inline constexpr Panel linePanel{"lineDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Serial line"),
-                                 Qt::ALT | Qt::SHIFT | Qt::Key_L, Panel::Behind::state};
+                                 Qt::ALT | Qt::SHIFT | Qt::Key_L, "serial-line.md#the-panel",
+                                 Panel::Behind::state};
 inline constexpr std::array linePanels{&terminalPanel, &linePanel};
 
 // The views of a serial line in the window: terminal and panel, which stand in docks, and the pages to

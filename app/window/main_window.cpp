@@ -4,6 +4,7 @@
 #include "app/window/alarm_stop.h"
 #include "app/window/bottom_fold.h"
 #include "app/window/bus_views.h"
+#include "app/window/context_help.h"
 #include "app/window/device_choice.h"
 #include "app/window/fault_notice.h"
 #include "app/window/leaving.h"
@@ -82,6 +83,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     connectActions();
     connectViewActions();
+    new ContextHelp(*this, m_actions, m_settings);
     showBusState();
     if (!restoreGeometry(m_settings.geometry()))
         resize(firstSize.boundedTo(screen()->availableSize() - frame));

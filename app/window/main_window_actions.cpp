@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the window do, and when they can be had.
+#include "app/window/about.h"
 #include "app/window/bottom_fold.h"
 #include "app/window/bus_views.h"
 #include "app/window/device_choice.h"
-#include "app/window/help.h"
+#include "app/window/key_sheet.h"
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
 #include "app/window/page_head.h"
@@ -110,7 +111,7 @@ void MainWindow::connectViewActions()
         if (m_layouts != nullptr)
             m_layouts->useDefault();
     });
-    connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(*this); });
+    connect(m_actions.keys, &QAction::triggered, this, [this] { KeySheet::show(*this); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this); });
 }
 

@@ -18,6 +18,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
@@ -55,10 +56,15 @@ void MainWindow::makePages()
         const BusAtWork *its = m_plant->find(bus);
         return its == nullptr || !its->isOpen() || (its->isTraining() && its->kind() == kind);
     });
-    for (QWidget *page : {static_cast<QWidget *>(m_monitors), static_cast<QWidget *>(m_wizard),
-                          static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
-                          static_cast<QWidget *>(m_projectPage)})
+    const std::pair<QWidget *, const char *> pages[] = {{m_monitors, "monitors.md"},
+                                                        {m_wizard, "wizard.md"},
+                                                        {m_cams, "cams.md"},
+                                                        {m_editor, "project.md#the-structure-editor"},
+                                                        {m_projectPage, "project.md#files"}};
+    for (const auto &[page, topic] : pages) {
         m_pages->addWidget(page);
+        setHelpTopic(*page, topic);
+    }
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
                                    m_plant->positions(), m_actions, *m_pages, this);

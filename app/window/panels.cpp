@@ -2,6 +2,7 @@
 #include "app/window/panels.h"
 
 #include "app/window/bottom_fold.h"
+#include "widgets/help/help_topic.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -69,6 +70,7 @@ QAction *Panels::add(const Panel &panel, QWidget *content)
     auto *dock = new QDockWidget(tr(panel.title), &m_window);
     dock->setObjectName(QLatin1String(panel.name));
     dock->setWidget(content);
+    setHelpTopic(*dock, panel.topic);
     content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
     m_docks.push_back({&panel, dock, qobject_cast<QStackedWidget *>(content)});
     QAction *toggle = makePanelAction(*dock, m_fold);

@@ -25,6 +25,7 @@ struct Panel
     const char *name; // by which settings and tests know its dock
     const char *title;
     QKeyCombination key;
+    const char *topic; // of the manual, see setHelpTopic()
     Behind behind = Behind::none;
 };
 
@@ -32,22 +33,22 @@ struct Panel
 namespace panel {
 
 inline constexpr Panel structure{"structureDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Bus structure"),
-                                 Qt::ALT | Qt::Key_1};
+                                 Qt::ALT | Qt::Key_1, "README.md#the-window"};
 inline constexpr Panel training{// with a page for each bus
                                 "trainingDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Training"),
-                                Qt::ALT | Qt::Key_2};
+                                Qt::ALT | Qt::Key_2, "training.md"};
 inline constexpr Panel parameters{"parametersDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Parameters"),
-                                  Qt::ALT | Qt::Key_3};
+                                  Qt::ALT | Qt::Key_3, "parameters.md"};
 inline constexpr Panel dial{"dialDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Encoder"),
-                            Qt::ALT | Qt::Key_4};
+                            Qt::ALT | Qt::Key_4, "dial.md"};
 inline constexpr Panel messages{"messagesDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Messages"),
-                                Qt::ALT | Qt::Key_5};
+                                Qt::ALT | Qt::Key_5, "messages.md"};
 inline constexpr Panel trace{"traceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Handshake trace"),
-                             Qt::ALT | Qt::Key_6};
+                             Qt::ALT | Qt::Key_6, "sequence-and-trace.md#handshake-trace"};
 inline constexpr Panel sequence{"sequenceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Sequence"),
-                                Qt::ALT | Qt::Key_7};
+                                Qt::ALT | Qt::Key_7, "sequence-and-trace.md#sequence"};
 inline constexpr Panel device{"deviceDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Device"),
-                              Qt::ALT | Qt::Key_8};
+                              Qt::ALT | Qt::Key_8, "device.md"};
 
 } // namespace panel
 

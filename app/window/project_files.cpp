@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
@@ -132,6 +133,7 @@ bool ProjectFiles::saveBesideAnother()
                         .arg(file.fileName()),
                     QMessageBox::NoButton, &m_window);
     box.setObjectName(QStringLiteral("changedFileQuestion"));
+    setHelpTopic(box, "project.md#files");
     box.setInformativeText(
         tr("It was changed at %1. If it is replaced, the project that it holds is kept as %2.")
             .arg(QLocale().toString(file.lastModified(), QLocale::ShortFormat),
@@ -195,6 +197,7 @@ bool ProjectFiles::mayClose()
     QMessageBox box(QMessageBox::Question, tr("Project"), tr("The project has changes that are not saved."),
                     QMessageBox::NoButton, &m_window);
     box.setObjectName(QStringLiteral("unsavedQuestion"));
+    setHelpTopic(box, "project.md#files");
     QStringList details;
     if (const QString next = m_document.undoStack().undoText(); !next.isEmpty())
         details << tr("The last one: %1.").arg(next);

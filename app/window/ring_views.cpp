@@ -8,6 +8,7 @@
 #include "app/window/window_actions.h"
 #include "encoder/device_number.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/master/ring_comparison.h"
@@ -39,6 +40,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     parts.editor.addFields(ring.id(), m_planFields);
     new DeviceNames(ring.project(), *ring.bus(), this);
     parts.pages.addWidget(m_comparison);
+    setHelpTopic(*m_comparison, "project.md#comparing");
     parts.device.addRow(m_leds);
     connect(m_connection, &RingConnection::told, this, &RingViews::told);
     connect(m_connection, &RingConnection::ringChanged, this, &RingViews::devicesChanged);

@@ -18,7 +18,7 @@ class RingPlanFields;
 class TrainingPanel;
 
 inline constexpr Panel masterPanel{"masterDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Master"),
-                                   Qt::ALT | Qt::Key_9, Panel::Behind::state};
+                                   Qt::ALT | Qt::Key_9, "master.md", Panel::Behind::state};
 inline constexpr std::array ringPanels{&masterPanel};
 
 // The views of a ring in the window: its master, its training panel, and the comparison with the project.

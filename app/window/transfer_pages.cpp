@@ -5,6 +5,7 @@
 #include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/transfer/replace_page.h"
 #include "widgets/transfer/transfer_page.h"
@@ -37,6 +38,8 @@ TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, Project
 {
     pages.addWidget(m_transfer);
     pages.addWidget(m_replace);
+    setHelpTopic(*m_transfer, "transfer.md");
+    setHelpTopic(*m_replace, "transfer.md#replace-an-encoder");
     connect(m_transfer, &TransferPage::messaged, this, &TransferPages::told);
     connect(m_replace, &ReplacePage::messaged, this, &TransferPages::told);
     connect(actions.transfer, &QAction::triggered, this, &TransferPages::showTransfer);

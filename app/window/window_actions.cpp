@@ -273,8 +273,11 @@ void WindowActions::makeViewMenu()
 void WindowActions::makeHelpMenu()
 {
     QMenu *menu = addMenu(tr("&Help"));
-    keys = described(menu->addAction(tr("&Keys")), QKeySequence::HelpContents,
-                     tr("Lists the keys of the window"));
+    help = described(menu->addAction(lineIcon(Icon::information), tr("&Help on this")),
+                     QKeySequence::HelpContents, tr("Opens the manual where it tells of what has the focus"));
+    manual = described(menu->addAction(tr("&Manual")), {}, tr("Opens the manual at its first page"));
+    keys = described(menu->addAction(tr("&Keys")), Qt::CTRL | Qt::Key_F1, tr("Lists the keys of the window"));
+    menu->addSeparator();
     about = described(menu->addAction(lineIcon(Icon::information), tr("&About Codewheel")), {},
                       tr("Version and licence"));
 }

@@ -95,6 +95,8 @@ public:
     QActionGroup *language; // data(): QString, empty for the system's
     QAction *defaultLayout;
     // Help
+    QAction *help;   // on what has the focus
+    QAction *manual; // from its first page
     QAction *keys;
     QAction *about;
 

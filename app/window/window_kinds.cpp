@@ -2,6 +2,7 @@
 #include "app/window/window_kinds.h"
 
 #include "app/window/line_at_work.h"
+#include "app/window/line_ports.h"
 #include "app/window/line_views.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_views.h"
@@ -30,7 +31,8 @@ std::vector<WindowKind> &kinds()
 {
     static std::vector<WindowKind> all{
         {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels},
-        {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels}};
+        {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels,
+         &adapterRows}};
     return all;
 }
 

@@ -15,6 +15,7 @@ struct WindowKind
     // Null: its buses are looked at, in the bus structure and the panels of a device.
     BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;
     std::span<const Panel *const> panels{}; // with a page for each of its buses
+    QStringList (*adapters)() = nullptr;    // of this computer, for support; null: it has none
 };
 
 // Those of the program, and what was added; in the order of the panels.

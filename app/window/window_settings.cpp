@@ -49,6 +49,7 @@ const QString lastFileKey = QStringLiteral("project/lastFile");
 const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString monitorsKey = QStringLiteral("window/monitors");
+const QString helpLayoutKey = QStringLiteral("help/layout");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
 const QString decimalSignKey = QStringLiteral("appearance/decimalSign");
@@ -170,6 +171,16 @@ std::optional<QJsonObject> WindowSettings::monitors() const
 void WindowSettings::setMonitors(const QJsonObject &monitors)
 {
     m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+QByteArray WindowSettings::helpLayout() const
+{
+    return m_settings->value(helpLayoutKey).toByteArray();
+}
+
+void WindowSettings::setHelpLayout(const QByteArray &layout)
+{
+    m_settings->setValue(helpLayoutKey, layout);
 }
 
 QStringList WindowSettings::typedRequests() const

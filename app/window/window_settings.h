@@ -43,6 +43,9 @@ public:
     std::optional<QJsonObject> monitors() const; // nothing at first start
     void setMonitors(const QJsonObject &monitors);
 
+    QByteArray helpLayout() const; // of the help window
+    void setHelpLayout(const QByteArray &layout);
+
     // What was typed in the terminal of the serial line, oldest first.
     QStringList typedRequests() const;
     void setTypedRequests(const QStringList &requests);

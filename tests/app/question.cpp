@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/question.h"
 
+#include "widgets/help/help_topic.h"
+
 #include <QAbstractButton>
 #include <QApplication>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QTest>
@@ -49,6 +52,8 @@ Question::Question(std::function<void(QWidget &)> answer)
         if (dialog == nullptr || !dialog->isVisible())
             return;
         state->timer.stop();
+        EXPECT_FALSE(helpTopicOf(dialog).isEmpty() && qobject_cast<QFileDialog *>(dialog) == nullptr)
+            << "F1 knows nothing of " << dialog->windowTitle().toStdString();
         state->asked = true;
         if (const auto *box = qobject_cast<QMessageBox *>(dialog))
             state->text = box->text() + u'\n' + box->informativeText();

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/question.h"
 #include "tests/app/window_test.h"
+#include "widgets/help/help_topic.h"
+#include "widgets/help/help_window.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QShortcut>
 #include <QTest>
-#include <QTextBrowser>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +22,107 @@ class HelpTest : public test::WindowTest
 {
 protected:
     QDialog *keys() { return window().findChild<QDialog *>(QStringLiteral("keys")); }
+    QTreeWidget &keyList() { return *keys()->findChild<QTreeWidget *>(); }
+    QStringList shownKeys() // "what: keys"
+    {
+        QStringList rows;
+        for (QTreeWidgetItemIterator each(&keyList(), QTreeWidgetItemIterator::NotHidden); *each != nullptr;
+             ++each)
+            if ((*each)->parent() != nullptr)
+                rows << (*each)->text(0) + QStringLiteral(": ") + (*each)->text(1);
+        return rows;
+    }
+    static HelpWindow *help()
+    {
+        for (QWidget *each : QApplication::topLevelWidgets())
+            if (auto *its = qobject_cast<HelpWindow *>(each))
+                return its;
+        return nullptr;
+    }
+    static QString shownTopic() { return help()->shown().fileName() + u'#' + help()->shown().fragment(); }
+    void checkTopic(const QWidget &part, const QString &name)
+    {
+        const QString topic = helpTopicOf(&part);
+        EXPECT_FALSE(topic.isEmpty()) << name.toStdString();
+        EXPECT_TRUE(manual.has(Manual::url(topic))) << name.toStdString() << ": " << topic.toStdString();
+    }
+
+    const Manual manual;
 };
+
+TEST_F(HelpTest, TheManualTellsOfEveryPanel)
+{
+    const auto panels = window().findChildren<QDockWidget *>();
+    EXPECT_GE(panels.size(), 11);
+    for (const auto *panel : panels)
+        checkTopic(*panel, panel->windowTitle());
+}
+
+TEST_F(HelpTest, TheManualTellsOfEveryPage)
+{
+    const auto *pages =
+        window().centralWidget()->findChild<QStackedWidget *>(QString(), Qt::FindDirectChildrenOnly);
+    EXPECT_GE(pages->count(), 10);
+    for (int i = 0; i < pages->count(); ++i)
+        checkTopic(*pages->widget(i), QLatin1String(pages->widget(i)->metaObject()->className()));
+}
+
+TEST_F(HelpTest, F1OpensTheManualWhereItTellsOfWhatHasTheFocus)
+{
+    QTest::keyClick(&window(), Qt::Key_8, Qt::AltModifier);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    ASSERT_NE(help(), nullptr);
+    EXPECT_EQ(shownTopic(), QStringLiteral("device.md#"));
+    EXPECT_FALSE(help()->isModal());
+    actions().structureEditor->trigger();
+    window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    EXPECT_EQ(shownTopic(), QStringLiteral("project.md#the-structure-editor"));
+    EXPECT_TRUE(QTest::qWaitFor([] { return QApplication::activeWindow() == help(); }));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    EXPECT_EQ(shownTopic(), QStringLiteral("help.md#")) << "of the help itself";
+    actions().manual->trigger();
+    EXPECT_EQ(help()->shown(), Manual::firstPage());
+}
+
+TEST_F(HelpTest, F1OpensTheManualWhileAQuestionIsAskedAndItCanBeRead)
+{
+    send(test::fraba, 0x0200'00FF);
+    const test::Question question([](QWidget &dialog) {
+        QTest::keyClick(&dialog, Qt::Key_F1);
+        ASSERT_NE(help(), nullptr);
+        EXPECT_EQ(shownTopic(), QStringLiteral("README.md#leaving"));
+        EXPECT_TRUE(help()->isVisible());
+        EXPECT_TRUE(QTest::qWaitFor([] { return QApplication::activeWindow() == help(); }));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Home, Qt::AltModifier);
+        EXPECT_EQ(help()->shown(), Manual::firstPage()) << "it takes keys";
+        dialog.close();
+    });
+    actions().stop->trigger();
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_TRUE(help()->isVisible()) << "it outlives the question";
+}
+
+TEST_F(HelpTest, AlarmStopWorksWhileTheManualIsRead)
+{
+    send(test::fraba, 0x0200'00FF);
+    actions().manual->trigger();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(help()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F12, Qt::ControlModifier);
+    advance(10);
+    EXPECT_EQ(out(test::fraba), 0U);
+}
+
+TEST_F(HelpTest, TheManualKeepsItsSizeAndGoesWithTheWindow)
+{
+    actions().manual->trigger();
+    help()->resize(650, 420);
+    open();
+    EXPECT_EQ(help(), nullptr);
+    actions().manual->trigger();
+    EXPECT_EQ(help()->size(), QSize(650, 420));
+}
 
 TEST_F(HelpTest, TheListOfKeysFitsASmallScreenAndLeavesTheWindowAtWork)
 {
@@ -23,11 +130,44 @@ TEST_F(HelpTest, TheListOfKeysFitsASmallScreenAndLeavesTheWindowAtWork)
     ASSERT_NE(keys(), nullptr);
     EXPECT_LE(keys()->height(), 600);
     EXPECT_FALSE(keys()->isModal());
-    const QString text = keys()->findChild<QTextBrowser *>()->toPlainText();
-    for (const char *expected : {"The whole window", "Ctrl+F12", "Handshake trace", "Sequence"})
-        EXPECT_TRUE(text.contains(QLatin1String(expected))) << expected;
+    const QStringList rows = shownKeys();
+    for (const char *expected : {"ALARM STOP 2 buses: Ctrl+F12", "Help on this: F1", "Keys: Ctrl+F1",
+                                 "Handshake trace: Alt+6", "Toggles a bit of OUT: Space"})
+        EXPECT_TRUE(rows.contains(QLatin1String(expected))) << expected;
     actions().keys->trigger();
     EXPECT_EQ(window().findChildren<QDialog *>(QStringLiteral("keys")).size(), 1) << "it is one list";
+}
+
+TEST_F(HelpTest, TheListOfKeysIsSearched)
+{
+    actions().keys->trigger();
+    auto *search = keys()->findChild<QLineEdit *>();
+    const auto all = shownKeys().size();
+    QTest::keyClicks(search, QStringLiteral("alarm"));
+    EXPECT_EQ(shownKeys(), QStringList{QStringLiteral("ALARM STOP 2 buses: Ctrl+F12")});
+    search->clear();
+    QTest::keyClicks(search, QStringLiteral("ctrl+f12"));
+    EXPECT_EQ(shownKeys().size(), 1);
+    search->clear();
+    EXPECT_EQ(shownKeys().size(), all);
+}
+
+TEST_F(HelpTest, TheListOfKeysHasEachKeyOfEachAction)
+{
+    advance(50);
+    actions().keys->trigger();
+    const QStringList rows = shownKeys();
+    for (const QAction *action : window().findChildren<QAction *>()) {
+        if (action->shortcut().isEmpty() || action->text().isEmpty())
+            continue;
+        EXPECT_TRUE(std::ranges::any_of(rows, [&](const QString &row) {
+            return row.startsWith(action->text().remove(u'&')) && row.contains(action->shortcut().toString());
+        })) << action->text().toStdString();
+    }
+    for (const auto *shortcut : window().findChildren<QShortcut *>())
+        EXPECT_TRUE(std::ranges::any_of(rows, [&](const QString &row) {
+            return row.contains(shortcut->key().toString());
+        })) << shortcut->key().toString().toStdString();
 }
 
 TEST_F(HelpTest, AlarmStopWorksWhileTheKeysAreRead)
@@ -36,7 +176,7 @@ TEST_F(HelpTest, AlarmStopWorksWhileTheKeysAreRead)
     actions().keys->trigger();
     keys()->activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(keys()));
-    QTest::keyClick(keys(), Qt::Key_F12, Qt::ControlModifier);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F12, Qt::ControlModifier);
     advance(10);
     EXPECT_EQ(out(test::fraba), 0U);
 }

@@ -37,7 +37,8 @@ private:
     mutable test::PlainBus m_bus;
 };
 
-constexpr Panel plainPanel{"plainDock", "Plain panel", Qt::ALT | Qt::SHIFT | Qt::Key_P, Panel::Behind::state};
+constexpr Panel plainPanel{"plainDock", "Plain panel", Qt::ALT | Qt::SHIFT | Qt::Key_P,
+                           "README.md#the-window", Panel::Behind::state};
 constexpr std::array plainPanels{&plainPanel};
 
 class PlainViews final : public BusViews

@@ -3,6 +3,7 @@
 
 #include "widgets/cams/cam_drag.h"
 #include "widgets/cams/cam_sheet.h"
+#include "widgets/help/key_help.h"
 #include "widgets/look/painted_parts.h"
 
 #include <QWidget>
@@ -46,6 +47,7 @@ public:
     void zoomOut();
     void zoomToAll();
     void scrollTo(double first);
+    static QList<KeyHelp> keys(); // that it answers
 
 Q_SIGNALS:
     void viewChanged(); // other positions are in sight

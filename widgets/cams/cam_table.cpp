@@ -170,6 +170,13 @@ QModelIndex CamTable::moveCursor(CursorAction action, Qt::KeyboardModifiers modi
     return action == MoveNext ? m_model->index(at.row() + 1, first) : m_model->index(at.row() - 1, last);
 }
 
+QList<KeyHelp> CamTable::keys()
+{
+    return {{keyNames({Qt::Key_Return, Qt::Key_F2}), tr("Edits a position; so does typing")},
+            {keyNames({Qt::Key_Space}), tr("Switches the cam on or off")},
+            {keyNames({Qt::Key_Delete}), tr("Clears the cam")}};
+}
+
 void CamTable::keyPressEvent(QKeyEvent *event)
 {
     if (state() == EditingState || !currentIndex().isValid()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
 #include "widgets/input/checked_delegate.h"
 
 #include <QTableView>
@@ -41,6 +42,7 @@ public:
     bool finishEditing();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
+    static QList<KeyHelp> keys(); // that it answers
 
 Q_SIGNALS:
     void inputChecked(const QString &wrong); // empty: good, or given up

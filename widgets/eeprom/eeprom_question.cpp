@@ -2,6 +2,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/layouts.h"
 
@@ -35,6 +36,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
         return true;
 
     QDialog dialog(window);
+    setHelpTopic(dialog, "eeprom.md");
     dialog.setWindowTitle(QGuiApplication::applicationDisplayName());
     auto *question =
         new QLabel(Question::tr("Write to the EEPROM of %1?").arg(encoder.place().shown()), &dialog);

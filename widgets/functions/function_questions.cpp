@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 
@@ -19,10 +20,11 @@ struct Functions
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
 };
 
-bool confirm(QWidget *window, const QString &question, const QStringList &paragraphs, const QString &doIt,
-             const QString &toolTip)
+bool confirm(QWidget *window, const char *topic, const QString &question, const QStringList &paragraphs,
+             const QString &doIt, const QString &toolTip)
 {
     QMessageBox box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
+    setHelpTopic(box, topic);
     box.setWindowTitle(QGuiApplication::applicationDisplayName());
     box.setInformativeText(paragraphs.join(QStringLiteral("\n\n")));
     QPushButton *yes = box.addButton(doIt, QMessageBox::AcceptRole);
@@ -52,6 +54,7 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
     QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(),
                     Functions::tr("In which mode is the encoder %1?").arg(encoder.place().shown()),
                     QMessageBox::NoButton, window);
+    setHelpTopic(box, "manufacturer-functions.md#the-mode");
     box.setInformativeText(
         refusalText({RefusalKind::notSupported, RefusalId::modeNotKnown, {out}}) + QStringLiteral("\n\n") +
         Functions::tr(
@@ -70,7 +73,8 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder)
 {
-    return confirm(window, Functions::tr("Leave cam mode at %1?").arg(encoder.place().shown()),
+    return confirm(window, "manufacturer-functions.md#the-mode",
+                   Functions::tr("Leave cam mode at %1?").arg(encoder.place().shown()),
                    {Functions::tr("The cams switch no more. A cam program that was changed is stored when it "
                                   "is left: one EEPROM write.")},
                    Functions::tr("&Leave cam mode"), Functions::tr("Sends 20800000, then goes on"));
@@ -82,7 +86,8 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
     const QString value = preset ? valueWithUnit(encoder.device(), {Parameter::preset, preset->value})
                                  : Functions::tr("not known: read it, or write one, under Parameters");
     return confirm(
-        window, Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().shown()),
+        window, "manufacturer-functions.md#the-two-presets-of-a-fraba-encoder",
+        Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().shown()),
         {Functions::tr("FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
                        "60000000 is sent for one bus cycle. It works as often as you want.")
              .arg(value),
@@ -97,7 +102,8 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
             ? Functions::tr("Afterwards the encoder is read, to see what it has then.")
             : Functions::tr("It cannot be read: afterwards it is taken to have the factory settings of its "
                             "manual.");
-    return confirm(window, Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
+    return confirm(window, "manufacturer-functions.md#reset",
+                   Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
                    {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)),
                     eepromCostText(encoder, 1), after},
                    Functions::tr("&Reset"),

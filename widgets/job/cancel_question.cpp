@@ -3,6 +3,7 @@
 
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
@@ -123,6 +124,7 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation)
 {
     QDialog dialog(parent);
+    setHelpTopic(dialog, "parameters.md#write");
     dialog.setObjectName(QStringLiteral("cancelQuestion"));
     dialog.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
     auto *question = new CancelQuestion(&dialog);

@@ -93,7 +93,7 @@ void LineTerminal::makeTools(QToolBar &bar)
     const auto make = [this, &bar](const Tool &tool) { return addTool(*this, bar, tool); };
     m_follow = make(
         {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
-    m_hold = make({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
+    m_hold = make({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
                    tr("Hold the table; rows that come are kept and shown afterwards")});
     m_follow->setCheckable(true);
     m_follow->setChecked(true);

@@ -338,6 +338,13 @@ std::optional<WordBit> WordView::bitForKey(int key) const
     }
 }
 
+QList<KeyHelp> WordView::keys()
+{
+    return {{keyNames({Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down}), tr("To the next bit")},
+            {keyNames({Qt::Key_Home, Qt::Key_End}), tr("To the highest or the lowest bit")},
+            {keyNames({Qt::Key_Space}), tr("Toggles a bit of OUT")}};
+}
+
 void WordView::keyPressEvent(QKeyEvent *event)
 {
     if (const auto bit = bitForKey(event->key()))

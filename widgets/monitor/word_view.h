@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
 #include "widgets/monitor/bit_cell.h"
 #include "widgets/monitor/change_marks.h"
 #include "widgets/monitor/word_layout.h"
@@ -68,6 +69,7 @@ public:
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return layoutFor(width).size().height(); }
+    static QList<KeyHelp> keys(); // that it answers
 
 Q_SIGNALS:
     void bitToggled(codewheel::WordBit bit);

@@ -89,6 +89,13 @@ QModelIndex ParameterTable::moveCursor(CursorAction action, Qt::KeyboardModifier
     return {};
 }
 
+QList<KeyHelp> ParameterTable::keys()
+{
+    return {{keyNames({Qt::Key_Return, Qt::Key_F2}), tr("Edits the wanted value; so does typing")},
+            {keyNames({Qt::Key_Delete}), tr("Leaves the parameter alone")},
+            {keyNames({Qt::Key_Return, Qt::Key_Space}), tr("Opens or closes a heading")}};
+}
+
 void ParameterTable::keyPressEvent(QKeyEvent *event)
 {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
+
 #include <QTableView>
 
 namespace codewheel {
@@ -19,6 +21,7 @@ public:
 
     // False, and back in its field, while what is typed is bad.
     bool finishEditing();
+    static QList<KeyHelp> keys(); // that it answers
 
 Q_SIGNALS:
     void inputChecked(const QString &wrong); // empty: good, or given up

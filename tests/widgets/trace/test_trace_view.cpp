@@ -153,13 +153,13 @@ TEST_F(TraceViewTest, ARemarkIsTheUsers)
 TEST_F(TraceViewTest, PausedItKeepsWhatComesForLater)
 {
     const test::ModelTester tester(model());
-    key(Qt::Key_P);
+    key(Qt::Key_H);
     write(fraba, 0x020000FF);
     EXPECT_EQ(model().rowCount(), 0);
     EXPECT_TRUE(counts().contains(QLatin1String("paused, "))) << counts().toStdString();
     const int waiting = model().waiting();
     EXPECT_GE(waiting, 2);
-    key(Qt::Key_P);
+    key(Qt::Key_H);
     EXPECT_EQ(model().rowCount(), waiting);
 }
 
@@ -300,7 +300,7 @@ TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
 
 TEST_F(TraceViewTest, WhatIsHeldBackIsClearedAndBroughtBackToo)
 {
-    key(Qt::Key_P);
+    key(Qt::Key_H);
     write(fraba, 0x0200'00FF);
     const int waiting = model().waiting();
     ASSERT_GT(waiting, 0);
@@ -308,7 +308,7 @@ TEST_F(TraceViewTest, WhatIsHeldBackIsClearedAndBroughtBackToo)
     EXPECT_EQ(model().waiting(), 0);
     key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_GE(model().rowCount(), waiting);
-    key(Qt::Key_P);
+    key(Qt::Key_H);
 }
 
 // As many as a table holds, the newest.

@@ -5,8 +5,6 @@ class QMainWindow;
 
 namespace codewheel {
 
-// The keys of all actions of the window, and what they do.
-void showKeys(QMainWindow &window);
 // Version and licence.
 void showAbout(QMainWindow &window);
 

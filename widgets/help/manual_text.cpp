@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/help/manual_text.h"
+
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QPalette>
+#include <QSet>
+#include <QTextBlock>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextTable>
+
+namespace codewheel {
+namespace {
+
+// Letters, digits, - and _ in small letters, spaces as -; the rest is left out.
+QString slug(const QString &title)
+{
+    QString slug;
+    for (const QChar each : title.toLower())
+        if (each.isLetterOrNumber() || each == u'-' || each == u'_')
+            slug += each;
+        else if (each.isSpace())
+            slug += u'-';
+    return slug;
+}
+
+QString unusedSlug(const QString &title, const QSet<QString> &used)
+{
+    const QString first = slug(title);
+    QString free = first;
+    for (int i = 1; used.contains(free); ++i)
+        free = QStringLiteral("%1-%2").arg(first).arg(i);
+    return free;
+}
+
+void formatHeading(const QTextBlock &block)
+{
+    QTextBlockFormat format = block.blockFormat();
+    format.setTopMargin(block.blockNumber() == 0 ? 0 : 3 * grid::margin);
+    format.setBottomMargin(grid::margin);
+    QTextCursor(block).setBlockFormat(format);
+}
+
+// A line of code that is too long goes on in the next one: the page stays as wide as the window.
+void formatCode(const QTextBlock &block)
+{
+    const bool isCode = block.blockFormat().nonBreakableLines();
+    if (isCode) {
+        QTextBlockFormat format = block.blockFormat();
+        format.setNonBreakableLines(false);
+        format.setLeftMargin(2 * grid::margin);
+        QTextCursor(block).setBlockFormat(format);
+    }
+    std::vector<std::pair<int, int>> spans; // before any is changed, since fragments join then
+    for (auto part = block.begin(); !part.atEnd(); ++part)
+        if (const QTextFragment text = part.fragment(); isCode || text.charFormat().fontFixedPitch())
+            spans.emplace_back(text.position(), text.position() + text.length());
+    QTextCharFormat format;
+    format.setFontFamilies({numberFont().family()});
+    QTextCursor cursor(block);
+    for (const auto &[begin, end] : spans) {
+        cursor.setPosition(begin);
+        cursor.setPosition(end, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(format);
+    }
+}
+
+bool isEmptyRow(const QTextTable &table, int row)
+{
+    for (int column = 0; column < table.columns(); ++column)
+        if (const QTextTableCell cell = table.cellAt(row, column);
+            cell.firstPosition() != cell.lastPosition())
+            return false;
+    return true;
+}
+
+void formatTable(QTextTable &table, const QPalette &palette)
+{
+    QTextTableFormat format = table.format();
+    format.setBorder(1);
+    format.setBorderCollapse(true);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderBrush(palette.brush(QPalette::Mid));
+    format.setCellPadding(grid::unit);
+    format.setCellSpacing(0);
+    format.setTopMargin(grid::margin);
+    format.setBottomMargin(grid::margin);
+    table.setFormat(format);
+    if (table.rows() > 1 && isEmptyRow(table, 0)) // Markdown knows no table without a head
+        table.removeRows(0, 1);
+}
+
+} // namespace
+
+void nameHeadings(QTextDocument &document)
+{
+    QSet<QString> used;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0)
+            continue;
+        const QString anchor = unusedSlug(block.text(), used);
+        used.insert(anchor);
+        QTextCharFormat format;
+        format.setAnchor(true);
+        format.setAnchorNames({anchor});
+        QTextCursor cursor(block);
+        cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(format);
+    }
+}
+
+QString anchorOf(const QTextBlock &heading)
+{
+    return heading.begin().atEnd() ? QString()
+                                   : heading.begin().fragment().charFormat().anchorNames().value(0);
+}
+
+void formatManual(QTextDocument &document, const QPalette &palette)
+{
+    QTextCursor all(&document);
+    all.beginEditBlock(); // laid out once
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() > 0)
+            formatHeading(block);
+        formatCode(block);
+    }
+    for (QTextFrame *frame : document.rootFrame()->childFrames())
+        if (auto *table = qobject_cast<QTextTable *>(frame))
+            formatTable(*table, palette);
+    all.endEditBlock();
+}
+
+} // namespace codewheel

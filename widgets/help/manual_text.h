@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QPalette;
+class QTextBlock;
+class QTextDocument;
+
+namespace codewheel {
+
+// What a page of the manual lacks after Qt has read its Markdown.
+
+// Gives each heading the anchor by which links name it, the same as where the manual is read on the web.
+void nameHeadings(QTextDocument &document);
+QString anchorOf(const QTextBlock &heading);
+
+// Tables with thin lines, room around headings, code in the program's fixed font.
+void formatManual(QTextDocument &document, const QPalette &palette);
+
+} // namespace codewheel
