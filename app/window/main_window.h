@@ -142,6 +142,7 @@ private:
     void makePages();
     void connectProject();
     void tell(const Message &message);
+    void collectForSupport();
     void showBusState();
     void showStart();
     void connectDrops();

@@ -10,10 +10,14 @@
 #include "app/window/page_head.h"
 #include "app/window/plant.h"
 #include "app/window/status_line.h"
+#include "app/window/support_dialog.h"
 #include "app/window/window_layouts.h"
 #include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"
+#include "widgets/input/text_fields.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/trace/trace_view.h"
@@ -112,14 +116,27 @@ void MainWindow::connectViewActions()
             m_layouts->useDefault();
     });
     connect(m_actions.keys, &QAction::triggered, this, [this] { KeySheet::show(*this); });
+    connect(m_actions.collectSupport, &QAction::triggered, this, &MainWindow::collectForSupport);
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this); });
+}
+
+void MainWindow::collectForSupport()
+{
+    takeFocusedField();
+    m_messageModel->refresh();
+    auto *dialog = new SupportDialog(supportFiles({m_project, *m_plant, *m_messageModel, *m_trace}), this);
+    connect(dialog, &SupportDialog::saved, this, [this](const QString &path) {
+        m_notice->showMessage(Role::running, tr("Saved for support: %1").arg(path));
+    });
+    dialog->open();
 }
 
 void MainWindow::showBusState()
 {
     const bool isAttached = m_plant != nullptr;
-    for (QAction *action : {m_actions.projectPage, m_actions.structureEditor, m_actions.compare,
-                            m_actions.transfer, m_actions.exportReport, m_actions.exportMessages})
+    for (QAction *action :
+         {m_actions.projectPage, m_actions.structureEditor, m_actions.compare, m_actions.transfer,
+          m_actions.exportReport, m_actions.exportMessages, m_actions.collectSupport})
         action->setEnabled(isAttached);
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();

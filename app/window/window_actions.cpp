@@ -278,6 +278,9 @@ void WindowActions::makeHelpMenu()
     manual = described(menu->addAction(tr("&Manual")), {}, tr("Opens the manual at its first page"));
     keys = described(menu->addAction(tr("&Keys")), Qt::CTRL | Qt::Key_F1, tr("Lists the keys of the window"));
     menu->addSeparator();
+    collectSupport = described(
+        menu->addAction(lineIcon(Icon::save), tr("&Collect for support...")), {},
+        tr("Saves what is needed to look into a problem as one file, after it was shown; sends nothing"));
     about = described(menu->addAction(lineIcon(Icon::information), tr("&About Codewheel")), {},
                       tr("Version and licence"));
 }

@@ -98,6 +98,7 @@ public:
     QAction *help;   // on what has the focus
     QAction *manual; // from its first page
     QAction *keys;
+    QAction *collectSupport;
     QAction *about;
 
     QMenu *deviceMenu;

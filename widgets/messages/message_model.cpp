@@ -388,6 +388,16 @@ std::vector<StoredMessage> MessageModel::read(const std::vector<qint64> &ids) co
     return messages.value_or(std::vector<StoredMessage>());
 }
 
+std::vector<StoredMessage> MessageModel::newest(qint64 most) const
+{
+    std::vector<qint64> ids;
+    for (qint64 id = std::max(m_span.first, m_span.last - most + 1); id <= m_span.last; ++id)
+        ids.push_back(id);
+    std::vector<StoredMessage> messages = read(ids);
+    std::erase_if(messages, [](const StoredMessage &message) { return message.id == 0; }); // dropped since
+    return messages;
+}
+
 QString MessageModel::text(const StoredMessage &message, int column)
 {
     switch (column) {

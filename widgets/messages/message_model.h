@@ -72,6 +72,8 @@ public:
     StoredMessage oldestMessage(int row) const;
     qint64 countOf(int row) const { return m_rows.at(row).count; } // 0: a day
     std::vector<qint64> idsOf(int row) const;
+    // Whatever is shown: the newest, oldest first.
+    std::vector<StoredMessage> newest(qint64 most) const;
     std::vector<StoredMessage> read(const std::vector<qint64> &ids) const;
 
     // Of a single message, as it is copied: with date, and time to the millisecond.

@@ -76,7 +76,7 @@ void TraceView::makeTools()
         {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
-    m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
+    m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
                        tr("Hold the table; rows that come are kept and shown afterwards")});
     m_hold->setCheckable(true);
     QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
@@ -183,6 +183,14 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place>
             tr("The handshake trace has a row for each change of the words of an encoder. Select "
                "an encoder in the bus structure."));
     m_empty->setAction(onLine ? tr("Open the terminal") : QString());
+}
+
+std::vector<Place> TraceView::places() const
+{
+    std::vector<Place> places;
+    for (const auto &[place, collected] : m_collected)
+        places.push_back(place);
+    return places;
 }
 
 TrafficModel *TraceView::model(Place number) const

@@ -37,6 +37,7 @@ public:
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
     void setMostRows(int rows);                         // of each encoder
     bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
+    std::vector<Place> places() const;                  // for which something was collected
     std::vector<Word>
     outWords(Place place) const;             // that it has, oldest first, without what stood there at first
     TrafficModel *model(Place number) const; // null: nothing was collected for it

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/zip_file.h"
+
+#include <QStringList>
+
+#include <vector>
+
+namespace codewheel {
+
+class MessageModel;
+class Plant;
+class ProjectDocument;
+class TraceView;
+
+// A file for support: what it tells, in the language of the user.
+struct SupportFile
+{
+    ZipEntry file;
+    QString what;
+};
+
+struct SupportSources
+{
+    const ProjectDocument &project;
+    const Plant &plant;
+    const MessageModel &messages;
+    const TraceView &traces;
+};
+
+// All there is to tell, as it is now: the project with what is not saved, the newest messages, the traces,
+// versions, adapters and buses. Names of the user, the computer and the home folder are taken out.
+std::vector<SupportFile> supportFiles(const SupportSources &sources);
+
+} // namespace codewheel
