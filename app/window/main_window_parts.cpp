@@ -7,6 +7,7 @@
 #include "app/window/dropped_files.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
+#include "app/window/printing.h"
 #include "app/window/project_files.h"
 #include "app/window/report_export.h"
 #include "app/window/start.h"
@@ -136,6 +137,7 @@ void MainWindow::connectProject()
         *this, m_project, *m_buses, m_plant->catalog(), [this] { return m_plant->ledgers(); }, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
+    connect(m_actions.print, &QAction::triggered, new Printing(*this, *m_report), &Printing::preview);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 

@@ -11,8 +11,10 @@
 #include "widgets/project/project_document.h"
 
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
+#include <QUrl>
 
 namespace codewheel {
 
@@ -25,7 +27,21 @@ ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, con
     , m_catalog(catalog)
     , m_ledgers(std::move(ledgers))
     , m_notice(notice)
-{}
+{
+    connect(&notice, &InlineMessage::actionTriggered, this, [this] {
+        if (m_notice.sentence() == m_told) // the window's notice tells other things too
+            openSaved();
+    });
+}
+
+void ReportExport::openSaved()
+{
+    if (QDesktopServices::openUrl(QUrl::fromLocalFile(m_saved)))
+        m_notice.withdraw();
+    else
+        m_notice.showMessage(Role::attention,
+                             tr("No program of this computer opens %1. The report is saved.").arg(m_saved));
+}
 
 QString ReportExport::proposedPath() const
 {
@@ -42,14 +58,8 @@ void ReportExport::askWhere()
         saveTo(path);
 }
 
-bool ReportExport::saveTo(const QString &path)
+Report ReportExport::report() const
 {
-    const auto format = reportFormat(path);
-    if (!format) {
-        m_notice.showMessage(Role::fault,
-                             tr("The report was not saved: %1 ends neither in .pdf nor in .html.").arg(path));
-        return false;
-    }
     ReportInput input{.project = m_document.project(),
                       .file = QFileInfo(m_document.file()).fileName(),
                       .version = QCoreApplication::applicationVersion(),
@@ -58,14 +68,27 @@ bool ReportExport::saveTo(const QString &path)
     for (const LedgerKeeper *keeper : m_ledgers())
         if (keeper->ledger() != nullptr)
             addKept(input, *keeper->ledger(), m_catalog, m_document.file());
-    const auto saved = saveReport(makeReport(input, m_catalog), path, *format);
+    return makeReport(input, m_catalog);
+}
+
+bool ReportExport::saveTo(const QString &path)
+{
+    const auto format = reportFormat(path);
+    if (!format) {
+        m_notice.showMessage(Role::fault,
+                             tr("The report was not saved: %1 ends neither in .pdf nor in .html.").arg(path));
+        return false;
+    }
+    const auto saved = saveReport(report(), path, *format);
     if (!saved) {
         m_notice.showMessage(Role::fault, refusalText(saved.error()));
         return false;
     }
     const Message message{
         .severity = Severity::information, .id = MessageId::reportSaved, .arguments = {path}};
-    m_notice.showMessage(Role::running, messageText(message));
+    m_saved = path;
+    m_told = messageText(message);
+    m_notice.showMessage(Role::running, m_told, tr("&Open"));
     Q_EMIT told(message);
     return true;
 }

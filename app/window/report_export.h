@@ -3,6 +3,7 @@
 
 #include "encoder/message.h"
 #include "journal/ledger_keeper.h"
+#include "report/report.h"
 
 #include <QObject>
 
@@ -26,6 +27,7 @@ public:
     ReportExport(QWidget &window, const ProjectDocument &document, const Buses &buses, const Catalog &catalog,
                  FindLedgers ledgers, InlineMessage &notice);
 
+    Report report() const; // as things are now
     void askWhere();
     // In place of a file that may be there. False: it was not saved, and says why.
     bool saveTo(const QString &path);
@@ -35,6 +37,7 @@ Q_SIGNALS:
 
 private:
     QString proposedPath() const;
+    void openSaved();
 
     QWidget &m_window;
     const ProjectDocument &m_document;
@@ -42,6 +45,8 @@ private:
     const Catalog &m_catalog;
     const FindLedgers m_ledgers;
     InlineMessage &m_notice;
+    QString m_saved; // the last one
+    QString m_told;  // of it
 };
 
 } // namespace codewheel

@@ -77,6 +77,9 @@ void WindowActions::makeFileMenu()
     exportReport =
         described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report...")), {},
                   tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
+    print = described(
+        menu->addAction(lineIcon(Icon::write), tr("Pr&int...")), QKeySequence::Print,
+        tr("Prints the table that has the focus, or else the commissioning report, after a preview"));
     exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace..."));
     showTrace(false);
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},

@@ -61,6 +61,7 @@ public:
     QAction *saveProjectAs;
     QAction *projectPage;
     QAction *exportReport;
+    QAction *print;
     QAction *exportTrace;
     QAction *exportMessages;
     QAction *quit;

@@ -6,10 +6,13 @@
 #include "widgets/project/project_document.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QFile>
 #include <QIODevice>
 #include <QLineEdit>
 #include <QTest>
+#include <QTextBrowser>
+#include <QUrl>
 #include <QWidget>
 
 #include <gmock/gmock.h>
@@ -74,6 +77,28 @@ TEST_F(ReportExportTest, SavesAPdfWhereTheUserChoosesTo)
     });
     actions().exportReport->trigger();
     EXPECT_THAT(content("crane.pdf"), testing::StartsWith("%PDF-"));
+}
+
+TEST_F(ReportExportTest, OpensWhatWasSaved)
+{
+    QTextBrowser opener; // in place of the desktop
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), &opener, "setSource");
+    ASSERT_TRUE(report().saveTo(path("crane.html")));
+    auto *shownNotice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
+    Q_EMIT shownNotice->actionTriggered();
+    EXPECT_EQ(opener.source(), QUrl::fromLocalFile(path("crane.html")));
+    EXPECT_EQ(notice(), "");
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    shownNotice->showMessage(Role::attention, QStringLiteral("Another question"), QStringLiteral("Yes"));
+    Q_EMIT shownNotice->actionTriggered();
+    EXPECT_EQ(notice(), "Another question") << "the notice is not the report's any more";
+}
+
+TEST_F(ReportExportTest, SaysThatNoProgramOpensTheReport)
+{
+    ASSERT_TRUE(report().saveTo(path("crane.html")));
+    Q_EMIT window().findChild<InlineMessage *>(QStringLiteral("notice"))->actionTriggered();
+    EXPECT_THAT(notice(), HasSubstr("The report is saved.")); // there is no desktop in a test
 }
 
 TEST_F(ReportExportTest, SaysWhyItWasNotSaved)

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/printed_table.h"
+
+#include <QAbstractItemView>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLocale>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QTreeView>
+
+#include <algorithm>
+#include <vector>
+
+namespace codewheel {
+namespace {
+
+constexpr int mostRows = 2000; // some forty sheets
+
+struct Printed
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::Printing)
+};
+
+const QHeaderView *headerOf(const QAbstractItemView &view)
+{
+    if (const auto *table = qobject_cast<const QTableView *>(&view))
+        return table->horizontalHeader();
+    const auto *tree = qobject_cast<const QTreeView *>(&view);
+    return tree != nullptr ? tree->header() : nullptr;
+}
+
+bool canBePrinted(const QAbstractItemView &view)
+{
+    return headerOf(view) != nullptr && view.model() != nullptr && view.model()->rowCount() > 0;
+}
+
+// As they stand beside each other.
+std::vector<int> shownColumns(const QAbstractItemView &view)
+{
+    const QHeaderView &header = *headerOf(view);
+    std::vector<int> columns;
+    for (int i = 0; i < header.count(); ++i)
+        if (const int column = header.logicalIndex(i); !header.isSectionHidden(column))
+            columns.push_back(column);
+    return columns;
+}
+
+struct ShownRow
+{
+    QModelIndex first;
+    int depth = 0;
+};
+
+void addRows(std::vector<ShownRow> &rows, const QAbstractItemView &view, const QModelIndex &parent, int depth)
+{
+    const auto *tree = qobject_cast<const QTreeView *>(&view);
+    const auto *table = qobject_cast<const QTableView *>(&view);
+    const int count = view.model()->rowCount(parent);
+    for (int row = std::max(0, count - mostRows); row < count; ++row) {
+        if (tree != nullptr ? tree->isRowHidden(row, parent) : table->isRowHidden(row))
+            continue;
+        const QModelIndex first = view.model()->index(row, 0, parent);
+        rows.push_back({first, depth});
+        if (tree != nullptr && tree->isExpanded(first))
+            addRows(rows, view, first, depth + 1);
+    }
+}
+
+QString cell(const QAbstractItemView &view, const QModelIndex &index, int indent)
+{
+    const auto *delegate = qobject_cast<const QStyledItemDelegate *>(view.itemDelegateForIndex(index));
+    const QString text =
+        delegate != nullptr ? delegate->displayText(index.data(), view.locale()) : index.data().toString();
+    const auto alignment = Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt());
+    return QStringLiteral("<td align=\"%1\">%2%3</td>")
+        .arg(QLatin1String(alignment.testFlag(Qt::AlignRight) ? "right" : "left"),
+             QStringLiteral("&nbsp;").repeated(4 * indent), text.toHtmlEscaped());
+}
+
+QString heads(const QAbstractItemView &view, const std::vector<int> &columns)
+{
+    QString html;
+    for (const int column : columns)
+        html += QStringLiteral("<th align=\"left\">%1</th>")
+                    .arg(view.model()->headerData(column, Qt::Horizontal).toString().toHtmlEscaped());
+    return QStringLiteral("<thead><tr>%1</tr></thead>").arg(html); // on each sheet
+}
+
+} // namespace
+
+const QAbstractItemView *tableToPrint(const QWidget *widget)
+{
+    for (const QWidget *each = widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
+        if (const auto *view = qobject_cast<const QAbstractItemView *>(each);
+            view != nullptr && canBePrinted(*view))
+            return view;
+        for (const auto *view : each->findChildren<QAbstractItemView *>())
+            if (view->isVisible() && canBePrinted(*view))
+                return view;
+        if (qobject_cast<const QDockWidget *>(each) != nullptr)
+            return nullptr;
+    }
+    return nullptr;
+}
+
+QString titleToPrint(const QWidget &widget)
+{
+    for (const QWidget *each = &widget; each != nullptr && !each->isWindow(); each = each->parentWidget())
+        if (const auto *dock = qobject_cast<const QDockWidget *>(each))
+            return dock->windowTitle();
+    return widget.accessibleName();
+}
+
+QString printedTable(const QAbstractItemView &table, const QString &title, const QString &origin)
+{
+    std::vector<ShownRow> rows;
+    addRows(rows, table, table.rootIndex(), 0);
+    const std::vector<int> columns = shownColumns(table);
+    QString html = QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title.toHtmlEscaped(), origin.toHtmlEscaped());
+    if (const int all = table.model()->rowCount(table.rootIndex()); all > mostRows)
+        html += QStringLiteral("<p>%1</p>")
+                    .arg(Printed::tr("The last %1 of %2 rows.")
+                             .arg(QLocale().toString(mostRows), QLocale().toString(all)));
+    html += QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\" width=\"100%\" "
+                           "style=\"border-collapse: collapse\">") +
+            heads(table, columns);
+    for (const ShownRow &row : rows) {
+        html += QStringLiteral("<tr>");
+        for (const int column : columns)
+            html += cell(table, row.first.siblingAtColumn(column), column == columns.front() ? row.depth : 0);
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+} // namespace codewheel
