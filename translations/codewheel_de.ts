@@ -900,20 +900,8 @@
         <translation>von Hand</translation>
     </message>
     <message>
-        <source>Nobody knows what the encoder has here.</source>
-        <translation>Der Wert im Geber ist unbekannt.</translation>
-    </message>
-    <message>
         <source>The encoder told it when it was read.</source>
         <translation>Aus dem Geber ausgelesen.</translation>
-    </message>
-    <message>
-        <source>The encoder confirmed it in a handshake, and went into operation with it.</source>
-        <translation>Vom Geber im Handshake quittiert und mit Run übernommen.</translation>
-    </message>
-    <message>
-        <source>The user or the plan of the bus said so; the encoder was not asked.</source>
-        <translation>Von Hand eingetragen oder aus dem Busplan; der Geber wurde nicht gefragt.</translation>
     </message>
     <message>
         <source>The encoder is in operation.</source>
@@ -6707,6 +6695,33 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::CopyMenu</name>
+    <message>
+        <source>Copy &amp;as</source>
+        <translation>Kopieren &amp;als</translation>
+    </message>
+    <message>
+        <source>&amp;Hexadecimal: 020000FF</source>
+        <translation>&amp;Hexadezimal: 020000FF</translation>
+    </message>
+    <message>
+        <source>&amp;PLC: 16#0200_00FF</source>
+        <translation>&amp;SPS: 16#0200_00FF</translation>
+    </message>
+    <message>
+        <source>PLC, two &amp;words: 16#0200 16#00FF</source>
+        <translation>SPS, zwei &amp;Worte: 16#0200 16#00FF</translation>
+    </message>
+    <message>
+        <source>&amp;Decimal: 33554687</source>
+        <translation>&amp;Dezimal: 33554687</translation>
+    </message>
+    <message>
+        <source>&amp;Binary: 2#0000_0010_...</source>
+        <translation>&amp;Binär: 2#0000_0010_...</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DecimalText</name>
     <message>
         <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
@@ -7299,6 +7314,63 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::DroppedDevice</name>
+    <message>
+        <source>%1 is no device description that can be used. %2: %3</source>
+        <translation>%1 ist keine brauchbare Gerätebeschreibung. %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 is a device description. Shall it replace yours of the same name?</source>
+        <translation>%1 ist eine Gerätebeschreibung. Soll sie die eigene mit demselben Namen ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 is a device description. Shall it be kept with your own?</source>
+        <translation>%1 ist eine Gerätebeschreibung. Soll sie bei den eigenen aufgehoben werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>Auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>%1 could not be kept: %2</source>
+        <translation>%1 wurde nicht aufgehoben: %2</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made</source>
+        <translation>%1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1 is kept. Its device is in the catalog from the next start on.</source>
+        <translation>%1 ist aufgehoben. Das Gerät steht ab dem nächsten Start im Katalog.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DroppedFiles</name>
+    <message numerus="yes">
+        <source>%n files were dropped. Drop one at a time.</source>
+        <translation>
+            <numerusform>%n Datei wurde abgelegt. Nur eine auf einmal ablegen.</numerusform>
+            <numerusform>%n Dateien wurden abgelegt. Nur eine auf einmal ablegen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>%1 is a file of Codewheel, but none that is opened by dropping it: projects, cams, sequences and device descriptions are.</source>
+        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
+    </message>
+    <message>
+        <source>%1 is none of the files that can be dropped here: projects, cams, sequences and device descriptions.</source>
+        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::Eeprom</name>
     <message>
         <source>counted by the serial number %1 the encoder told</source>
@@ -7764,6 +7836,69 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::FindBar</name>
+    <message>
+        <source>Find in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Marks this text wherever it stands on the page</source>
+        <translation>Markiert diesen Text überall auf der Seite</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>The one before (Shift+F3)</source>
+        <translation>Die Stelle davor (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>The next one (F3)</source>
+        <translation>Die nächste Stelle (F3)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Ends finding (Esc)</source>
+        <translation>Beendet die Suche (Esc)</translation>
+    </message>
+    <message>
+        <source>Not on this page</source>
+        <translation>Nicht auf dieser Seite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>3 of 12 places</comment>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FolderRows</name>
+    <message>
+        <source>Open folder: %1</source>
+        <translation>Ordner öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Opens the folder in the file manager</source>
+        <translation>Öffnet den Ordner in der Dateiverwaltung</translation>
+    </message>
+    <message>
+        <source>Copy path: %1</source>
+        <translation>Pfad kopieren: %1</translation>
+    </message>
+    <message>
+        <source>Copies the path</source>
+        <translation>Kopiert den Pfad</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::FoundEncoderModel</name>
     <message>
         <source>unknown, answers to 00</source>
@@ -7859,6 +7994,22 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>From mm and gear</source>
         <translation>Von mm und Getriebe</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GoToPlace</name>
+    <message>
+        <source>Choose in the bus structure what the row is about (Ctrl+G)</source>
+        <translation>Im Busaufbau wählen, worum es in der Zeile geht (Strg+G)</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <comment>a device or a bus</comment>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>Go to the device</source>
+        <translation>Gehe zum Gerät</translation>
     </message>
 </context>
 <context>
@@ -8009,6 +8160,118 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>The remaining steps follow each other as the encoder confirms them.</source>
         <translation>Die übrigen Schritte laufen nacheinander ab, sobald der Geber quittiert.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpBrowser</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>The manual is in English only.</source>
+        <translation>Das Handbuch gibt es nur auf Englisch.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpSidebar</name>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Searches all pages for sections that have all these words (Ctrl+Shift+F)</source>
+        <translation>Sucht auf allen Seiten nach Abschnitten, die alle diese (englischen) Wörter enthalten (Strg+Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Sections found</source>
+        <translation>Gefundene Abschnitte</translation>
+    </message>
+    <message>
+        <source>Sections of the manual that have all words searched for</source>
+        <translation>Abschnitte des Handbuchs, die alle gesuchten Wörter enthalten</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Pages of the manual and their sections</source>
+        <translation>Seiten des Handbuchs und ihre Abschnitte</translation>
+    </message>
+    <message>
+        <source>Files and protocols</source>
+        <translation>Dateien und Protokolle</translation>
+    </message>
+    <message>
+        <source>No section of the manual has all these words.</source>
+        <translation>Kein Abschnitt des Handbuchs enthält alle diese Wörter. Es ist auf Englisch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Abschnitt</numerusform>
+            <numerusform>%n Abschnitte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the page before</source>
+        <translation>Zur Seite davor</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>To the page that was left by Back</source>
+        <translation>Zur Seite, die mit Zurück verlassen wurde</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>To the first page of the manual</source>
+        <translation>Zur ersten Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Searches all pages</source>
+        <translation>Durchsucht alle Seiten</translation>
+    </message>
+    <message>
+        <source>Find in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Marks a text on this page</source>
+        <translation>Markiert einen Text auf dieser Seite</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Place before</source>
+        <translation>Stelle davor</translation>
+    </message>
+    <message>
+        <source>The manual is not there: %1 is missing. It comes with the program; build or install the program again.</source>
+        <translation>Das Handbuch ist nicht da: %1 fehlt. Es gehört zum Programm; das Programm neu bauen oder installieren.</translation>
     </message>
 </context>
 <context>
@@ -8348,6 +8611,33 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>A word is a text of up to 8 hexadecimal digits, such as &quot;020000FF&quot;.</source>
         <translation>Ein Wort ist ein Text aus bis zu 8 Hexziffern, etwa &quot;020000FF&quot;.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::KeySheet</name>
+    <message>
+        <source>Search the keys</source>
+        <translation>Tasten durchsuchen</translation>
+    </message>
+    <message>
+        <source>Leaves the keys that do this, or have this name</source>
+        <translation>Lässt die Tasten stehen, die das tun oder so heißen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>All keys, by the menu or the part of the window in which they work</source>
+        <translation>Alle Tasten, nach dem Menü oder dem Teil des Fensters, in dem sie wirken</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
     </message>
 </context>
 <context>
@@ -9195,10 +9485,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <comment>file, port, baud rate, date and time, count</comment>
         <translation>%1: %2, %3 Bd, %4; %5 Zeilen</translation>
     </message>
-    <message>
-        <source>This session holds no request to send, except position polls: clear &quot;Hide position polls&quot; to send those again.</source>
-        <translation>Diese Aufzeichnung enthält außer Positionsabfragen keine Anfrage zum Senden: „Positionsabfragen ausblenden“ abwählen, um diese zu senden.</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more, listed below</source>
         <translation>
@@ -9250,20 +9536,12 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::LineRowOptions</name>
     <message>
-        <source>Leaves out the position requests of the polling and their answers. They are kept, and shown again when this is cleared.</source>
-        <translation>Lässt die Positionsanfragen der Abfrage und ihre Antworten weg. Sie bleiben erhalten und erscheinen wieder, wenn dies abgewählt wird.</translation>
-    </message>
-    <message>
         <source>Shows the bytes as text, control characters as pictures</source>
         <translation>Zeigt die Bytes als Text, Steuerzeichen als Symbole</translation>
     </message>
     <message>
         <source>Shows the bytes as hexadecimal numbers</source>
         <translation>Zeigt die Bytes als Hexzahlen</translation>
-    </message>
-    <message>
-        <source>Hide position polls</source>
-        <translation>Positionsabfragen ausblenden</translation>
     </message>
     <message>
         <source>Text</source>
@@ -9280,13 +9558,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Leaves out what the program asks by itself (position, warnings, alarms, serial number, version, device code) and the answers. They are kept, and shown again when this is cleared.</source>
         <translation>Blendet aus, was das Programm von selbst fragt (Position, Warnungen, Alarme, Seriennummer, Version, Gerätecode), samt den Antworten. Sie bleiben erhalten und erscheinen wieder, wenn dies ausgeschaltet wird.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineRowTable</name>
-    <message>
-        <source>%1, typed</source>
-        <translation>%1, getippt</translation>
     </message>
 </context>
 <context>
@@ -9877,14 +10148,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::MainWindow</name>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Space or a click toggles a bit, the arrows move.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Leertaste oder Klick schaltet ein Bit um, die Pfeile bewegen.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>About Codewheel</source>
         <translation>Über Codewheel</translation>
     </message>
@@ -9899,18 +10162,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>The whole window</source>
         <translation>Das ganze Fenster</translation>
-    </message>
-    <message>
-        <source>All keys, by the part of the window in which they work</source>
-        <translation>Alle Tasten, nach dem Teil des Fensters, in dem sie wirken</translation>
-    </message>
-    <message>
-        <source>Bus of the page</source>
-        <translation>Bus der Seite</translation>
-    </message>
-    <message>
-        <source>The bus that this page is of</source>
-        <translation>Der Bus, zu dem diese Seite gehört</translation>
     </message>
     <message>
         <source>%1 is not in the bus structure: it is neither connected nor in the project.</source>
@@ -10130,6 +10381,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::MessageDetails</name>
+    <message>
+        <source>Details of the message</source>
+        <translation>Einzelheiten der Meldung</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3</source>
+        <comment>count, date and time</comment>
+        <translation>%1-mal von %2 bis %3</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MessageFilterBar</name>
     <message>
         <source>Search</source>
@@ -10142,10 +10405,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Show only messages with this text (Ctrl+F)</source>
         <translation>Nur Meldungen mit diesem Text zeigen (Strg+F)</translation>
-    </message>
-    <message>
-        <source>All messages</source>
-        <translation>Alle Meldungen</translation>
     </message>
     <message>
         <source>Attention and faults</source>
@@ -10164,16 +10423,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Nur Meldungen dieser oder einer höheren Stufe zeigen</translation>
     </message>
     <message>
-        <source>All places</source>
-        <translation>Alle Orte</translation>
-    </message>
-    <message>
         <source>Place of messages</source>
         <translation>Ort der Meldungen</translation>
-    </message>
-    <message>
-        <source>All times</source>
-        <translation>Alle Zeiten</translation>
     </message>
     <message>
         <source>Since the start</source>
@@ -10258,10 +10509,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Bus</source>
         <translation>Bus</translation>
-    </message>
-    <message>
-        <source>Date and time</source>
-        <translation>Datum und Uhrzeit</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -10476,6 +10723,13 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ModeSwitch</name>
+    <message>
+        <source>Watch or Operate</source>
+        <translation>Beobachten oder Bedienen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MonitorArea</name>
     <message>
         <source>No monitor is open</source>
@@ -10672,6 +10926,34 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&quot;%1&quot; in the example is not understood by the parts.</source>
         <translation>„%1“ im Beispiel passt zu keinem der Teile.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PageHead</name>
+    <message>
+        <source>Back to the monitors (Esc, Ctrl+W)</source>
+        <translation>Zurück zu den Monitoren (Esc, Strg+W)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <comment>a page</comment>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>What is typed there is not taken.</source>
+        <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>Close this page?</source>
+        <translation>Diese Seite schließen?</translation>
+    </message>
+    <message>
+        <source>&amp;Close the page</source>
+        <translation>Seite &amp;schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 <context>
@@ -11004,16 +11286,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>&amp;Weiter</translation>
     </message>
     <message>
-        <source>Leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
-        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, in welchem Zustand der Geber bleiben soll.</translation>
-    </message>
-    <message>
         <source>To the page before.</source>
         <translation>Zur vorigen Seite.</translation>
-    </message>
-    <message>
-        <source>%1 of %2  %3</source>
-        <translation>%1 von %2  %3</translation>
     </message>
     <message>
         <source>To the next page.</source>
@@ -11127,6 +11401,13 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Sends %1 with this position; it holds at once, and costs an EEPROM write.</source>
         <translation>Sendet %1 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Printing</name>
+    <message>
+        <source>The last %1 of %2 rows.</source>
+        <translation>Die letzten %1 von %2 Zeilen.</translation>
     </message>
 </context>
 <context>
@@ -11401,6 +11682,37 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RecentList</name>
+    <message>
+        <source>it is not there any more</source>
+        <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>it may not be read</source>
+        <translation>darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its folder does not answer</source>
+        <translation>der Ordner antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy path</source>
+        <translation>Pfad &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from the list</source>
+        <translation>Aus der &amp;Liste nehmen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReplaceAccountStep</name>
     <message>
         <source>What was written</source>
@@ -11491,10 +11803,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Ends here; a running handshake is asked about first</source>
         <translation>Endet hier; bei einem laufenden Handshake wird zuerst gefragt</translation>
-    </message>
-    <message>
-        <source>Replace encoder %1: %2 of %3  %4</source>
-        <translation>Geber %1 ersetzen: %2 von %3  %4</translation>
     </message>
     <message>
         <source>Replace encoder %1</source>
@@ -13540,6 +13848,184 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::SettingsAtWork</name>
+    <message>
+        <source>Settings of the window</source>
+        <translation>Einstellungen des Fensters</translation>
+    </message>
+    <message>
+        <source>Messages and account of EEPROM writes</source>
+        <translation>Meldungen und Zählung der EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Unsaved changes, for after a crash</source>
+        <translation>Nicht gespeicherte Änderungen, für nach einem Absturz</translation>
+    </message>
+    <message>
+        <source>Your own device descriptions</source>
+        <translation>Eigene Gerätebeschreibungen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Language and look</source>
+        <translation>Sprache und Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Of all texts. The window is made anew; the buses go on.</source>
+        <translation>Aller Texte. Das Fenster wird neu aufgebaut; die Busse laufen weiter.</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>The sign before decimals. Typed numbers are understood with either.</source>
+        <translation>Das Zeichen vor den Nachkommastellen. Getippte Zahlen werden mit beiden verstanden.</translation>
+    </message>
+    <message>
+        <source>As the language writes them</source>
+        <translation>Wie in der Sprache üblich</translation>
+    </message>
+    <message>
+        <source>Decimal point: 0.25</source>
+        <translation>Dezimalpunkt: 0.25</translation>
+    </message>
+    <message>
+        <source>Decimal comma: 0,25</source>
+        <translation>Dezimalkomma: 0,25</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Light or dark, or as the desktop is.</source>
+        <translation>Hell oder dunkel, oder wie der Desktop.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Large &amp;controls</source>
+        <translation>&amp;Große Bedienelemente</translation>
+    </message>
+    <message>
+        <source>Bits and buttons are 1.5 times as large, for gloves.</source>
+        <translation>Bits und Tasten sind 1,5-mal so groß, für Handschuhe.</translation>
+    </message>
+    <message>
+        <source>Less &amp;motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Panels are not animated. Values always change at once.</source>
+        <translation>Felder werden nicht animiert. Werte ändern sich immer sofort.</translation>
+    </message>
+    <message>
+        <source>&amp;Frames a second</source>
+        <translation>&amp;Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How often values are painted. Fewer spare the processor; the bus is not slower, and no change of a bit is lost.</source>
+        <translation>Wie oft Werte gezeichnet werden. Weniger Bilder schonen den Prozessor; der Bus wird nicht langsamer, und keine Änderung eines Bits geht verloren.</translation>
+    </message>
+    <message>
+        <source>EEPROM</source>
+        <translation>EEPROM</translation>
+    </message>
+    <message>
+        <source>&amp;Ask from</source>
+        <translation>&amp;Rückfrage ab</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent of the writes the manual speaks of</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>From this share of the writes of which the manual of an encoder speaks, each write has to be confirmed. It can only be earlier than the usual 75 %. Beyond what the manual guarantees, the place always has to be typed.</source>
+        <translation>Ab diesem Anteil der Schreibvorgänge, von denen das Handbuch eines Gebers spricht, ist jedes Schreiben zu bestätigen. Es kann nur früher sein als die üblichen 75 %. Jenseits dessen, was das Handbuch garantiert, ist immer der Platz einzutippen.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Messages, at most</source>
+        <translation>&amp;Meldungen, höchstens</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <comment>megabytes</comment>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Beyond it the oldest messages are dropped. Acts at the next start.</source>
+        <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Handshake trace, at most</source>
+        <translation>Handshake-&amp;Protokoll, höchstens</translation>
+    </message>
+    <message>
+        <source> rows</source>
+        <comment>of a table</comment>
+        <translation> Zeilen</translation>
+    </message>
+    <message>
+        <source>Kept of one encoder while the program runs; the oldest go.</source>
+        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
+    </message>
+    <message>
+        <source>&amp;Unsaved changes, every</source>
+        <translation>&amp;Nicht Gespeichertes, alle</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>seconds</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>So often what is not saved is kept for after a crash. It is offered at the next start until it is recovered or discarded.</source>
+        <translation>So oft wird nicht Gespeichertes für nach einem Absturz aufgehoben. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
+    </message>
+    <message>
+        <source>The folders follow XDG_CONFIG_HOME and XDG_DATA_HOME of the system, so that window and command line share one account of EEPROM writes; they are not changed here.</source>
+        <translation>Die Ordner richten sich nach XDG_CONFIG_HOME und XDG_DATA_HOME des Systems, damit Fenster und Kommandozeile eine gemeinsame Zählung der EEPROM-Schreibvorgänge haben; sie werden nicht hier geändert.</translation>
+    </message>
+    <message>
+        <source>Keeps what is set</source>
+        <translation>Behält, was eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Restores what was set before (Esc)</source>
+        <translation>Stellt wieder her, was vorher eingestellt war (Esc)</translation>
+    </message>
+    <message>
+        <source>Sets everything as it is after the installation; Cancel takes that back</source>
+        <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::Setup</name>
     <message>
         <source>Values wanted for %1</source>
@@ -13627,24 +14113,8 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::ShaftDial</name>
     <message>
-        <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
-        <translation>Rohwort %1. Betriebsart unbekannt: Die Anlaufbetriebsart unter Parameter eintragen.</translation>
-    </message>
-    <message>
-        <source>Raw word %1, in cam mode: there is no position.</source>
-        <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
-    </message>
-    <message>
-        <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
-        <translation>Rohwort %1. Codierung unbekannt: Unter Parameter schreiben oder eintragen.</translation>
-    </message>
-    <message>
         <source>Not known: %1. The disc needs it to turn.</source>
         <translation>Unbekannt: %1. Ohne das dreht sich die Scheibe nicht.</translation>
-    </message>
-    <message>
-        <source>No position while the encoder sends its velocity.</source>
-        <translation>Keine Position, solange der Geber seine Drehzahl sendet.</translation>
     </message>
     <message>
         <source>The steps per turn of this encoder are not described: the disc cannot turn.</source>
@@ -13658,16 +14128,114 @@ Worte: IN %3, OUT %4</translation>
         <source>The position is signed.</source>
         <translation>Die Position hat ein Vorzeichen.</translation>
     </message>
-    <message>
-        <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
-        <translation>Rohwort %1. Der Hersteller des Gebers ist unbekannt und damit auch die Codierung: Den Geber im Busaufbau benennen.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::SpinField</name>
     <message>
         <source>%1 is outside %2 to %3.</source>
         <translation>%1 liegt außerhalb von %2 bis %3.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Start</name>
+    <message>
+        <source>Replace an encoder: connect the bus on which the new encoder stands.</source>
+        <translation>Geber ersetzen: den Bus verbinden, an dem der neue Geber steht.</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Replace an encoder: choose its place in the bus structure.</source>
+        <translation>Geber ersetzen: seinen Platz im Busaufbau wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace the chosen one</source>
+        <translation>Den gewählten &amp;ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StartPage</name>
+    <message>
+        <source>Training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>Simulated encoders on a ring and a serial line, to try everything without hardware.</source>
+        <translation>Simulierte Geber an einem Ring und einer seriellen Leitung, zum Ausprobieren ohne Hardware.</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Looks at the encoders of a bus. Nothing is written.</source>
+        <translation>Zeigt die Geber eines Busses. Nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>The planned encoders, with the values they shall have.</source>
+        <translation>Die geplanten Geber, mit den Werten, die sie haben sollen.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt benutzte Projekte</translation>
+    </message>
+    <message>
+        <source>Goes to the projects that were open last</source>
+        <translation>Geht zu den zuletzt geöffneten Projekten</translation>
+    </message>
+    <message>
+        <source>Replace an encoder</source>
+        <translation>Geber ersetzen</translation>
+    </message>
+    <message>
+        <source>Gives a new encoder the values and the position of the one before, from the project.</source>
+        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>No bus is connected</source>
+        <translation>Kein Bus ist verbunden</translation>
+    </message>
+    <message>
+        <source>Return opens the chosen project, Del takes it off the list.</source>
+        <translation>Eingabe öffnet das gewählte Projekt, Entf nimmt es aus der Liste.</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen project off the list (Del); its file stays</source>
+        <translation>Nimmt das gewählte Projekt aus der Liste (Entf); seine Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing is connected or sent until you ask for it.</source>
+        <translation>Nichts wird ungefragt verbunden oder gesendet.</translation>
+    </message>
+    <message>
+        <source>The project %1 is open. Nothing is connected or sent until you ask for it.</source>
+        <translation>Das Projekt %1 ist geöffnet. Nichts wird ungefragt verbunden oder gesendet.</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <translation>%1 wieder öffnen</translation>
+    </message>
+    <message>
+        <source>The project of the last session, %1</source>
+        <translation>Das Projekt der letzten Sitzung, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -14031,6 +14599,107 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
         <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore; dorthin gezogen, wird es angeheftet.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Support</name>
+    <message>
+        <source>The project as it is now, with what is not saved</source>
+        <translation>Das Projekt, wie es jetzt ist, mit dem, was nicht gespeichert ist</translation>
+    </message>
+    <message>
+        <source>The newest messages, %1 at most</source>
+        <translation>Die neuesten Meldungen, höchstens %1</translation>
+    </message>
+    <message>
+        <source>Handshake trace of %1</source>
+        <translation>Handshake-Protokoll von %1</translation>
+    </message>
+    <message>
+        <source>Versions of program and system, language, screens</source>
+        <translation>Versionen von Programm und System, Sprache, Bildschirme</translation>
+    </message>
+    <message>
+        <source>Serial ports and their adapters</source>
+        <translation>Serielle Schnittstellen und ihre Adapter</translation>
+    </message>
+    <message>
+        <source>Buses, their states and devices</source>
+        <translation>Busse, ihre Zustände und Geräte</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SupportDialog</name>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>Goes into the file as message.txt; may be left empty</source>
+        <translation>Kommt als message.txt in die Datei; darf leer bleiben</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, what should have happened?</source>
+        <translation>Was wurde getan, was ist geschehen, was hätte geschehen sollen?</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>What the chosen file holds</source>
+        <translation>Was in der gewählten Datei steht</translation>
+    </message>
+    <message>
+        <source>Collect for support</source>
+        <translation>Für den Support sammeln</translation>
+    </message>
+    <message>
+        <source>&amp;Save...</source>
+        <translation>&amp;Speichern...</translation>
+    </message>
+    <message>
+        <source>Asks where to save the file; nothing is sent</source>
+        <translation>Fragt, wohin die Datei soll; es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>What will be in the file; what is not ticked is left out (Space)</source>
+        <translation>Was in die Datei kommt; was nicht angehakt ist, bleibt weg (Leertaste)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What it tells</source>
+        <translation>Was darin steht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, %1 before they are compressed</source>
+        <translation>
+            <numerusform>%n Datei, %1 unkomprimiert</numerusform>
+            <numerusform>%n Dateien, %1 unkomprimiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save for support</source>
+        <translation>Für den Support speichern</translation>
+    </message>
+    <message>
+        <source>Zip files (*.zip)</source>
+        <translation>Zip-Dateien (*.zip)</translation>
+    </message>
+    <message>
+        <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the name of the user in paths and that of this computer are taken out. Nothing is sent: give the file to whom you want.</source>
+        <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
     </message>
 </context>
 <context>
@@ -14563,10 +15232,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Nach einer Ablehnung anhalten</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
         <source>Bac&amp;k</source>
         <translation>&amp;Zurück</translation>
     </message>
@@ -14585,10 +15250,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Begin no other encoder after one has refused</source>
         <translation>Keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
-    </message>
-    <message>
-        <source>Back to the monitors; nothing is sent</source>
-        <translation>Zurück zu den Monitoren; es wird nichts gesendet</translation>
     </message>
     <message>
         <source>Shows what differs now</source>
@@ -15091,10 +15752,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Monitors</source>
         <translation>&amp;Monitore</translation>
-    </message>
-    <message>
-        <source>Shows the monitors</source>
-        <translation>Zeigt die Monitore</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
@@ -15700,774 +16357,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::GoToPlace</name>
-    <message>
-        <source>Choose in the bus structure what the row is about (Ctrl+G)</source>
-        <translation>Im Busaufbau wählen, worum es in der Zeile geht (Strg+G)</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <comment>a device or a bus</comment>
-        <translation>Gehe zu %1</translation>
-    </message>
-    <message>
-        <source>Go to the device</source>
-        <translation>Gehe zum Gerät</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::MessageDetails</name>
-    <message>
-        <source>Details of the message</source>
-        <translation>Einzelheiten der Meldung</translation>
-    </message>
-    <message>
-        <source>%1 times from %2 to %3</source>
-        <comment>count, date and time</comment>
-        <translation>%1-mal von %2 bis %3</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::DroppedDevice</name>
-    <message>
-        <source>%1 is no device description that can be used. %2: %3</source>
-        <translation>%1 ist keine brauchbare Gerätebeschreibung. %2: %3</translation>
-    </message>
-    <message>
-        <source>%1 is a device description. Shall it replace yours of the same name?</source>
-        <translation>%1 ist eine Gerätebeschreibung. Soll sie die eigene mit demselben Namen ersetzen?</translation>
-    </message>
-    <message>
-        <source>%1 is a device description. Shall it be kept with your own?</source>
-        <translation>%1 ist eine Gerätebeschreibung. Soll sie bei den eigenen aufgehoben werden?</translation>
-    </message>
-    <message>
-        <source>&amp;Keep it</source>
-        <translation>Auf&amp;heben</translation>
-    </message>
-    <message>
-        <source>%1 could not be kept: %2</source>
-        <translation>%1 wurde nicht aufgehoben: %2</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>nicht lesbar</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made</source>
-        <translation>%1 lässt sich nicht anlegen</translation>
-    </message>
-    <message>
-        <source>%1 is kept. Its device is in the catalog from the next start on.</source>
-        <translation>%1 ist aufgehoben. Das Gerät steht ab dem nächsten Start im Katalog.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::DroppedFiles</name>
-    <message numerus="yes">
-        <source>%n files were dropped. Drop one at a time.</source>
-        <translation>
-            <numerusform>%n Datei wurde abgelegt. Nur eine auf einmal ablegen.</numerusform>
-            <numerusform>%n Dateien wurden abgelegt. Nur eine auf einmal ablegen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 cannot be read.</source>
-        <translation>%1 lässt sich nicht lesen.</translation>
-    </message>
-    <message>
-        <source>%1 is a file of Codewheel, but none that is opened by dropping it: projects, cams, sequences and device descriptions are.</source>
-        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
-    </message>
-    <message>
-        <source>%1 is none of the files that can be dropped here: projects, cams, sequences and device descriptions.</source>
-        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::FolderRows</name>
-    <message>
-        <source>Open folder: %1</source>
-        <translation>Ordner öffnen: %1</translation>
-    </message>
-    <message>
-        <source>Opens the folder in the file manager</source>
-        <translation>Öffnet den Ordner in der Dateiverwaltung</translation>
-    </message>
-    <message>
-        <source>Copy path: %1</source>
-        <translation>Pfad kopieren: %1</translation>
-    </message>
-    <message>
-        <source>Copies the path</source>
-        <translation>Kopiert den Pfad</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecentList</name>
-    <message>
-        <source>it is not there any more</source>
-        <translation>nicht mehr vorhanden</translation>
-    </message>
-    <message>
-        <source>it may not be read</source>
-        <translation>darf nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>its folder does not answer</source>
-        <translation>der Ordner antwortet nicht</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>Ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Copy path</source>
-        <translation>Pfad &amp;kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Remove from the list</source>
-        <translation>Aus der &amp;Liste nehmen</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::SettingsAtWork</name>
-    <message>
-        <source>Settings of the window</source>
-        <translation>Einstellungen des Fensters</translation>
-    </message>
-    <message>
-        <source>Messages and account of EEPROM writes</source>
-        <translation>Meldungen und Zählung der EEPROM-Schreibvorgänge</translation>
-    </message>
-    <message>
-        <source>Unsaved changes, for after a crash</source>
-        <translation>Nicht gespeicherte Änderungen, für nach einem Absturz</translation>
-    </message>
-    <message>
-        <source>Your own device descriptions</source>
-        <translation>Eigene Gerätebeschreibungen</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Language and look</source>
-        <translation>Sprache und Aussehen</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
-    </message>
-    <message>
-        <source>Of all texts. The window is made anew; the buses go on.</source>
-        <translation>Aller Texte. Das Fenster wird neu aufgebaut; die Busse laufen weiter.</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>&amp;Numbers</source>
-        <translation>&amp;Zahlen</translation>
-    </message>
-    <message>
-        <source>The sign before decimals. Typed numbers are understood with either.</source>
-        <translation>Das Zeichen vor den Nachkommastellen. Getippte Zahlen werden mit beiden verstanden.</translation>
-    </message>
-    <message>
-        <source>As the language writes them</source>
-        <translation>Wie in der Sprache üblich</translation>
-    </message>
-    <message>
-        <source>Decimal point: 0.25</source>
-        <translation>Dezimalpunkt: 0.25</translation>
-    </message>
-    <message>
-        <source>Decimal comma: 0,25</source>
-        <translation>Dezimalkomma: 0,25</translation>
-    </message>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
-        <source>Light or dark, or as the desktop is.</source>
-        <translation>Hell oder dunkel, oder wie der Desktop.</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Large &amp;controls</source>
-        <translation>&amp;Große Bedienelemente</translation>
-    </message>
-    <message>
-        <source>Bits and buttons are 1.5 times as large, for gloves.</source>
-        <translation>Bits und Tasten sind 1,5-mal so groß, für Handschuhe.</translation>
-    </message>
-    <message>
-        <source>Less &amp;motion</source>
-        <translation>&amp;Weniger Bewegung</translation>
-    </message>
-    <message>
-        <source>Panels are not animated. Values always change at once.</source>
-        <translation>Felder werden nicht animiert. Werte ändern sich immer sofort.</translation>
-    </message>
-    <message>
-        <source>&amp;Frames a second</source>
-        <translation>&amp;Bilder pro Sekunde</translation>
-    </message>
-    <message>
-        <source>How often values are painted. Fewer spare the processor; the bus is not slower, and no change of a bit is lost.</source>
-        <translation>Wie oft Werte gezeichnet werden. Weniger Bilder schonen den Prozessor; der Bus wird nicht langsamer, und keine Änderung eines Bits geht verloren.</translation>
-    </message>
-    <message>
-        <source>EEPROM</source>
-        <translation>EEPROM</translation>
-    </message>
-    <message>
-        <source>&amp;Ask from</source>
-        <translation>&amp;Rückfrage ab</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <comment>percent of the writes the manual speaks of</comment>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>From this share of the writes of which the manual of an encoder speaks, each write has to be confirmed. It can only be earlier than the usual 75 %. Beyond what the manual guarantees, the place always has to be typed.</source>
-        <translation>Ab diesem Anteil der Schreibvorgänge, von denen das Handbuch eines Gebers spricht, ist jedes Schreiben zu bestätigen. Es kann nur früher sein als die üblichen 75 %. Jenseits dessen, was das Handbuch garantiert, ist immer der Platz einzutippen.</translation>
-    </message>
-    <message>
-        <source>Files</source>
-        <translation>Dateien</translation>
-    </message>
-    <message>
-        <source>&amp;Messages, at most</source>
-        <translation>&amp;Meldungen, höchstens</translation>
-    </message>
-    <message>
-        <source> MB</source>
-        <comment>megabytes</comment>
-        <translation> MB</translation>
-    </message>
-    <message>
-        <source>Beyond it the oldest messages are dropped. Acts at the next start.</source>
-        <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
-    </message>
-    <message>
-        <source>&amp;Handshake trace, at most</source>
-        <translation>Handshake-&amp;Protokoll, höchstens</translation>
-    </message>
-    <message>
-        <source> rows</source>
-        <comment>of a table</comment>
-        <translation> Zeilen</translation>
-    </message>
-    <message>
-        <source>Kept of one encoder while the program runs; the oldest go.</source>
-        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
-    </message>
-    <message>
-        <source>&amp;Unsaved changes, every</source>
-        <translation>&amp;Nicht Gespeichertes, alle</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <comment>seconds</comment>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>So often what is not saved is kept for after a crash. It is offered at the next start until it is recovered or discarded.</source>
-        <translation>So oft wird nicht Gespeichertes für nach einem Absturz aufgehoben. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
-    </message>
-    <message>
-        <source>The folders follow XDG_CONFIG_HOME and XDG_DATA_HOME of the system, so that window and command line share one account of EEPROM writes; they are not changed here.</source>
-        <translation>Die Ordner richten sich nach XDG_CONFIG_HOME und XDG_DATA_HOME des Systems, damit Fenster und Kommandozeile eine gemeinsame Zählung der EEPROM-Schreibvorgänge haben; sie werden nicht hier geändert.</translation>
-    </message>
-    <message>
-        <source>Keeps what is set</source>
-        <translation>Behält, was eingestellt ist</translation>
-    </message>
-    <message>
-        <source>Restores what was set before (Esc)</source>
-        <translation>Stellt wieder her, was vorher eingestellt war (Esc)</translation>
-    </message>
-    <message>
-        <source>Sets everything as it is after the installation; Cancel takes that back</source>
-        <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::Start</name>
-    <message>
-        <source>Replace an encoder: connect the bus on which the new encoder stands.</source>
-        <translation>Geber ersetzen: den Bus verbinden, an dem der neue Geber steht.</translation>
-    </message>
-    <message>
-        <source>&amp;Connect</source>
-        <translation>&amp;Verbinden</translation>
-    </message>
-    <message>
-        <source>Replace an encoder: choose its place in the bus structure.</source>
-        <translation>Geber ersetzen: seinen Platz im Busaufbau wählen.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace the chosen one</source>
-        <translation>Den gewählten &amp;ersetzen</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::StartPage</name>
-    <message>
-        <source>Training bus</source>
-        <translation>Übungsbus</translation>
-    </message>
-    <message>
-        <source>Simulated encoders on a ring and a serial line, to try everything without hardware.</source>
-        <translation>Simulierte Geber an einem Ring und einer seriellen Leitung, zum Ausprobieren ohne Hardware.</translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Looks at the encoders of a bus. Nothing is written.</source>
-        <translation>Zeigt die Geber eines Busses. Nichts wird geschrieben.</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>The planned encoders, with the values they shall have.</source>
-        <translation>Die geplanten Geber, mit den Werten, die sie haben sollen.</translation>
-    </message>
-    <message>
-        <source>Recent projects</source>
-        <translation>Zuletzt benutzte Projekte</translation>
-    </message>
-    <message>
-        <source>Goes to the projects that were open last</source>
-        <translation>Geht zu den zuletzt geöffneten Projekten</translation>
-    </message>
-    <message>
-        <source>Replace an encoder</source>
-        <translation>Geber ersetzen</translation>
-    </message>
-    <message>
-        <source>Gives a new encoder the values and the position of the one before, from the project.</source>
-        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>No bus is connected</source>
-        <translation>Kein Bus ist verbunden</translation>
-    </message>
-    <message>
-        <source>Return opens the chosen project, Del takes it off the list.</source>
-        <translation>Eingabe öffnet das gewählte Projekt, Entf nimmt es aus der Liste.</translation>
-    </message>
-    <message>
-        <source>Remove from the list</source>
-        <translation>Aus der Liste nehmen</translation>
-    </message>
-    <message>
-        <source>Takes the chosen project off the list (Del); its file stays</source>
-        <translation>Nimmt das gewählte Projekt aus der Liste (Entf); seine Datei bleibt</translation>
-    </message>
-    <message>
-        <source>Nothing is connected or sent until you ask for it.</source>
-        <translation>Nichts wird ungefragt verbunden oder gesendet.</translation>
-    </message>
-    <message>
-        <source>The project %1 is open. Nothing is connected or sent until you ask for it.</source>
-        <translation>Das Projekt %1 ist geöffnet. Nichts wird ungefragt verbunden oder gesendet.</translation>
-    </message>
-    <message>
-        <source>Reopen %1</source>
-        <translation>%1 wieder öffnen</translation>
-    </message>
-    <message>
-        <source>The project of the last session, %1</source>
-        <translation>Das Projekt der letzten Sitzung, %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::CopyMenu</name>
-    <message>
-        <source>Copy &amp;as</source>
-        <translation>Kopieren &amp;als</translation>
-    </message>
-    <message>
-        <source>&amp;Hexadecimal: 020000FF</source>
-        <translation>&amp;Hexadezimal: 020000FF</translation>
-    </message>
-    <message>
-        <source>&amp;PLC: 16#0200_00FF</source>
-        <translation>&amp;SPS: 16#0200_00FF</translation>
-    </message>
-    <message>
-        <source>PLC, two &amp;words: 16#0200 16#00FF</source>
-        <translation>SPS, zwei &amp;Worte: 16#0200 16#00FF</translation>
-    </message>
-    <message>
-        <source>&amp;Decimal: 33554687</source>
-        <translation>&amp;Dezimal: 33554687</translation>
-    </message>
-    <message>
-        <source>&amp;Binary: 2#0000_0010_...</source>
-        <translation>&amp;Binär: 2#0000_0010_...</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::PageHead</name>
-    <message>
-        <source>Back to the monitors (Esc, Ctrl+W)</source>
-        <translation>Zurück zu den Monitoren (Esc, Strg+W)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <comment>a page</comment>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>What is typed there is not taken.</source>
-        <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
-    </message>
-    <message>
-        <source>Close this page?</source>
-        <translation>Diese Seite schließen?</translation>
-    </message>
-    <message>
-        <source>&amp;Close the page</source>
-        <translation>Seite &amp;schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Stay</source>
-        <translation>&amp;Bleiben</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::ModeSwitch</name>
-    <message>
-        <source>Watch or Operate</source>
-        <translation>Beobachten oder Bedienen</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::FindBar</name>
-    <message>
-        <source>Find in this page</source>
-        <translation>Auf dieser Seite suchen</translation>
-    </message>
-    <message>
-        <source>Marks this text wherever it stands on the page</source>
-        <translation>Markiert diesen Text überall auf der Seite</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Vorige</translation>
-    </message>
-    <message>
-        <source>The one before (Shift+F3)</source>
-        <translation>Die Stelle davor (Umschalt+F3)</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Nächste</translation>
-    </message>
-    <message>
-        <source>The next one (F3)</source>
-        <translation>Die nächste Stelle (F3)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Ends finding (Esc)</source>
-        <translation>Beendet die Suche (Esc)</translation>
-    </message>
-    <message>
-        <source>Not on this page</source>
-        <translation>Nicht auf dieser Seite</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <comment>3 of 12 places</comment>
-        <translation>%1 von %2</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::HelpBrowser</name>
-    <message>
-        <source>Page of the manual</source>
-        <translation>Seite des Handbuchs</translation>
-    </message>
-    <message>
-        <source>The manual is in English only.</source>
-        <translation>Das Handbuch gibt es nur auf Englisch.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::HelpSidebar</name>
-    <message>
-        <source>Search the manual</source>
-        <translation>Handbuch durchsuchen</translation>
-    </message>
-    <message>
-        <source>Searches all pages for sections that have all these words (Ctrl+Shift+F)</source>
-        <translation>Sucht auf allen Seiten nach Abschnitten, die alle diese (englischen) Wörter enthalten (Strg+Umschalt+F)</translation>
-    </message>
-    <message>
-        <source>Sections found</source>
-        <translation>Gefundene Abschnitte</translation>
-    </message>
-    <message>
-        <source>Sections of the manual that have all words searched for</source>
-        <translation>Abschnitte des Handbuchs, die alle gesuchten Wörter enthalten</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Inhalt</translation>
-    </message>
-    <message>
-        <source>Pages of the manual and their sections</source>
-        <translation>Seiten des Handbuchs und ihre Abschnitte</translation>
-    </message>
-    <message>
-        <source>Files and protocols</source>
-        <translation>Dateien und Protokolle</translation>
-    </message>
-    <message>
-        <source>No section of the manual has all these words.</source>
-        <translation>Kein Abschnitt des Handbuchs enthält alle diese Wörter. Es ist auf Englisch.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n Abschnitt</numerusform>
-            <numerusform>%n Abschnitte</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::HelpWindow</name>
-    <message>
-        <source>Manual</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>To the page before</source>
-        <translation>Zur Seite davor</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Vorwärts</translation>
-    </message>
-    <message>
-        <source>To the page that was left by Back</source>
-        <translation>Zur Seite, die mit Zurück verlassen wurde</translation>
-    </message>
-    <message>
-        <source>First page</source>
-        <translation>Erste Seite</translation>
-    </message>
-    <message>
-        <source>To the first page of the manual</source>
-        <translation>Zur ersten Seite des Handbuchs</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>Searches all pages</source>
-        <translation>Durchsucht alle Seiten</translation>
-    </message>
-    <message>
-        <source>Find in this page</source>
-        <translation>Auf dieser Seite suchen</translation>
-    </message>
-    <message>
-        <source>Marks a text on this page</source>
-        <translation>Markiert einen Text auf dieser Seite</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>Nächste Stelle</translation>
-    </message>
-    <message>
-        <source>Place before</source>
-        <translation>Stelle davor</translation>
-    </message>
-    <message>
-        <source>The manual is not there: %1 is missing. It comes with the program; build or install the program again.</source>
-        <translation>Das Handbuch ist nicht da: %1 fehlt. Es gehört zum Programm; das Programm neu bauen oder installieren.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::KeySheet</name>
-    <message>
-        <source>Search the keys</source>
-        <translation>Tasten durchsuchen</translation>
-    </message>
-    <message>
-        <source>Leaves the keys that do this, or have this name</source>
-        <translation>Lässt die Tasten stehen, die das tun oder so heißen</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>All keys, by the menu or the part of the window in which they work</source>
-        <translation>Alle Tasten, nach dem Menü oder dem Teil des Fensters, in dem sie wirken</translation>
-    </message>
-    <message>
-        <source>What it does</source>
-        <translation>Wirkung</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Taste</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::Printing</name>
-    <message>
-        <source>The last %1 of %2 rows.</source>
-        <translation>Die letzten %1 von %2 Zeilen.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::Support</name>
-    <message>
-        <source>The project as it is now, with what is not saved</source>
-        <translation>Das Projekt, wie es jetzt ist, mit dem, was nicht gespeichert ist</translation>
-    </message>
-    <message>
-        <source>The newest messages, %1 at most</source>
-        <translation>Die neuesten Meldungen, höchstens %1</translation>
-    </message>
-    <message>
-        <source>Handshake trace of %1</source>
-        <translation>Handshake-Protokoll von %1</translation>
-    </message>
-    <message>
-        <source>Versions of program and system, language, screens</source>
-        <translation>Versionen von Programm und System, Sprache, Bildschirme</translation>
-    </message>
-    <message>
-        <source>Serial ports and their adapters</source>
-        <translation>Serielle Schnittstellen und ihre Adapter</translation>
-    </message>
-    <message>
-        <source>Buses, their states and devices</source>
-        <translation>Busse, ihre Zustände und Geräte</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::SupportDialog</name>
-    <message>
-        <source>What happened</source>
-        <translation>Was geschehen ist</translation>
-    </message>
-    <message>
-        <source>Goes into the file as message.txt; may be left empty</source>
-        <translation>Kommt als message.txt in die Datei; darf leer bleiben</translation>
-    </message>
-    <message>
-        <source>What did you do, what happened, what should have happened?</source>
-        <translation>Was wurde getan, was ist geschehen, was hätte geschehen sollen?</translation>
-    </message>
-    <message>
-        <source>Content</source>
-        <translation>Inhalt</translation>
-    </message>
-    <message>
-        <source>What the chosen file holds</source>
-        <translation>Was in der gewählten Datei steht</translation>
-    </message>
-    <message>
-        <source>Collect for support</source>
-        <translation>Für den Support sammeln</translation>
-    </message>
-    <message>
-        <source>&amp;Save...</source>
-        <translation>&amp;Speichern...</translation>
-    </message>
-    <message>
-        <source>Asks where to save the file; nothing is sent</source>
-        <translation>Fragt, wohin die Datei soll; es wird nichts gesendet</translation>
-    </message>
-    <message>
-        <source>Files</source>
-        <translation>Dateien</translation>
-    </message>
-    <message>
-        <source>What will be in the file; what is not ticked is left out (Space)</source>
-        <translation>Was in die Datei kommt; was nicht angehakt ist, bleibt weg (Leertaste)</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>What it tells</source>
-        <translation>Was darin steht</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files, %1 before they are compressed</source>
-        <translation>
-            <numerusform>%n Datei, %1 unkomprimiert</numerusform>
-            <numerusform>%n Dateien, %1 unkomprimiert</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Save for support</source>
-        <translation>Für den Support speichern</translation>
-    </message>
-    <message>
-        <source>Zip files (*.zip)</source>
-        <translation>Zip-Dateien (*.zip)</translation>
-    </message>
-    <message>
-        <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the name of the user in paths and that of this computer are taken out. Nothing is sent: give the file to whom you want.</source>
-        <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
     </message>
 </context>
 </TS>

@@ -46,6 +46,16 @@
     </message>
 </context>
 <context>
+    <name>codewheel::DroppedFiles</name>
+    <message numerus="yes">
+        <source>%n files were dropped. Drop one at a time.</source>
+        <translation>
+            <numerusform>%n file was dropped. Drop one at a time.</numerusform>
+            <numerusform>%n files were dropped. Drop one at a time.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::FaultBanner</name>
     <message numerus="yes">
         <source>%n more</source>
@@ -63,6 +73,16 @@
         <translation>
             <numerusform>%1: %n step</numerusform>
             <numerusform>%1: %n steps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HelpSidebar</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
         </translation>
     </message>
 </context>
@@ -237,6 +257,16 @@
     </message>
 </context>
 <context>
+    <name>codewheel::SupportDialog</name>
+    <message numerus="yes">
+        <source>%n files, %1 before they are compressed</source>
+        <translation>
+            <numerusform>%n file, %1 before it is compressed</numerusform>
+            <numerusform>%n files, %1 before they are compressed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TrafficModel</name>
     <message numerus="yes">
         <source>%n rows</source>
@@ -260,36 +290,6 @@
         <translation>
             <numerusform>&amp;ALARM STOP %n bus</numerusform>
             <numerusform>&amp;ALARM STOP %n buses</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::DroppedFiles</name>
-    <message numerus="yes">
-        <source>%n files were dropped. Drop one at a time.</source>
-        <translation>
-            <numerusform>%n file was dropped. Drop one at a time.</numerusform>
-            <numerusform>%n files were dropped. Drop one at a time.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::HelpSidebar</name>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n section</numerusform>
-            <numerusform>%n sections</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::SupportDialog</name>
-    <message numerus="yes">
-        <source>%n files, %1 before they are compressed</source>
-        <translation>
-            <numerusform>%n file, %1 before it is compressed</numerusform>
-            <numerusform>%n files, %1 before they are compressed</numerusform>
         </translation>
     </message>
 </context>
