@@ -28,13 +28,14 @@ void BottomFold::fold()
         tabs->installEventFilter(this);
 }
 
-// Of one that stands alone there is no tab: its title stays.
+// Of one that stands alone there is no tab: its title stays, and what is in it asks for no height.
 void BottomFold::foldPanel(QDockWidget &panel)
 {
     m_folded[&panel] = panel.isVisible() ? panel.height() : 0;
     const auto beside = m_window.tabifiedDockWidgets(&panel);
     const bool hasTab =
         std::ranges::any_of(beside, [](const QDockWidget *other) { return !other->isHidden(); });
+    panel.widget()->setVisible(hasTab);
     panel.setMaximumHeight(hasTab ? 0 : panel.style()->pixelMetric(QStyle::PM_TitleBarHeight));
     panel.installEventFilter(this);
 }
@@ -52,6 +53,7 @@ void BottomFold::unfold()
             continue;
         panel->removeEventFilter(this);
         panel->setMaximumHeight(QWIDGETSIZE_MAX);
+        panel->widget()->show();
         if (*height > 0 && !panel->isFloating()) {
             panels << panel;
             heights << *height;

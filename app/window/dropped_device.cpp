@@ -38,7 +38,7 @@ void DroppedDevice::offer(const QString &path)
     (void)addUserDevices(catalog, m_folder, kept);
     if (const auto added = addDeviceFile(catalog, path); !added) {
         m_notice.showMessage(Role::attention,
-                             tr("%1 is no device description that can be used. %2: %3")
+                             tr("%1 is not a device description that can be used. %2: %3")
                                  .arg(file.fileName(), added.error().place(), added.error().reason));
         return;
     }
@@ -46,8 +46,8 @@ void DroppedDevice::offer(const QString &path)
     m_notice.showMessage(
         Role::attention,
         QFileInfo::exists(kept)
-            ? tr("%1 is a device description. Shall it replace yours of the same name?").arg(file.fileName())
-            : tr("%1 is a device description. Shall it be kept with your own?").arg(file.fileName()),
+            ? tr("%1 is a device description. Replace yours of the same name with it?").arg(file.fileName())
+            : tr("%1 is a device description. Keep it with your own?").arg(file.fileName()),
         tr("&Keep it"));
 }
 

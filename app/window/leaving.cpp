@@ -146,7 +146,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
                     QMessageBox::NoButton, &m_window);
     setHelpTopic(box, "README.md#leaving");
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
-                           tr("Shall they be set to 00000000 (normal running) first?"));
+                           tr("Set them to 00000000 (normal running) first?"));
     const bool mayZero = canSend();
     QPushButton *zero = box.addButton(tr("Set to &00000000"), QMessageBox::AcceptRole);
     zero->setEnabled(mayZero);

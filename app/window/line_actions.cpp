@@ -25,7 +25,7 @@ LineActions::LineActions(WindowActions &window)
                  tr("Asks one address after the other; nothing is written"));
     terminal = add(Icon::trace, tr("&Terminal"), Qt::SHIFT | Qt::Key_F8,
                    tr("Shows what passes on the line, and sends what you type"));
-    figures = add(Icon::information, tr("&Figures of the line"), Qt::CTRL | Qt::Key_F6,
+    figures = add(Icon::information, tr("Line st&atistics"), Qt::CTRL | Qt::Key_F6,
                   tr("Port, state, answers and time-outs of the line"));
     settings->setObjectName(QStringLiteral("lineSettings"));
     search->setObjectName(QStringLiteral("lineSearch"));

@@ -114,7 +114,7 @@ bool PageHead::mayClose(Page &page)
 bool PageHead::ask(const QString &what)
 {
     QMessageBox box(QMessageBox::Question, m_page->title(), tr("Close this page?"), QMessageBox::NoButton,
-                    &m_window);
+                    m_page);
     box.setInformativeText(what);
     const QPushButton *close = box.addButton(tr("&Close the page"), QMessageBox::DestructiveRole);
     QPushButton *stay = box.addButton(tr("&Stay"), QMessageBox::RejectRole);

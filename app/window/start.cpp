@@ -8,6 +8,7 @@
 #include "app/window/window_settings.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/start/start_page.h"
@@ -28,6 +29,7 @@ Start::Start(const Parts &parts, QObject *parent)
     , m_replacing(new InlineMessage(&parts.pages))
 {
     parts.pages.addWidget(m_page);
+    setHelpTopic(*m_page, "start.md");
     parts.notices.insertWidget(0, m_replacing);
     m_replacing->setObjectName(QStringLiteral("replaceNotice"));
     connect(m_page->reopen, &QAction::triggered, this, [this] { m_parts.files.open(QString(m_last)); });
@@ -70,6 +72,8 @@ void Start::offer(const QString &lastFile)
 {
     m_last = lastFile;
     lookAtFiles();
+    if (m_parts.pages.currentWidget() == m_page)
+        m_page->setFocus(); // on what is offered first
 }
 
 QWidget *Start::pageInsteadOf(QWidget *monitors) const

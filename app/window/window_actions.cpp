@@ -62,7 +62,7 @@ QMenu *WindowActions::addMenu(const QString &title)
 void WindowActions::makeFileMenu()
 {
     QMenu *menu = addMenu(tr("&File"));
-    newProject = described(menu->addAction(tr("&New")), QKeySequence::New, tr("Begins an empty project"));
+    newProject = described(menu->addAction(tr("&New")), QKeySequence::New, tr("Starts an empty project"));
     openProject = described(menu->addAction(lineIcon(Icon::open), tr("&Open...")), QKeySequence::Open,
                             tr("Opens a project"));
     recentFiles = menu->addMenu(tr("&Recent files"));
@@ -94,8 +94,8 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
     QMenu *menu = addMenu(tr("&Edit"));
     undo = undoStack.createUndoAction(this, tr("&Undo"));
     redo = undoStack.createRedoAction(this, tr("&Redo"));
-    menu->addAction(described(undo, QKeySequence::Undo, tr("Takes back the last change of the project")));
-    menu->addAction(described(redo, QKeySequence::Redo, tr("Does again what was taken back")));
+    menu->addAction(described(undo, QKeySequence::Undo, tr("Undoes the last change of the project")));
+    menu->addAction(described(redo, QKeySequence::Redo, tr("Does again what was undone")));
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
     menu->addSeparator();
@@ -250,7 +250,7 @@ void WindowActions::makeViewMenu()
     menu->addSeparator();
     docks = menu->addMenu(tr("&Panels"));
     defaultLayout =
-        described(menu->addAction(tr("&Default layout")), {}, tr("Puts all panels back to their places"));
+        described(menu->addAction(tr("&Default layout")), {}, tr("Puts all panels back in their places"));
     menu->addSeparator();
 
     QMenu *schemes = menu->addMenu(tr("&Appearance"));

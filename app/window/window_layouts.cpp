@@ -54,6 +54,12 @@ void WindowLayouts::begin(const std::map<WindowSize, QByteArray> &kept)
     for (const auto &[size, state] : kept)
         m_kept[size] = {state, {}};
     m_hasBegun = true;
+    m_wasShown = m_window.isVisible();
+    enterAnew();
+}
+
+void WindowLayouts::enterAnew()
+{
     enter(windowSizeOf(m_window.size()));
     m_settled = m_means.save();
 }
@@ -63,7 +69,8 @@ std::map<WindowSize, QByteArray> WindowLayouts::toKeep() const
     std::map<WindowSize, QByteArray> states;
     for (const auto &[size, kept] : m_kept)
         states[size] = kept.state;
-    if (!m_settling.isActive()) // while its edge moves, what was before is what one made of it
+    // While its edge moves from one size to another, what was before is what one made of it.
+    if (!m_settling.isActive() || windowSizeOf(m_window.size()) == m_size)
         states[m_size] = m_means.save();
     return states;
 }
@@ -72,8 +79,7 @@ void WindowLayouts::useDefault()
 {
     m_settling.stop();
     m_kept.erase(windowSizeOf(m_window.size()));
-    enter(windowSizeOf(m_window.size()));
-    m_settled = m_means.save();
+    enterAnew();
 }
 
 bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
@@ -83,6 +89,9 @@ bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
             rememberIfChanged(static_cast<QResizeEvent *>(event)->oldSize());
         m_settling.start();
     }
+    // Until it is shown its tool bar has not the height it has then.
+    if (watched == &m_window && event->type() == QEvent::Show && !std::exchange(m_wasShown, true))
+        QTimer::singleShot(0, this, &WindowLayouts::enterAnew);
     return QObject::eventFilter(watched, event);
 }
 

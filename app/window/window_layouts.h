@@ -44,6 +44,7 @@ private:
     };
     void rememberIfChanged(QSize in);
     void settle();
+    void enterAnew();
     void enter(WindowSize size);
     bool tryRestore(const Kept &kept);
     bool isUsable() const;
@@ -56,6 +57,7 @@ private:
     QByteArray m_settled; // as it came of the window's size: nobody has arranged anything since
     QTimer m_settling{this};
     bool m_hasBegun = false;
+    bool m_wasShown = true; // or it is no matter as yet
 };
 
 } // namespace codewheel

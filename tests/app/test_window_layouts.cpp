@@ -27,15 +27,6 @@ protected:
     Qt::DockWidgetArea areaOf(const char *name) { return window().dockWidgetArea(&panel(name)); }
     bool isOneColumn() { return areaOf("parametersDock") == Qt::LeftDockWidgetArea; }
 
-    // As a window manager does it, at once; and until the edge rests.
-    void resizeTo(QSize size)
-    {
-        window().resize(size);
-        auto *settling = window().findChild<QTimer *>(QStringLiteral("settling"));
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !settling->isActive(); }));
-        advance(50);
-    }
-
     Places places()
     {
         Places found;

@@ -13,6 +13,7 @@
 #include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,14 @@ protected:
     }
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }
+    // As a window manager does it, at once; and until the edge rests.
+    void resizeTo(QSize size)
+    {
+        window().resize(size);
+        auto *settling = window().findChild<QTimer *>(QStringLiteral("settling"));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !settling->isActive(); }));
+        advance(50);
+    }
 
     Word out(Place number) { return bus().channel(number)->out(); }
     Word in(Place number) { return bus().channel(number)->in(); }

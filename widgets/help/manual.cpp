@@ -108,7 +108,8 @@ Manual::Manual()
             addOthers(urls);
         }
     }
-    std::ranges::stable_partition(m_pages, &ManualPage::isOfManual);
+    std::stable_partition(m_pages.begin(), m_pages.end(),
+                          [](const ManualPage &page) { return page.isOfManual; });
 }
 
 const ManualPage *Manual::find(const QUrl &url) const

@@ -99,7 +99,7 @@ QString hexProblem(const QString &text)
                                            "hexadecimal digits, such as 020000FF.",
                                            nullptr, static_cast<int>(digits.size()))
             .arg(plain);
-    return QCoreApplication::translate("WordFormat", "\"%1\" is no hexadecimal word. Type up to 8 of the "
+    return QCoreApplication::translate("WordFormat", "\"%1\" is not a hexadecimal word. Type up to 8 of the "
                                                      "digits 0 to 9 and A to F, such as 020000FF.")
         .arg(plain);
 }

@@ -50,6 +50,7 @@ public:
     bool isOld() const;
     QString bitText(int bit) const;
     QString meaning() const;
+    QString hexText() const { return copiedText(WordNotation::hexadecimal); }
     QString copiedText(WordNotation notation) const; // of the word that is shown
 
     NumberFields *numbers() const { return m_numbers; }

@@ -79,8 +79,10 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
 
     painter->save();
     painter->setClipRect(option.rect);
-    const QString detail = index.data(ParameterModel::detailRole).toString();
     QRect first = inside(option.rect);
+    QString detail = index.data(ParameterModel::detailRole).toString();
+    if (QFontMetrics(textFont(TextSize::small)).horizontalAdvance(detail) > first.width())
+        detail = index.data(ParameterModel::shortDetailRole).toString();
     QRect second = first;
     if (!detail.isEmpty() && !value.isEmpty()) {
         const QFontMetrics small(textFont(TextSize::small));
@@ -137,7 +139,7 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
 {
     const auto &model = static_cast<const ParameterModel &>(*index.model());
     const ParameterDescription &parameter = model.rowAt(index.row()).parameter;
-    QWidget *editor = makeValueInput(parameter, tr("as it is"), parent);
+    QWidget *editor = makeValueInput(parameter, tr("unchanged"), parent);
     editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
     if (auto *number = qobject_cast<NumberInput *>(editor)) {
         connect(number, &NumberInput::inputChecked, this, &ParameterDelegate::inputChecked);

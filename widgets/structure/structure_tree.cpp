@@ -20,6 +20,15 @@ void StructureTree::paintEvent(QPaintEvent *event)
     QTreeView::paintEvent(columnAt(changed.left()) == columnAt(changed.right()) ? &ofColumn : event);
 }
 
+// The focus alone chooses nothing: what is chosen is acted on.
+void StructureTree::focusInEvent(QFocusEvent *event)
+{
+    if (currentIndex().isValid())
+        QTreeView::focusInEvent(event);
+    else
+        QAbstractScrollArea::focusInEvent(event);
+}
+
 void StructureTree::drawRow(QPainter *painter, const QStyleOptionViewItem &option,
                             const QModelIndex &index) const
 {

@@ -221,7 +221,7 @@ void StructureView::askForMake()
     const auto place = current();
     if (place && m_model->makeIsOpen(*place))
         m_question->showMessage(Role::attention,
-                                tr("The bus does not tell which make %1 is.").arg(place->toString()),
+                                tr("The bus does not say which make %1 is.").arg(place->toString()),
                                 tr("Name it"));
     else
         m_question->withdraw();
