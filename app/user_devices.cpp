@@ -42,7 +42,7 @@ tl::expected<void, Catalog::Fault> addDeviceFile(Catalog &catalog, const QString
             0,
             {},
             translated(QT_TRANSLATE_NOOP("codewheel::UserDevices",
-                                         "The file is larger than 1 MiB: it is no device description."))});
+                                         "The file is larger than 1 MiB: it is not a device description."))});
     return catalog.add(json, path);
 }
 

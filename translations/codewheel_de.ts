@@ -116,7 +116,7 @@
         <translation>D23..D0: Position; im Dienstbetrieb geschriebene oder gelesene Daten</translation>
     </message>
     <message>
-        <source>D31..D0: described in no source</source>
+        <source>D31..D0: no source describes them</source>
         <translation>D31..D0: in keiner Quelle beschrieben</translation>
     </message>
     <message>
@@ -128,7 +128,7 @@
         <translation>D%1: unbenutzt, immer 0</translation>
     </message>
     <message>
-        <source>D31..D0: position; which four bits are status bits is in no source</source>
+        <source>D31..D0: position; no source says which four bits are status bits</source>
         <translation>D31..D0: Position; welche vier Bits Statusbits sind, steht in keiner Quelle</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Im Dienstbetrieb: keine Position.</translation>
     </message>
     <message>
-        <source>IN %1 is in no manual: there is no position.</source>
+        <source>No manual describes IN %1: there is no position.</source>
         <translation>IN %1 steht in keinem Handbuch: keine Position.</translation>
     </message>
     <message>
@@ -482,19 +482,19 @@
     </message>
     <message>
         <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
-        <translation>Rohwort %1. Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung: Den Geber im Busaufbau benennen.</translation>
+        <translation>Rohwort %1. Der Hersteller des Gebers ist unbekannt und damit auch die Codierung: Den Geber im Busaufbau benennen.</translation>
     </message>
     <message>
-        <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
-        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
+        <source>Raw word %1. The coding is not known: write it, or set it manually under Parameters.</source>
+        <translation>Rohwort %1. Codierung unbekannt: Unter Parameter schreiben oder eintragen.</translation>
     </message>
     <message>
         <source>Raw word %1, in cam mode: there is no position.</source>
         <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
     </message>
     <message>
-        <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
-        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
+        <source>Raw word %1. The mode is not known: set the start-up mode manually under Parameters.</source>
+        <translation>Rohwort %1. Betriebsart unbekannt: Die Anlaufbetriebsart unter Parameter eintragen.</translation>
     </message>
 </context>
 <context>
@@ -768,7 +768,7 @@
         <translation>vor %1 h %2 min</translation>
     </message>
     <message>
-        <source>Nothing came from the encoder yet.</source>
+        <source>Nothing has come from the encoder yet.</source>
         <translation>Vom Geber kam noch nichts.</translation>
     </message>
     <message>
@@ -792,7 +792,7 @@
         <translation>Der Geber wird gerade nicht gefragt: Die Leitung ist anderweitig belegt.</translation>
     </message>
     <message>
-        <source>The computer slept since.</source>
+        <source>The computer has slept since.</source>
         <translation>Der Rechner war inzwischen im Ruhezustand.</translation>
     </message>
     <message>
@@ -896,11 +896,11 @@
         <translation>quittiert</translation>
     </message>
     <message>
-        <source>told</source>
+        <source>by hand</source>
         <translation>von Hand</translation>
     </message>
     <message>
-        <source>The encoder told it when it was read.</source>
+        <source>It was read from the encoder.</source>
         <translation>Aus dem Geber ausgelesen.</translation>
     </message>
     <message>
@@ -1021,7 +1021,7 @@
 <context>
     <name>LineRecordFile</name>
     <message>
-        <source>This is no session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
+        <source>This is not a session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>Das ist keine Aufzeichnung einer seriellen Leitung: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
@@ -1446,7 +1446,7 @@
         <translation>Herstellerfehler %1</translation>
     </message>
     <message>
-        <source>D31 D30 = 01: a state in no manual</source>
+        <source>D31 D30 = 01: a state that no manual describes</source>
         <translation>D31 D30 = 01: ein Zustand, den kein Handbuch nennt</translation>
     </message>
     <message>
@@ -1490,15 +1490,15 @@
         <translation>Abgelehnt: %1</translation>
     </message>
     <message>
-        <source>This encoder has no OUT word: it only tells its position</source>
+        <source>This encoder has no OUT word: it only sends its position</source>
         <translation>Dieser Geber hat kein OUT-Wort: Er meldet nur seine Position</translation>
     </message>
     <message>
-        <source>The OUT word of a K4 encoder is described in no source</source>
+        <source>No source describes the OUT word of a K4 encoder</source>
         <translation>Das OUT-Wort eines K4-Gebers ist in keiner Quelle beschrieben</translation>
     </message>
     <message>
-        <source>position %1, as long as all four status bits are 0: where they stand is in no source</source>
+        <source>position %1, as long as all four status bits are 0: no source says where they stand</source>
         <translation>Position %1, solange alle vier Statusbits 0 sind: Wo sie stehen, sagt keine Quelle</translation>
     </message>
     <message>
@@ -1789,7 +1789,7 @@
         <translation>Der Geber an %1 hat jetzt die Adresse %2.</translation>
     </message>
     <message>
-        <source>The encoder speaks at %2 baud now (before: %1).</source>
+        <source>The encoder answers at %2 baud now (before: %1).</source>
         <translation>Der Geber spricht jetzt mit %2 Baud (vorher: %1).</translation>
     </message>
     <message>
@@ -1813,11 +1813,11 @@
         <translation>Der Ring weicht vom Projekt ab (Zeilen: %1). Beide vergleichen.</translation>
     </message>
     <message>
-        <source>This program has written %1 times to the EEPROM; its manual speaks of about %2. Each further write is asked for.</source>
+        <source>This program has written %1 times to the EEPROM; its manual states about %2 writes. Each further write is asked about.</source>
         <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Ab jetzt wird vor jedem Schreiben gefragt.</translation>
     </message>
     <message>
-        <source>This program has written %1 times to the EEPROM, as often as its manual speaks of (%2). It may lose its values.</source>
+        <source>This program has written %1 times to the EEPROM, as often as its manual states (%2). It may lose its values.</source>
         <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben, so oft, wie das Handbuch angibt (%2). Der Geber kann seine Werte verlieren.</translation>
     </message>
     <message>
@@ -1887,7 +1887,7 @@
         <translation>Betriebsart: %1.</translation>
     </message>
     <message>
-        <source>There already: %1.</source>
+        <source>Already there: %1.</source>
         <translation>Schon vorhanden: %1.</translation>
     </message>
     <message>
@@ -2225,7 +2225,7 @@
         <translation>Die Werkseinstellung ist nicht angegeben.</translation>
     </message>
     <message>
-        <source>Stands on the label of the encoder; it is told, never written.</source>
+        <source>Printed on the label of the encoder; it is set manually, never written.</source>
         <translation>Steht auf dem Typenschild des Gebers; wird von dort eingetragen, nie geschrieben.</translation>
     </message>
 </context>
@@ -2398,7 +2398,7 @@
         <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Geber erst auslesen, dann neu schreiben.</translation>
     </message>
     <message>
-        <source>The encoder shows a state that is in no manual (IN %1). Send run, or switch the encoder off and on.</source>
+        <source>The encoder shows a state that no manual describes (IN %1). Send run, or switch the encoder off and on.</source>
         <translation>Der Geber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden oder den Geber aus- und einschalten.</translation>
     </message>
     <message>
@@ -2466,7 +2466,7 @@
         <translation>%1 enthält Nockenprogramm %2, nicht %3. Programm %2 oder eine andere Datei wählen.</translation>
     </message>
     <message>
-        <source>&quot;%2&quot; in &quot;%1&quot; is not understood. There may stand: %3.</source>
+        <source>&quot;%2&quot; in &quot;%1&quot; is not understood. Allowed there: %3.</source>
         <translation>„%2“ in „%1“ ist nicht bekannt. Möglich sind hier: %3.</translation>
     </message>
     <message>
@@ -2534,7 +2534,7 @@
         <translation>schaltet auf Nockenprogramm %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; ends too early. There may follow: %3.</source>
+        <source>&quot;%1&quot; ends too early. What may follow: %3.</source>
         <translation>„%1“ endet zu früh. Folgen kann: %3.</translation>
     </message>
     <message>
@@ -2598,11 +2598,11 @@
         <translation>„%1“ ist nicht möglich, solange der Master im Zustand %2 ist.</translation>
     </message>
     <message>
-        <source>The master keeps no configuration. Read in the ring, or download one.</source>
+        <source>The master has no stored configuration. Read in the ring, or download one.</source>
         <translation>Im Master ist keine Konfiguration gespeichert. Den Ring einlesen oder eine Konfiguration laden.</translation>
     </message>
     <message>
-        <source>%1: this program has written %2 times to its EEPROM; its manual speaks of about %3. Say that you want to write.</source>
+        <source>%1: this program has written %2 times to its EEPROM; its manual states about %3 writes. Confirm that you want to write.</source>
         <translation>%1: Dieses Programm hat %2-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %3. Das Schreiben ausdrücklich bestätigen.</translation>
     </message>
     <message>
@@ -2734,7 +2734,7 @@
         <translation>%1 wurde angenommen, aber weder Presetwert noch Position zeigen, dass die Position auf %2 gesetzt wurde: Ob sie es wurde, ist nicht bekannt. Die Leitung prüfen und Position und Preset lesen, bevor es weitergeht.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.</source>
+        <source>&quot;%1&quot; is not an address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.</source>
         <translation>„%1“ ist keine Adresse eines Gebers an einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31); 00 ist für einen Geber, der allein an seiner Leitung ist.</translation>
     </message>
     <message>
@@ -2758,7 +2758,7 @@
         <translation>%1: geplant ist %2, verbunden ist %3. Das Geplante anschließen oder das Verbundene planen.</translation>
     </message>
     <message>
-        <source>%1: the label in the project has the serial number %2, the encoder tells %3. Replace the encoder in the project, or correct the label.</source>
+        <source>%1: the label in the project has the serial number %2, the encoder reports %3. Replace the encoder in the project, or correct the label.</source>
         <translation>%1: Auf dem Typenschild im Projekt steht die Seriennummer %2, der Geber meldet %3. Den Geber im Projekt ersetzen oder das Typenschild berichtigen.</translation>
     </message>
     <message>
@@ -2804,7 +2804,7 @@
         <translation>Ein Lokalbus braucht eine Busklemme.</translation>
     </message>
     <message>
-        <source>Nothing can hang below %1: it is no bus terminal.</source>
+        <source>Nothing can hang below %1: it is not a bus terminal.</source>
         <translation>Unter %1 kann nichts hängen: Es ist keine Busklemme.</translation>
     </message>
     <message>
@@ -2912,7 +2912,7 @@
 <context>
     <name>Sequence</name>
     <message>
-        <source>Nothing was pasted: line %1, &quot;%2&quot;, is no hexadecimal word. Each line takes up to 8 digits of 0 to 9 and A to F.</source>
+        <source>Nothing was pasted: line %1, &quot;%2&quot;, is not a hexadecimal word. Each line takes up to 8 digits of 0 to 9 and A to F.</source>
         <translation>Nichts eingefügt: Zeile %1, „%2“, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
     </message>
     <message>
@@ -2931,7 +2931,7 @@
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>This is no sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
+        <source>This is not a sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>Das ist keine Sequenz von Worten: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
@@ -3061,7 +3061,7 @@
         <translation>Eine Anfrage eintippen: zwei Hexziffern für die Adresse, dann der Befehl, wie in 05P.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address. A request begins with two hexadecimal digits: 01 to 1F, or 00 for whichever encoder is alone on the line.</source>
+        <source>&quot;%1&quot; is not an address. A request begins with two hexadecimal digits: 01 to 1F, or 00 for whichever encoder is alone on the line.</source>
         <translation>„%1“ ist keine Adresse. Eine Anfrage beginnt mit zwei Hexziffern: 01 bis 1F, oder 00 für den Geber, der allein an der Leitung ist.</translation>
     </message>
     <message>
@@ -3085,7 +3085,7 @@
         <translation>%1 nimmt höchstens %2 Hexziffern an; hier sind es %3.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no hexadecimal number.</source>
+        <source>&quot;%1&quot; is not a hexadecimal number.</source>
         <translation>„%1“ ist keine Hexzahl.</translation>
     </message>
     <message>
@@ -3119,11 +3119,11 @@
 <context>
     <name>ValueNotes</name>
     <message>
-        <source>With the steps, the encoder sets its revolutions to %1. If they shall be others, write them along with the steps.</source>
+        <source>With the steps, the encoder sets its revolutions to %1. To have others, write them along with the steps.</source>
         <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1. Sollen es andere sein, diese zusammen mit den Schritten schreiben.</translation>
     </message>
     <message>
-        <source>With the steps, the encoder sets its revolutions to %1: now they are %2. If they shall stay, write them along with the steps.</source>
+        <source>With the steps, the encoder sets its revolutions to %1: now they are %2. To keep them, write them along with the steps.</source>
         <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1: Jetzt sind es %2. Sollen sie so bleiben, zusammen mit den Schritten schreiben.</translation>
     </message>
     <message>
@@ -3305,7 +3305,7 @@
         <translation>Hier steht kein Wort. Bis zu 8 Hexziffern eingeben, etwa 020000FF.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
+        <source>&quot;%1&quot; is not a hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
         <translation>„%1“ ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
     </message>
 </context>
@@ -3913,7 +3913,7 @@
 <context>
     <name>codewheel::CamFileReader</name>
     <message>
-        <source>This is no file of cam programs: the format is not &quot;%1&quot;.</source>
+        <source>This is not a file of cam programs: the format is not &quot;%1&quot;.</source>
         <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
@@ -3940,7 +3940,7 @@
 <context>
     <name>codewheel::CamModeBar</name>
     <message>
-        <source>The mode of the encoder is not known, and for this it is switched to cam mode. In which mode is it to be afterwards?</source>
+        <source>The mode of the encoder is not known, and for this it is switched to cam mode. Which mode should it be in afterwards?</source>
         <translation>Die Betriebsart des Gebers ist unbekannt; hierfür wird er in den Nockenbetrieb geschaltet. In welcher Betriebsart soll er danach sein?</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@
         <translation>einen Wert, den er noch nicht quittiert hat</translation>
     </message>
     <message>
-        <source>How shall the encoder %1 be left?</source>
+        <source>How should the encoder %1 be left?</source>
         <translation>In welchem Zustand soll der Geber %1 bleiben?</translation>
     </message>
     <message>
@@ -4472,7 +4472,7 @@
         <translation>Das ist kein UTF-8-Text: Die Datei als UTF-8 speichern.</translation>
     </message>
     <message>
-        <source>A NUL character stands here, which is no part of a text: remove it.</source>
+        <source>A NUL character stands here, which is not part of a text: remove it.</source>
         <translation>Hier steht ein NUL-Zeichen, das nicht in einen Text gehört: entfernen.</translation>
     </message>
     <message>
@@ -4558,7 +4558,7 @@
         <translation>%1 kann nicht „%2“ sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
     </message>
     <message>
-        <source>The device at %1 is no encoder this program can drive. See codewheel-cli scan.</source>
+        <source>The device at %1 is not an encoder this program can drive. See codewheel-cli scan.</source>
         <translation>Das Gerät an %1 ist kein Geber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
     </message>
     <message>
@@ -4654,11 +4654,11 @@
         <translation>Der Geber %1 hat nur eine Codierung. --coding weglassen.</translation>
     </message>
     <message>
-        <source>One of these. What may tell which: %1.</source>
+        <source>One of these. To narrow it down: %1.</source>
         <translation>Eines davon. Genauer wird es mit: %1.</translation>
     </message>
     <message>
-        <source>tell what a word means</source>
+        <source>explain what a word means</source>
         <translation>erklären, was ein Wort bedeutet</translation>
     </message>
     <message>
@@ -4670,11 +4670,11 @@
         <translation>Einen Befehl angeben: %1. Siehe codewheel-cli --help.</translation>
     </message>
     <message>
-        <source>Something is missing. It is called so: codewheel-cli %1</source>
+        <source>Something is missing. Usage: codewheel-cli %1</source>
         <translation>Es fehlt etwas. Der Aufruf lautet: codewheel-cli %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is too much. It is called so: codewheel-cli %2</source>
+        <source>&quot;%1&quot; is too much. Usage: codewheel-cli %2</source>
         <translation>„%1“ ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
     </message>
     <message>
@@ -4778,7 +4778,7 @@
         <translation>geschrieben, im Handshake quittiert</translation>
     </message>
     <message>
-        <source>was there already</source>
+        <source>already there</source>
         <translation>war schon vorhanden</translation>
     </message>
     <message>
@@ -4854,11 +4854,11 @@
         <translation>Hexadezimale Zahlen haben die Form 0xFF oder FFh.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no word. Give up to 8 hexadecimal digits, such as 020000FF.</source>
+        <source>&quot;%1&quot; is not a word. Give up to 8 hexadecimal digits, such as 020000FF.</source>
         <translation>„%1“ ist kein Wort. Bis zu 8 Hexziffern angeben, etwa 020000FF.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no PARAMETER=VALUE. Write for example steps=255.</source>
+        <source>&quot;%1&quot; is not PARAMETER=VALUE. Write for example steps=255.</source>
         <translation>„%1“ hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
     </message>
     <message>
@@ -4870,7 +4870,7 @@
         <translation>im Handshake quittiert</translation>
     </message>
     <message>
-        <source>told, not checked</source>
+        <source>by hand, not checked</source>
         <translation>von Hand eingetragen, nicht geprüft</translation>
     </message>
     <message>
@@ -5069,7 +5069,7 @@ Rückgabewert 2.</translation>
         <translation>den Geber im Nockenbetrieb lassen, im letzten der Programme</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no number of a cam program. Choose one from 1 to 8.</source>
+        <source>&quot;%1&quot; is not a number of a cam program. Choose one from 1 to 8.</source>
         <translation>„%1“ ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
     </message>
     <message>
@@ -5151,11 +5151,11 @@ Tabellen seines Handbuchs sagen: Anschlüsse, LEDs, Versorgung, Grenzwerte, Type
 Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüft eine davon.</translation>
     </message>
     <message>
-        <source>One of these: the key does not tell which. The device code on the bus does.</source>
+        <source>One of these: the key does not say which. The device code on the bus does.</source>
         <translation>Einer von diesen: Aus dem Schlüssel geht nicht hervor, welcher. Der Gerätecode am Bus sagt es.</translation>
     </message>
     <message>
-        <source>Turns and steps per turn: not told.</source>
+        <source>Turns and steps per turn: not stated.</source>
         <translation>Umdrehungen und Schritte je Umdrehung: nicht genannt.</translation>
     </message>
     <message>
@@ -5163,7 +5163,7 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <translation>Umdrehungen: %1, Schritte je Umdrehung: %2</translation>
     </message>
     <message>
-        <source> (of the description: the key does not tell them)</source>
+        <source> (from the description: the key does not state them)</source>
         <translation> (aus der Beschreibung: Der Schlüssel nennt sie nicht)</translation>
     </message>
     <message>
@@ -5357,7 +5357,7 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
         <translation>zuerst so viele Millisekunden am Bus vergehen lassen</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no action of the master. There are: %2.</source>
+        <source>&quot;%1&quot; is not an action of the master. There are: %2.</source>
         <translation>„%1“ ist keine Aktion des Masters. Es gibt: %2.</translation>
     </message>
     <message>
@@ -5393,11 +5393,11 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
         <translation>alle passenden in FILE schreiben, .csv oder .html</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no time. Write it as 2026-03-01 or 2026-03-01T14:02.</source>
+        <source>&quot;%1&quot; is not a time. Write it as 2026-03-01 or 2026-03-01T14:02.</source>
         <translation>„%1“ ist keine Zeitangabe. Als 2026-03-01 oder 2026-03-01T14:02 schreiben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no severity. There are: information, attention, fault.</source>
+        <source>&quot;%1&quot; is not a severity. There are: information, attention, fault.</source>
         <translation>„%1“ ist keine Stufe. Es gibt: information, attention, fault.</translation>
     </message>
     <message>
@@ -5443,7 +5443,7 @@ die sämtliche Angaben zutreffen. Braucht keinen Bus.</translation>
         <translation>Geber so benennen wie dieses Projekt; PLACE darf auch der Name einer Station sein</translation>
     </message>
     <message>
-        <source>faults that befall the training bus, with their times and places</source>
+        <source>faults that happen to the training bus, with their times and places</source>
         <translation>Fehler, die den Übungsbus treffen, mit Zeit und Ort</translation>
     </message>
     <message>
@@ -5694,7 +5694,7 @@ allem mit einem Fehlerplan sinnvoll.</translation>
         <translation>Das Projekt kennt keine letzte Position von %1. Die Position als Zahl angeben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no position. Give a whole number, 0 or more.</source>
+        <source>&quot;%1&quot; is not a position. Give a whole number, 0 or more.</source>
         <translation>„%1“ ist keine Position. Eine ganze Zahl ab 0 angeben.</translation>
     </message>
     <message>
@@ -5702,7 +5702,7 @@ allem mit einem Fehlerplan sinnvoll.</translation>
         <translation>Die Position, die das Projekt aufbewahrt: %1, gesehen am %2.</translation>
     </message>
     <message>
-        <source>It fits: as far as the project tells, it is like the one before.</source>
+        <source>It fits: as far as the project shows, it is like the one before.</source>
         <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
     </message>
     <message>
@@ -5738,11 +5738,11 @@ Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen 
         <translation>des Schreibens zu dieser Zeit: 2026-03-01T14:02, oder 14:02 von heute; sonst des jüngsten</translation>
     </message>
     <message>
-        <source>tell what there is, and write nothing</source>
+        <source>list what there is, and write nothing</source>
         <translation>sagen, was es gibt, und nichts schreiben</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no time. Write it as 14:02 or 2026-03-01T14:02.</source>
+        <source>&quot;%1&quot; is not a time. Write it as 14:02 or 2026-03-01T14:02.</source>
         <translation>„%1“ ist keine Zeitangabe. Als 14:02 oder 2026-03-01T14:02 schreiben.</translation>
     </message>
     <message>
@@ -5895,7 +5895,7 @@ ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder man
         <translation>Geber an einer seriellen Leitung haben keine Prozessdatenworte. Befehle mit codewheel-cli terminal senden.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no answer to %2. A read is answered with its digits, a write with a bare line end (type CRLF), either with 03 or 05 where it is refused.</source>
+        <source>&quot;%1&quot; is not an answer to %2. A read is answered with its digits, a write with a bare line end (type CRLF), either with 03 or 05 where it is refused.</source>
         <translation>„%1“ ist keine Antwort auf %2. Ein Lesen wird mit seinen Ziffern beantwortet, ein Schreiben mit einem bloßen Zeilenende (CRLF eintippen), beides mit 03 oder 05, wenn es abgelehnt wird.</translation>
     </message>
     <message>
@@ -5955,7 +5955,7 @@ ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder man
         <translation>Antwortzeit: %1 ms (Median; kürzeste %2, längste %3).</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no format of a serial line. Give data bits (7, 8), parity (N, E, O) and stop bits (1, 2), as 8N2.</source>
+        <source>&quot;%1&quot; is not a format of a serial line. Give data bits (7, 8), parity (N, E, O) and stop bits (1, 2), as 8N2.</source>
         <translation>„%1“ ist kein Format einer seriellen Leitung. Datenbits (7, 8), Parität (N, E, O) und Stoppbits (1, 2) angeben, etwa 8N2.</translation>
     </message>
     <message>
@@ -6134,7 +6134,7 @@ bleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
         <translation>vom Geber selbst mit den Schritten gesetzt</translation>
     </message>
     <message>
-        <source>the key on the label of the encoder: it tells how many bits a position has</source>
+        <source>the key on the label of the encoder: it says how many bits a position has</source>
         <translation>der Schlüssel auf dem Typenschild des Gebers: Er sagt, wie viele Bits eine Position hat</translation>
     </message>
     <message>
@@ -6330,7 +6330,7 @@ Sendet nichts an einen Ring.</translation>
         <translation>„%1“ ist eine Station des Projekts und ein Platz an einem Bus. Nummer des Busses und Platz angeben: %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no bus of this kind: %2. There is: %3.</source>
+        <source>&quot;%1&quot; is not a bus of this kind: %2. There is: %3.</source>
         <translation>„%1“ ist kein Bus dieser Art: %2. Es gibt: %3.</translation>
     </message>
     <message>
@@ -6358,7 +6358,7 @@ Sendet nichts an einen Ring.</translation>
         <translation>quittiert</translation>
     </message>
     <message>
-        <source>told</source>
+        <source>by hand</source>
         <translation>von Hand</translation>
     </message>
     <message>
@@ -6374,7 +6374,7 @@ Sendet nichts an einen Ring.</translation>
         <translation>von diesem Bus und seinen Teilnehmern: seine Nummer oder sein Name im Projekt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no bus. Write its number, or its name with --project.</source>
+        <source>&quot;%1&quot; is not a bus. Write its number, or its name with --project.</source>
         <translation>„%1“ ist kein Bus. Seine Nummer schreiben, oder seinen Namen mit --project.</translation>
     </message>
     <message>
@@ -6471,15 +6471,15 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>An %1 ist kein Bus des Projekts: Was im Projekt von seinen Gebern steht, gilt dort nicht.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no bus of the project. Its buses are: %2.</source>
+        <source>&quot;%1&quot; is not a bus of the project. Its buses are: %2.</source>
         <translation>„%1“ ist kein Bus des Projekts. Seine Busse sind: %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no place. Write it as 1.0, with its bus as 3/1.0, or with the name of the bus and --project; or write bus.</source>
+        <source>&quot;%1&quot; is not a place. Write it as 1.0, with its bus as 3/1.0, or with the name of the bus and --project; or write bus.</source>
         <translation>„%1“ ist kein Platz. Als 1.0 schreiben, mit seinem Bus als 3/1.0 oder mit dem Namen des Busses und --project; oder bus.</translation>
     </message>
     <message>
-        <source>The encoder at %1 tells the serial number %3, and --serial is %2. Nothing was written, and the project is as it was: correct --serial, or leave it out.</source>
+        <source>The encoder at %1 reports the serial number %3, and --serial is %2. Nothing was written, and the project is unchanged: correct --serial, or leave it out.</source>
         <translation>Der Geber an %1 meldet die Seriennummer %3, aber --serial ist %2. Nichts wurde geschrieben, und das Projekt ist unverändert: --serial berichtigen oder weglassen.</translation>
     </message>
     <message>
@@ -6732,7 +6732,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>„%1“ enthält Punkt und Komma. Ohne Tausendertrennzeichen eingeben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no number.</source>
+        <source>&quot;%1&quot; is not a number.</source>
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
@@ -6882,7 +6882,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Der Parameter preset nennt den Bereich der Position und wird nach dem Setzen gelesen. Für preset den Befehl read angeben oder false schreiben.</translation>
     </message>
     <message>
-        <source>The encoder is told the position together with the command that sets it. Write true.</source>
+        <source>The encoder gets the position together with the command that sets it. Write true.</source>
         <translation>Der Geber bekommt die Position zusammen mit dem Befehl, der sie setzt. true schreiben.</translation>
     </message>
     <message>
@@ -6894,7 +6894,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Der Parameter multi-turn-steps-minus-1 sagt, welches von beidem für den Geber gilt. Dafür ein readOut angeben oder false schreiben.</translation>
     </message>
     <message>
-        <source>An encoder that is told steps - 1 cannot be told 0 steps. Let the minimum of steps be 1 or more.</source>
+        <source>An encoder that is sent steps - 1 cannot be sent 0 steps. Let the minimum of steps be 1 or more.</source>
         <translation>Einem Geber, der Schritte - 1 erwartet, lassen sich nicht 0 Schritte geben. Als minimum von steps 1 oder mehr angeben.</translation>
     </message>
     <message>
@@ -6906,11 +6906,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Nur beim Dialekt fraba sind die Worte zum Auslesen bekannt. Weglassen.</translation>
     </message>
     <message>
-        <source>%1 has %2 here. Anything else makes the encoder do or tell something else.</source>
+        <source>%1 has %2 here. Anything else makes the encoder do or show something else.</source>
         <translation>%1 hat hier den Wert %2. Mit einem anderen würde der Geber etwas anderes tun oder melden.</translation>
     </message>
     <message>
-        <source>%1 has nothing here. Leave it out: the encoder would do or tell something else.</source>
+        <source>%1 has nothing here. Leave it out: the encoder would do or show something else.</source>
         <translation>%1 hat hier keinen Wert. Weglassen: Der Geber würde sonst etwas anderes tun oder melden.</translation>
     </message>
     <message>
@@ -6931,11 +6931,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Ein Wert, der geschrieben wird, muss zwischen %1 und %2 liegen.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command that writes a value.</source>
+        <source>&quot;%1&quot; is not a command that writes a value.</source>
         <translation>„%1“ ist kein Befehl, der einen Wert schreibt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command that reads a value.</source>
+        <source>&quot;%1&quot; is not a command that reads a value.</source>
         <translation>„%1“ ist kein Befehl, der einen Wert liest.</translation>
     </message>
     <message>
@@ -7137,7 +7137,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Beschreibung: %1</translation>
     </message>
     <message>
-        <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
+        <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors are shown by name.</source>
         <translation>Der Hersteller dieses Gebers ist unbekannt. Im Busaufbau lässt er sich angeben: Dann werden Zählrichtung und Fehler beim Namen genannt.</translation>
     </message>
 </context>
@@ -7246,7 +7246,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Der Geber zeigt jetzt keine Position (IN %1). Den Geber erst wieder in Betrieb bringen.</translation>
     </message>
     <message>
-        <source>The position cannot be told: mode or coding of the encoder is not known. The raw word is watched instead; trust it only for slow, small moves.</source>
+        <source>The position is not known, since mode or coding of the encoder is not. The raw word is watched instead; trust it only for slow, small moves.</source>
         <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Gebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich ist das nur bei langsamen, kleinen Bewegungen.</translation>
     </message>
     <message>
@@ -7316,15 +7316,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::DroppedDevice</name>
     <message>
-        <source>%1 is no device description that can be used. %2: %3</source>
+        <source>%1 is not a device description that can be used. %2: %3</source>
         <translation>%1 ist keine brauchbare Gerätebeschreibung. %2: %3</translation>
     </message>
     <message>
-        <source>%1 is a device description. Shall it replace yours of the same name?</source>
+        <source>%1 is a device description. Replace yours of the same name with it?</source>
         <translation>%1 ist eine Gerätebeschreibung. Soll sie die eigene mit demselben Namen ersetzen?</translation>
     </message>
     <message>
-        <source>%1 is a device description. Shall it be kept with your own?</source>
+        <source>%1 is a device description. Keep it with your own?</source>
         <translation>%1 ist eine Gerätebeschreibung. Soll sie bei den eigenen aufgehoben werden?</translation>
     </message>
     <message>
@@ -7373,7 +7373,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::Eeprom</name>
     <message>
-        <source>counted by the serial number %1 the encoder told</source>
+        <source>counted by the serial number %1 read from the encoder</source>
         <translation>gezählt nach der Seriennummer %1, die der Geber gemeldet hat</translation>
     </message>
     <message>
@@ -7409,11 +7409,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>%1-mal von hier geschrieben</translation>
     </message>
     <message>
-        <source>This program has written %1 times to the EEPROM; the manual speaks of about %2. Write only what has to be.</source>
+        <source>This program has written %1 times to the EEPROM; the manual states about %2 writes. Write only what has to be written.</source>
         <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Nur das Nötige schreiben.</translation>
     </message>
     <message>
-        <source>With %1 writes by this program and %2 more, the about %3 of which the manual speaks are used up. The encoder may lose its values.</source>
+        <source>With %1 writes by this program and %2 more, the %3 or so that the manual states are used up. The encoder may lose its values.</source>
         <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren sind die etwa %3 verbraucht, von denen das Handbuch spricht. Der Geber kann seine Werte verlieren.</translation>
     </message>
     <message>
@@ -7436,7 +7436,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>&amp;Trotzdem schreiben</translation>
     </message>
     <message>
-        <source>The EEPROM was written as often as the manual speaks of</source>
+        <source>The EEPROM has been written as often as the manual states</source>
         <translation>Das EEPROM wurde so oft beschrieben, wie das Handbuch angibt</translation>
     </message>
     <message>
@@ -7528,7 +7528,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Setzt die Position auf den programmierten Preset, beliebig oft; fragt vorher</translation>
     </message>
     <message>
-        <source>Tells what is lost, and asks first</source>
+        <source>Shows what is lost, and asks first</source>
         <translation>Sagt, was verloren geht, und fragt vorher</translation>
     </message>
     <message>
@@ -7792,7 +7792,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::FaultPlanReader</name>
     <message>
-        <source>This is no fault plan: the format is not &quot;%1&quot;.</source>
+        <source>This is not a fault plan: the format is not &quot;%1&quot;.</source>
         <translation>Das ist kein Fehlerplan: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::FileAccess</name>
     <message>
-        <source>It is no file.</source>
+        <source>It is not a file.</source>
         <translation>Es ist keine Datei.</translation>
     </message>
 </context>
@@ -7972,11 +7972,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>mm je Schr&amp;itt</translation>
     </message>
     <message>
-        <source>&amp;Gear, encoder turns</source>
+        <source>&amp;Gear ratio encoder</source>
         <translation>Get&amp;riebe Geber</translation>
     </message>
     <message>
-        <source>to &amp;part turns</source>
+        <source>: &amp;load</source>
         <translation>: &amp;Last</translation>
     </message>
     <message>
@@ -8130,7 +8130,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>etwa </translation>
     </message>
     <message>
-        <source>What the position will then read cannot be told.</source>
+        <source>What the position will then read is not known.</source>
         <translation>Was die Position dann zeigt, ist nicht bestimmbar.</translation>
     </message>
     <message>
@@ -8396,7 +8396,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
     </message>
     <message>
-        <source>Write &amp;all, also what is there</source>
+        <source>Write &amp;all, including what is there</source>
         <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
     </message>
     <message>
@@ -8510,11 +8510,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Meldung „%1“ einer anderen Version von Codewheel: %2</translation>
     </message>
     <message>
-        <source>it is no file.</source>
+        <source>it is not a file.</source>
         <translation>sie ist keine Datei.</translation>
     </message>
     <message>
-        <source>it is no database, and was left as it was.</source>
+        <source>it is not a database, and was left as it was.</source>
         <translation>sie ist keine Datenbank und blieb unverändert.</translation>
     </message>
     <message>
@@ -8526,7 +8526,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>ihr Datenträger kann nicht gelesen oder beschrieben werden.</translation>
     </message>
     <message>
-        <source>This is no time as 2026-03-01T13:00:00.000Z.</source>
+        <source>This is not a time such as 2026-03-01T13:00:00.000Z.</source>
         <translation>Das ist keine Zeitangabe der Form 2026-03-01T13:00:00.000Z.</translation>
     </message>
     <message>
@@ -8651,7 +8651,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Aus&amp;lesen</translation>
     </message>
     <message>
-        <source>&amp;Tell</source>
+        <source>&amp;Set manually</source>
         <translation>&amp;Eintragen</translation>
     </message>
     <message>
@@ -8679,7 +8679,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur in Bedienen möglich.</translation>
     </message>
     <message>
-        <source>The %1 has no read-out. Known is only what was written from here, or what you tell.</source>
+        <source>The %1 has no read-out. Only what was written from here, or set manually, is known.</source>
         <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder von Hand eingetragen wurde.</translation>
     </message>
     <message>
@@ -8765,7 +8765,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Nicht alle OUT-Worte sind 00000000.</translation>
     </message>
     <message>
-        <source>Shall they be set to 00000000 (normal running) first?</source>
+        <source>Set them to 00000000 (normal running) first?</source>
         <translation>Sollen sie zuerst auf 00000000 (Normalbetrieb) gesetzt werden?</translation>
     </message>
     <message>
@@ -8847,7 +8847,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
     </message>
     <message>
-        <source>&amp;Figures of the line</source>
+        <source>Line st&amp;atistics</source>
         <translation>Stat&amp;istik der Leitung</translation>
     </message>
     <message>
@@ -8910,7 +8910,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Stumm</translation>
     </message>
     <message>
-        <source>It hears and acts, and says nothing</source>
+        <source>It receives and acts, but does not answer</source>
         <translation>Er empfängt und handelt, antwortet aber nicht</translation>
     </message>
     <message>
@@ -9096,7 +9096,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Alle Geber stumm</translation>
     </message>
     <message>
-        <source>They hear and act, and say nothing</source>
+        <source>They receive and act, but do not answer</source>
         <translation>Sie empfangen und handeln, antworten aber nicht</translation>
     </message>
     <message>
@@ -9705,7 +9705,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Art des Gebers</translation>
     </message>
     <message>
-        <source>As which encoder those that are ticked are taken over: they do not tell whether they have RS-422 or RS-485</source>
+        <source>The kind that the ticked encoders are taken over as: they do not report whether they have RS-422 or RS-485</source>
         <translation>Als welche Geber die angehakten übernommen werden: Sie melden nicht, ob sie RS-422 oder RS-485 haben</translation>
     </message>
     <message>
@@ -9713,7 +9713,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Ar&amp;t</translation>
     </message>
     <message>
-        <source>Not taken over: %1. The line works at %2 Bd. Choose the other baud rate in the settings of the line, and connect it again.</source>
+        <source>Not taken over: %1. The line runs at %2 Bd. Choose the other baud rate in the settings of the line, and connect it again.</source>
         <translation>Nicht übernommen: %1. Die Leitung arbeitet mit %2 Bd. In den Einstellungen der Leitung die andere Baudrate wählen und neu verbinden.</translation>
     </message>
     <message>
@@ -9721,7 +9721,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>%1 mit %2 Bd</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address. Give two hexadecimal digits, 01 to 1F.</source>
+        <source>&quot;%1&quot; is not an address. Give two hexadecimal digits, 01 to 1F.</source>
         <translation>„%1“ ist keine Adresse. Zwei Hexziffern angeben, 01 bis 1F.</translation>
     </message>
     <message>
@@ -10258,11 +10258,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Segment und Position des Fehlers; 0080h: nicht geortet</translation>
     </message>
     <message>
-        <source>Keeps</source>
+        <source>Stored configuration</source>
         <translation>Gespeicherte Konfiguration</translation>
     </message>
     <message>
-        <source>The configuration the master keeps, by its file</source>
+        <source>The configuration stored in the master, by its file</source>
         <translation>Die im Master gespeicherte Konfiguration, mit dem Namen ihrer Datei</translation>
     </message>
     <message>
@@ -10603,7 +10603,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Noch keine Meldungen</translation>
     </message>
     <message>
-        <source>What happens to the bus and its devices is told here.</source>
+        <source>What happens to the bus and its devices is listed here.</source>
         <translation>Hier steht, was am Bus und an seinen Geräten geschieht.</translation>
     </message>
     <message>
@@ -11010,7 +11010,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::ParameterDelegate</name>
     <message>
-        <source>as it is</source>
+        <source>unchanged</source>
         <translation>unverändert</translation>
     </message>
     <message>
@@ -11029,7 +11029,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Gewünscht</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>unchanged</source>
         <translation>unverändert</translation>
     </message>
     <message>
@@ -11074,7 +11074,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>%1, zugeklappt</translation>
     </message>
     <message>
-        <source>What the encoder tells and nobody can write</source>
+        <source>What the encoder reports and nobody can write</source>
         <translation>Was der Geber meldet und sich nicht schreiben lässt</translation>
     </message>
     <message>
@@ -11086,7 +11086,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Bausteins. Solange sie gezeigt werden, liest „Auslesen“ sie mit.</translation>
     </message>
     <message>
-        <source>tell it</source>
+        <source>set it</source>
         <translation>eintragen</translation>
     </message>
     <message>
@@ -11095,7 +11095,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>%1
-It is told of an encoder that is connected.</source>
+It can be set once the encoder is connected.</source>
         <translation>%1
 Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
@@ -11151,7 +11151,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Mehr zu den Parametern</translation>
     </message>
     <message>
-        <source>&amp;Tell what the encoder has...</source>
+        <source>Set &amp;manually what the encoder has...</source>
         <translation>&amp;Eintragen, was der Geber hat...</translation>
     </message>
     <message>
@@ -11159,11 +11159,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>&amp;Bekannte Werte als gewünschte übernehmen</translation>
     </message>
     <message>
-        <source>&amp;Leave all as they are</source>
+        <source>&amp;Leave all unchanged</source>
         <translation>Alle &amp;unverändert lassen</translation>
     </message>
     <message>
-        <source>The %1 has no read-out. Known is what was written from here or told.</source>
+        <source>The %1 has no read-out. Only what was written from here, or set manually, is known.</source>
         <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder von Hand eingetragen wurde.</translation>
     </message>
     <message>
@@ -11183,7 +11183,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Kein Wert ist gewünscht. Erst einen in die Spalte „Gewünscht“ eintragen.</translation>
     </message>
     <message>
-        <source>Take over, clear or tell values; modes, preset and reset</source>
+        <source>Take over, clear or set values manually; modes, preset and reset</source>
         <translation>Werte übernehmen, löschen oder eintragen; Betriebsarten, Preset und Zurücksetzen</translation>
     </message>
     <message>
@@ -11191,11 +11191,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>%1 hat hier keine Parameter</translation>
     </message>
     <message>
-        <source>The %1 has no OUT word. It only tells its position: nothing can be read from it or written to it.</source>
+        <source>The %1 has no OUT word. It only sends its position: nothing can be read from it or written to it.</source>
         <translation>%1 hat kein OUT-Wort und meldet nur die Position: Es lässt sich nichts auslesen und nichts schreiben.</translation>
     </message>
     <message>
-        <source>What words set up a %1 is in no source, so none are sent. Its position is shown.</source>
+        <source>No source says which words set up a %1, so none are sent. Its position is shown.</source>
         <translation>Mit welchen Worten %1 eingerichtet wird, steht in keiner Quelle; darum werden keine gesendet. Die Position wird gezeigt.</translation>
     </message>
     <message>
@@ -11212,11 +11212,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>&amp;Tell</source>
+        <source>&amp;Set manually</source>
         <translation>&amp;Eintragen</translation>
     </message>
     <message>
-        <source>Takes the value as known by telling; nothing is sent. An empty field takes it back.</source>
+        <source>Takes the value as set manually; nothing is sent. An empty field takes it back.</source>
         <translation>Trägt den Wert von Hand als bekannt ein; gesendet wird nichts. Ein leeres Feld nimmt ihn zurück.</translation>
     </message>
     <message>
@@ -11286,7 +11286,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>&amp;Weiter</translation>
     </message>
     <message>
-        <source>To the page before.</source>
+        <source>To the previous page.</source>
         <translation>Zur vorigen Seite.</translation>
     </message>
     <message>
@@ -11358,7 +11358,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Die Geräte dieses Busses behalten ihre Plätze.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address of this bus: type one from %2 to %3.</source>
+        <source>&quot;%1&quot; is not an address of this bus: type one from %2 to %3.</source>
         <translation>„%1“ ist keine Adresse dieses Busses: Eine von %2 bis %3 eingeben.</translation>
     </message>
     <message>
@@ -11385,7 +11385,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
 <context>
     <name>codewheel::PortAccess</name>
     <message>
-        <source>%1 is no serial port.</source>
+        <source>%1 is not a serial port.</source>
         <translation>%1 ist kein serieller Anschluss.</translation>
     </message>
 </context>
@@ -11559,7 +11559,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
 <context>
     <name>codewheel::ProjectReader</name>
     <message>
-        <source>This is no project: the format is not &quot;%1&quot;.</source>
+        <source>This is not a project: the format is not &quot;%1&quot;.</source>
         <translation>Das ist kein Projekt: Das Format ist nicht „%1“.</translation>
     </message>
     <message>
@@ -11742,7 +11742,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Seriennummer des neuen Gebers</translation>
     </message>
     <message>
-        <source>From its label; EEPROM writes are counted by it where the encoder does not tell</source>
+        <source>From its label; EEPROM writes are counted by it where the encoder does not report one</source>
         <translation>Vom Typenschild; nach ihr werden EEPROM-Schreibvorgänge gezählt, wo der Geber sie nicht meldet</translation>
     </message>
     <message>
@@ -11770,7 +11770,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Der Katalog hat keinen Geber für diesen Platz.</translation>
     </message>
     <message>
-        <source>It fits: as far as the project tells, it is like the one before.</source>
+        <source>It fits: as far as the project shows, it is like the one before.</source>
         <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
     </message>
     <message>
@@ -11797,7 +11797,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Geber ersetzen</translation>
     </message>
     <message>
-        <source>To the step before</source>
+        <source>To the previous step</source>
         <translation>Zum vorigen Schritt</translation>
     </message>
     <message>
@@ -12161,7 +12161,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Seit</translation>
     </message>
     <message>
-        <source>Encoder told by</source>
+        <source>Encoder identified by</source>
         <translation>Geber erkannt an</translation>
     </message>
     <message>
@@ -12229,7 +12229,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Herkunft</translation>
     </message>
     <message>
-        <source>No encoder is known to have anything else than what is wanted.</source>
+        <source>No encoder is known to have anything other than what is wanted.</source>
         <translation>Von keinem Geber ist bekannt, dass er vom Gewünschten abweicht.</translation>
     </message>
     <message numerus="yes">
@@ -12318,7 +12318,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>nicht verglichen</translation>
     </message>
     <message>
-        <source>It has no parameters: it only tells its position.</source>
+        <source>It has no parameters: it only sends its position.</source>
         <translation>Er hat keine Parameter: Er meldet nur seine Position.</translation>
     </message>
     <message>
@@ -12338,7 +12338,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Geber</translation>
     </message>
     <message>
-        <source>Known values are: read, the encoder told it when it was read; echoed, the encoder confirmed it in a handshake and went into operation with it; told, somebody said so and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
+        <source>Known values are: read, from the encoder; echoed, the encoder confirmed the value in a handshake and went into operation with it; by hand, set by somebody, and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
         <translation>Herkunft bekannter Werte: gelesen: vom Geber beim Auslesen gemeldet; quittiert: vom Geber im Handshake quittiert und mit Run übernommen; von Hand: eingetragen, der Geber wurde nicht gefragt; unbekannt: Der Wert im Geber ist nicht bekannt.</translation>
     </message>
     <message>
@@ -12390,7 +12390,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>quittiert</translation>
     </message>
     <message>
-        <source>told</source>
+        <source>by hand</source>
         <translation>von Hand</translation>
     </message>
     <message>
@@ -12554,7 +12554,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>&amp;Write all, also what is there already</source>
+        <source>&amp;Write all, including what is already there</source>
         <translation>A&amp;lles schreiben, auch schon Vorhandenes</translation>
     </message>
     <message>
@@ -12582,7 +12582,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Worte, die gesendet werden, in dieser Reihenfolge:</translation>
     </message>
     <message>
-        <source>there already, not written</source>
+        <source>already there, not written</source>
         <translation>schon vorhanden, nicht geschrieben</translation>
     </message>
     <message>
@@ -13158,7 +13158,7 @@ Words: IN %3, OUT %4</source>
 Worte: IN %3, OUT %4</translation>
     </message>
     <message>
-        <source>%1 is no address. Give a number from 0 to %2, or nothing to have it counted.</source>
+        <source>%1 is not an address. Give a number from 0 to %2, or nothing to have it counted.</source>
         <translation>%1 ist keine Adresse. Eine Zahl von 0 bis %2 eingeben oder nichts, damit gezählt wird.</translation>
     </message>
     <message>
@@ -13308,11 +13308,11 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::RodConsequences</name>
     <message>
-        <source>The resolution can be told once the measuring length is known or wanted.</source>
+        <source>The resolution is shown once the measuring length is known or wanted.</source>
         <translation>Die Auflösung lässt sich bestimmen, sobald die Messlänge bekannt oder gewünscht ist.</translation>
     </message>
     <message>
-        <source>Positions from 0 to %1. For mm, calculate the measuring length from the length of the rod, or tell that length under What is known.</source>
+        <source>Positions from 0 to %1. For mm, calculate the measuring length from the length of the rod, or set that length under What is known.</source>
         <translation>Positionen von 0 bis %1. Für mm die Messlänge aus der Stablänge berechnen oder die Stablänge unter „Was bekannt ist“ eintragen.</translation>
     </message>
     <message>
@@ -13418,7 +13418,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Fehler&amp;status lesen</translation>
     </message>
     <message>
-        <source>&amp;Tell</source>
+        <source>&amp;Set manually</source>
         <translation>&amp;Eintragen</translation>
     </message>
     <message>
@@ -13426,7 +13426,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Liest, warum das Fehlerbit gesetzt ist. Das löscht es, sobald der Magnet zurück ist.</translation>
     </message>
     <message>
-        <source>Takes the length as known by telling. Nothing is sent.</source>
+        <source>Takes the length as set manually. Nothing is sent.</source>
         <translation>Trägt die Länge von Hand ein. Gesendet wird nichts.</translation>
     </message>
     <message>
@@ -13446,7 +13446,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Unbekannt: %1.</translation>
     </message>
     <message>
-        <source>mm unknown: tell the rod length from its label.</source>
+        <source>mm unknown: set the rod length from its label.</source>
         <translation>mm unbekannt: Die Stablänge vom Typenschild eintragen.</translation>
     </message>
 </context>
@@ -13485,7 +13485,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>mm für einen Schritt der Position.</translation>
     </message>
     <message>
-        <source>Puts this measuring length among the wanted values, and takes the length of the rod as told.</source>
+        <source>Puts this measuring length among the wanted values, and takes the length of the rod as set manually.</source>
         <translation>Übernimmt diese Messlänge in die gewünschten Werte und trägt die Stablänge von Hand ein.</translation>
     </message>
     <message>
@@ -13558,7 +13558,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>es ist keine Schriftart installiert</translation>
     </message>
     <message>
-        <source>the sheets could not be painted</source>
+        <source>the pages could not be painted</source>
         <translation>die Blätter konnten nicht gezeichnet werden</translation>
     </message>
 </context>
@@ -13577,7 +13577,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Umdrehungen ab hier</translation>
     </message>
     <message>
-        <source>Turn the shaft in thought, clockwise; negative: counter-clockwise.</source>
+        <source>Imagine the shaft turned clockwise by so much; negative: counter-clockwise.</source>
         <translation>Gedachte Drehung der Welle im Uhrzeigersinn; negativ: gegen den Uhrzeigersinn.</translation>
     </message>
 </context>
@@ -14039,11 +14039,11 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::ShaftConsequences</name>
     <message>
-        <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
+        <source>Resolution and range are shown once steps, revolutions and direction are known or wanted.</source>
         <translation>Auflösung und Bereich lassen sich bestimmen, sobald Schritte, Umdrehungen und Zählrichtung bekannt oder gewünscht sind.</translation>
     </message>
     <message>
-        <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
+        <source>What it will read here is not known, since the zero offset or the scale is not.</source>
         <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
     </message>
     <message>
@@ -14581,7 +14581,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Busaufbau</translation>
     </message>
     <message>
-        <source>The bus does not tell which make %1 is.</source>
+        <source>The bus does not say which make %1 is.</source>
         <translation>Der Bus sagt nicht, von welchem Hersteller %1 ist.</translation>
     </message>
     <message>
@@ -15456,7 +15456,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>quittiert</translation>
     </message>
     <message>
-        <source>told</source>
+        <source>by hand</source>
         <translation>von Hand</translation>
     </message>
     <message>
@@ -15464,7 +15464,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Geschrieben</translation>
     </message>
     <message>
-        <source>Was there already</source>
+        <source>Already there</source>
         <translation>War schon vorhanden</translation>
     </message>
     <message>
@@ -15602,7 +15602,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Die Datei lässt sich nicht lesen: %1.</translation>
     </message>
     <message>
-        <source>The file is larger than 1 MiB: it is no device description.</source>
+        <source>The file is larger than 1 MiB: it is not a device description.</source>
         <translation>Die Datei ist größer als 1 MiB: Sie ist keine Gerätebeschreibung.</translation>
     </message>
 </context>
@@ -15632,7 +15632,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Nach Run setzt 40000000 die Position dort, wo die Welle steht, auf den Presetwert.</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>unchanged</source>
         <translation>unverändert</translation>
     </message>
     <message>
@@ -15762,7 +15762,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Standardanordnung</translation>
     </message>
     <message>
-        <source>Puts all panels back to their places</source>
+        <source>Puts all panels back in their places</source>
         <translation>Bringt alle Bereiche an ihren Platz zurück</translation>
     </message>
     <message>
@@ -15862,7 +15862,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Begins an empty project</source>
+        <source>Starts an empty project</source>
         <translation>Beginnt ein leeres Projekt</translation>
     </message>
     <message>
@@ -15906,11 +15906,11 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Takes back the last change of the project</source>
+        <source>Undoes the last change of the project</source>
         <translation>Nimmt die letzte Änderung des Projekts zurück</translation>
     </message>
     <message>
-        <source>Does again what was taken back</source>
+        <source>Does again what was undone</source>
         <translation>Stellt die zurückgenommene Änderung wieder her</translation>
     </message>
     <message>

@@ -83,10 +83,11 @@ Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool
             return tl::unexpected(named.error());
     EncoderSession *encoder = m_bus.encoder(node);
     if (encoder == nullptr)
-        return badInput(QStringLiteral("noEncoder"),
-                        CommandLine::tr("The device at %1 is no encoder this program can drive. See "
-                                        "codewheel-cli scan."),
-                        {place.shown()});
+        return badInput(
+            QStringLiteral("noEncoder"),
+            CommandLine::tr(
+                "The device at %1 is not an encoder this program can drive. See codewheel-cli scan."),
+            {place.shown()});
     if (encoder->latest().state == EncoderState::notSeen)
         advance(lookInterval());
     return encoder;

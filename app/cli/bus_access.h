@@ -53,7 +53,7 @@ public:
     // Why the command does not work on this kind of bus at all; nothing: it does.
     virtual std::optional<Complaint> whyNot(const Subcommand &) const { return std::nullopt; }
 
-    // Whether faults can befall it by a plan; from now on they do.
+    // Whether faults can happen to it by a plan; from now on they do.
     virtual bool followsFaultPlan() const { return false; }
     virtual Checked<void> followFaultPlan(const QString &) { return {}; }
 

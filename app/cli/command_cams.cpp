@@ -96,7 +96,7 @@ Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
     const int number = text->toInt(&isNumber);
     if (!isNumber)
         return badInput(QStringLiteral("notANumber"),
-                        CommandLine::tr("\"%1\" is no number of a cam program. Choose one from 1 to 8."),
+                        CommandLine::tr("\"%1\" is not a number of a cam program. Choose one from 1 to 8."),
                         {*text});
     if (const auto checked = checkCamProgramNumber(number); !checked)
         return tl::unexpected(complaintAbout(checked.error()));

@@ -31,7 +31,7 @@ constexpr std::array explainOptions{
     Option{"--device", "NAME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whose word it is (see devices)")},
     Option{"--label", "KEY",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "the key on the label of the encoder: it tells how many bits a position has")},
+                             "the key on the label of the encoder: it says how many bits a position has")},
     Option{"--direction", "in|out",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "out: master to encoder; in: encoder to master")},
     Option{"--mode", "position|cam|velocity",
@@ -178,7 +178,7 @@ QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &c
     if (isIn && device.dialect != k3::Dialect::fraba && !context.coding)
         missing << QStringLiteral("--coding");
     return missing.isEmpty() ? QString()
-                             : sentence(CommandLine::tr("One of these. What may tell which: %1."),
+                             : sentence(CommandLine::tr("One of these. To narrow it down: %1."),
                                         {missing.join(QStringLiteral(", "))}) +
                                    u'\n';
 }
@@ -222,7 +222,7 @@ const Subcommand explainCommand{
     .usage =
         "WORD --device NAME [--label KEY] --direction in|out [--mode position|cam|velocity] [--other WORD] "
         "[--coding N]",
-    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what a word means"),
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "explain what a word means"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "

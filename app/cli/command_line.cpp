@@ -98,10 +98,10 @@ Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
         QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name), QString::fromLatin1(command.usage));
     if (arguments.rest.size() < command.minimumArguments)
         return badInput(QStringLiteral("missingArgument"),
-                        CommandLine::tr("Something is missing. It is called so: codewheel-cli %1"), {call});
+                        CommandLine::tr("Something is missing. Usage: codewheel-cli %1"), {call});
     if (arguments.rest.size() > command.maximumArguments)
         return badInput(QStringLiteral("tooManyArguments"),
-                        CommandLine::tr("\"%1\" is too much. It is called so: codewheel-cli %2"),
+                        CommandLine::tr("\"%1\" is too much. Usage: codewheel-cli %2"),
                         {arguments.rest[command.maximumArguments], call});
     return {};
 }

@@ -59,7 +59,7 @@ Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
     const auto at = QDateTime::fromString(*text, Qt::ISODateWithMs);
     if (!at.isValid())
         return badInput(QStringLiteral("badTime"),
-                        CommandLine::tr("\"%1\" is no time. Write it as 2026-03-01 or 2026-03-01T14:02."),
+                        CommandLine::tr("\"%1\" is not a time. Write it as 2026-03-01 or 2026-03-01T14:02."),
                         {*text});
     return at.toMSecsSinceEpoch();
 }
@@ -79,10 +79,10 @@ tl::unexpected<Complaint> unknownBus(const Call &call, const QString &typed)
 {
     if (call.project == nullptr)
         return badInput(QStringLiteral("badBus"),
-                        CommandLine::tr("\"%1\" is no bus. Write its number, or its name with --project."),
+                        CommandLine::tr("\"%1\" is not a bus. Write its number, or its name with --project."),
                         {typed});
     return badInput(QStringLiteral("badBus"),
-                    CommandLine::tr("\"%1\" is no bus of the project. Its buses are: %2."),
+                    CommandLine::tr("\"%1\" is not a bus of the project. Its buses are: %2."),
                     {typed, listed(call.project->buses, &PlannedBus::name)});
 }
 
@@ -119,8 +119,8 @@ Checked<MessageFilter::Where> placeFrom(const Call &call)
     const auto number = placeTyped(call, *text);
     if (!number && *text != QStringLiteral("bus"))
         return badInput(QStringLiteral("badPlace"),
-                        CommandLine::tr("\"%1\" is no place. Write it as 1.0, with its bus as 3/1.0, or with "
-                                        "the name of the bus and --project; or write bus."),
+                        CommandLine::tr("\"%1\" is not a place. Write it as 1.0, with its bus as 3/1.0, or "
+                                        "with the name of the bus and --project; or write bus."),
                         {*text});
     return MessageFilter::Where{.all = false, .at = number};
 }
@@ -133,7 +133,8 @@ Checked<MessageFilter> filterFrom(const Call &call)
         if (!severity)
             return badInput(
                 QStringLiteral("badSeverity"),
-                CommandLine::tr("\"%1\" is no severity. There are: information, attention, fault."), {*text});
+                CommandLine::tr("\"%1\" is not a severity. There are: information, attention, fault."),
+                {*text});
         filter.least = *severity;
     }
     const auto place = placeFrom(call);

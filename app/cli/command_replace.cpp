@@ -105,7 +105,8 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
     const auto position = parseNumber(*typed);
     if (!position)
         return badInput(QStringLiteral("badPosition"),
-                        CommandLine::tr("\"%1\" is no position. Give a whole number, 0 or more."), {*typed});
+                        CommandLine::tr("\"%1\" is not a position. Give a whole number, 0 or more."),
+                        {*typed});
     return position;
 }
 
@@ -132,10 +133,10 @@ Checked<void> checkSerial(const Call &call, Place place, const Replacement &now)
         return {};
     return tl::unexpected(Complaint{
         ExitCode::refused, refusalKey(other->id),
-        sentence(CommandLine::tr("The encoder at %1 tells the serial number %3, and --serial is %2. Nothing "
-                                 "was written, and the project is as it was: correct --serial, or leave it "
-                                 "out."),
-                 argumentTexts(other->arguments)),
+        sentence(
+            CommandLine::tr("The encoder at %1 reports the serial number %3, and --serial is %2. Nothing was "
+                            "written, and the project is unchanged: correct --serial, or leave it out."),
+            argumentTexts(other->arguments)),
         other->arguments});
 }
 
@@ -151,7 +152,7 @@ void showDifferences(const Call &call, const ProjectDevice &planned, const Repla
     const auto differences = differencesOf(planned, call.catalog.find(planned.participant.deviceKey), now);
     const QStringList lines =
         differences.areNone()
-            ? QStringList{CommandLine::tr("It fits: as far as the project tells, it is like the one before.")}
+            ? QStringList{CommandLine::tr("It fits: as far as the project shows, it is like the one before.")}
             : transfer_words::differences(differences, now);
     call.terminal.print(lines.join(u'\n') + u'\n');
 }

@@ -33,7 +33,7 @@ constexpr std::array restoreOptions{
                              "of the write at this time: 2026-03-01T14:02, or 14:02 of today; else of the "
                              "newest")},
     Option{"--list", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what there is, and write nothing")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "list what there is, and write nothing")},
     transferDryRun,
     transferReport,
     traceOption,
@@ -75,7 +75,7 @@ Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
     auto at = QDateTime::fromString(text, Qt::ISODate);
     if (!at.isValid() || text.count(u':') < 1)
         return badInput(QStringLiteral("badTime"),
-                        CommandLine::tr("\"%1\" is no time. Write it as 14:02 or 2026-03-01T14:02."),
+                        CommandLine::tr("\"%1\" is not a time. Write it as 14:02 or 2026-03-01T14:02."),
                         {typed});
     if (at.timeSpec() == Qt::LocalTime)
         at.setTimeZone(now.timeZone());

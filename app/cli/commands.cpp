@@ -30,7 +30,7 @@ constexpr std::array common{
                              "name encoders as this project does; PLACE may be the name of a station")},
     Option{"--fault-plan", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "faults that befall the training bus, with their times and places")},
+                             "faults that happen to the training bus, with their times and places")},
     faultBusOption,
     Option{"--help", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "explain this and stop; also -h")},
     Option{"-h", nullptr, nullptr},

@@ -25,7 +25,7 @@ QString matchLines(const std::vector<LabelMatch> &matches)
     QString text = table.toString();
     if (matches.size() > 1)
         text +=
-            CommandLine::tr("One of these: the key does not tell which. The device code on the bus does.") +
+            CommandLine::tr("One of these: the key does not say which. The device code on the bus does.") +
             u'\n';
     return text;
 }
@@ -33,12 +33,12 @@ QString matchLines(const std::vector<LabelMatch> &matches)
 QString resolutionLine(const LabelMatch &match)
 {
     if (match.turns == 0 || match.stepsPerTurn == 0)
-        return CommandLine::tr("Turns and steps per turn: not told.");
+        return CommandLine::tr("Turns and steps per turn: not stated.");
     const QString text =
         CommandLine::tr("Turns: %1, steps per turn: %2").arg(match.turns).arg(match.stepsPerTurn);
     return match.reading.turns && match.reading.stepsPerTurn
                ? text
-               : text + CommandLine::tr(" (of the description: the key does not tell them)");
+               : text + CommandLine::tr(" (from the description: the key does not state them)");
 }
 
 } // namespace

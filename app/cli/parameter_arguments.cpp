@@ -102,9 +102,9 @@ Checked<Word> wordFrom(const QString &text)
 {
     if (const auto word = parseHexWord(text))
         return *word;
-    return badInput(QStringLiteral("notAWord"),
-                    CommandLine::tr("\"%1\" is no word. Give up to 8 hexadecimal digits, such as 020000FF."),
-                    {text});
+    return badInput(
+        QStringLiteral("notAWord"),
+        CommandLine::tr("\"%1\" is not a word. Give up to 8 hexadecimal digits, such as 020000FF."), {text});
 }
 
 Checked<std::vector<Parameter>> parametersToRead(const DeviceDescription &device, const QStringList &names)
@@ -128,7 +128,7 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
         const qsizetype equals = assignment.indexOf(u'=');
         if (equals < 0)
             return badInput(QStringLiteral("notAnAssignment"),
-                            CommandLine::tr("\"%1\" is no PARAMETER=VALUE. Write for example steps=255."),
+                            CommandLine::tr("\"%1\" is not PARAMETER=VALUE. Write for example steps=255."),
                             {assignment});
         const auto parameter = parameterNamed(device, assignment.first(equals), canBeWritten);
         if (!parameter)

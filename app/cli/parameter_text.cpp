@@ -49,7 +49,7 @@ QString evidenceText(Evidence evidence)
     case Evidence::told:
         break;
     }
-    return CommandLine::tr("told, not checked");
+    return CommandLine::tr("by hand, not checked");
 }
 
 } // namespace codewheel

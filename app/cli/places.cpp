@@ -182,7 +182,7 @@ Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &bus
     if (!bus || std::ranges::count(buses, *bus) > 0)
         return bus;
     return badInput(QStringLiteral("noSuchBus"),
-                    CommandLine::tr("\"%1\" is no bus of this kind: %2. There is: %3."),
+                    CommandLine::tr("\"%1\" is not a bus of this kind: %2. There is: %3."),
                     {*name, busKind(buses.front()->kind())->title(), listed(buses, &BusAccess::name)});
 }
 

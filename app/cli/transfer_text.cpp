@@ -38,7 +38,7 @@ QString evidenceWord(Evidence evidence)
     case Evidence::told:
         break;
     }
-    return CommandLine::tr("told");
+    return CommandLine::tr("by hand");
 }
 
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)

@@ -24,7 +24,7 @@ QString WriteAccount::fateOf(const ParameterValue &value) const
                    ? CommandLine::tr("written, and read back")
                    : CommandLine::tr("written, confirmed by the handshake");
     }
-    return valueOf(m_outcome.alreadyThere, value.parameter) ? CommandLine::tr("was there already")
+    return valueOf(m_outcome.alreadyThere, value.parameter) ? CommandLine::tr("already there")
                                                             : CommandLine::tr("did not become active");
 }
 

@@ -79,7 +79,7 @@ Result<int> saveReport(const Report &report, const QString &path, ReportFormat f
     pdf.open(QIODevice::WriteOnly);
     const int sheets = writePdf(report, pdf);
     if (sheets == 0)
-        return notWritten(path, SavedReport::tr("the sheets could not be painted"));
+        return notWritten(path, SavedReport::tr("the pages could not be painted"));
     return replaceFile(path, pdf.data(), OldFile::goes).map([&] { return sheets; });
 }
 

@@ -41,7 +41,7 @@ void CamFileReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
         return;
     faults.report(
         root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
-        tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(camFormat)));
+        tr("This is not a file of cam programs: the format is not \"%1\".").arg(QLatin1String(camFormat)));
 }
 
 CamFile CamFileReader::read(const JsonObject &json) const

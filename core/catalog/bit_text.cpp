@@ -88,12 +88,12 @@ QString BitText::rodText(WordDirection direction, int bit)
 QString BitText::positionText(const PositionWord &format, WordDirection direction, int bit)
 {
     if (direction == WordDirection::out)
-        return format.hasOut ? tr("D31..D0: described in no source")
+        return format.hasOut ? tr("D31..D0: no source describes them")
                              : tr("D%1: this encoder has no OUT word").arg(bit);
     if (bit >= format.positionBits)
         return tr("D%1: not used, always 0").arg(bit);
     if (format.hasStatusBits)
-        return tr("D31..D0: position; which four bits are status bits is in no source");
+        return tr("D31..D0: position; no source says which four bits are status bits");
     return tr("D%1..D0: position").arg(format.positionBits - 1);
 }
 

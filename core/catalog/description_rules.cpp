@@ -113,9 +113,9 @@ public:
         if (presets)
             rules.checkPresets(json, device);
         if (presets && rules.presetsByCommand() && !needsValue)
-            json.report("presetNeedsValue",
-                        tr("The encoder is told the position together with the command that sets it. Write "
-                           "true."));
+            json.report(
+                "presetNeedsValue",
+                tr("The encoder gets the position together with the command that sets it. Write true."));
     }
 
     static void checkRearming(const JsonObject &json, const DeviceDescription &device)
@@ -139,9 +139,8 @@ public:
                    "it a readOut, or write false."));
         const ParameterDescription *steps = device.find(Parameter::steps);
         if (steps && steps->number && steps->minimum < 1)
-            json.report("mayCountStepsMinusOne",
-                        tr("An encoder that is told steps - 1 cannot be told 0 steps. Let the minimum of "
-                           "steps be 1 or more."));
+            json.report("mayCountStepsMinusOne", tr("An encoder that is sent steps - 1 cannot be sent 0 "
+                                                    "steps. Let the minimum of steps be 1 or more."));
     }
 
     // Where modes exist, it is asked which one the encoder is in before a word that depends on it is sent.

@@ -87,8 +87,8 @@ std::optional<Command> EscRules::commandOf(const JsonObject &row, const char *ke
         return std::nullopt;
     const auto command = esc::commandOf(letters);
     if (!command || esc::shapeOf(*command).writes != writes || esc::shapeOf(*command).digits == 0)
-        row.report(key, (writes ? tr("\"%1\" is no command that writes a value.")
-                                : tr("\"%1\" is no command that reads a value."))
+        row.report(key, (writes ? tr("\"%1\" is not a command that writes a value.")
+                                : tr("\"%1\" is not a command that reads a value."))
                             .arg(QString::fromLatin1(letters)));
     return command;
 }

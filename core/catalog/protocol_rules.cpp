@@ -175,11 +175,11 @@ void checkPlace(const JsonObject &row, const char *key, const QString &given, co
             .arg(parameterKey(parameter.parameter), profileName(profile));
     row.report(key,
                known.isEmpty()
-                   ? DescriptionRules::tr("%1 has nothing here. Leave it out: the encoder would do or tell "
-                                          "something else.")
+                   ? DescriptionRules::tr(
+                         "%1 has nothing here. Leave it out: the encoder would do or show something else.")
                          .arg(owner)
                    : DescriptionRules::tr(
-                         "%1 has %2 here. Anything else makes the encoder do or tell something else.")
+                         "%1 has %2 here. Anything else makes the encoder do or show something else.")
                          .arg(owner, known));
 }
 

@@ -56,10 +56,10 @@ bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
                           "codewheel::Catalog",
                           "The file begins with a byte order mark: save it as UTF-8 without one."));
     else if (const qsizetype place = json.indexOf('\0'); place >= 0)
-        faults.report(
-            lineOf(json, place), QString(),
-            QCoreApplication::translate(
-                "codewheel::Catalog", "A NUL character stands here, which is no part of a text: remove it."));
+        faults.report(lineOf(json, place), QString(),
+                      QCoreApplication::translate(
+                          "codewheel::Catalog",
+                          "A NUL character stands here, which is not part of a text: remove it."));
     return faults.first().has_value();
 }
 

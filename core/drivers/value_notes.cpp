@@ -90,14 +90,12 @@ QString pattern(const ValueNote &note)
     const bool isUntold = !note.arguments.empty() && note.arguments.back() == RefusalArgument(QString());
     switch (note.id) {
     case ValueNote::Id::revolutionsSetAlong:
-        return isUntold
-                   ? QCoreApplication::translate("ValueNotes",
-                                                 "With the steps, the encoder sets its revolutions to %1. If "
-                                                 "they shall be others, write them along with the steps.")
-                   : QCoreApplication::translate("ValueNotes",
-                                                 "With the steps, the encoder sets its revolutions to %1: "
-                                                 "now they are %2. If they shall stay, write them along with "
-                                                 "the steps.");
+        return isUntold ? QCoreApplication::translate("ValueNotes",
+                                                      "With the steps, the encoder sets its revolutions to "
+                                                      "%1. To have others, write them along with the steps.")
+                        : QCoreApplication::translate(
+                              "ValueNotes", "With the steps, the encoder sets its revolutions to %1: now "
+                                            "they are %2. To keep them, write them along with the steps.");
     case ValueNote::Id::rangeJumps:
         if (isUntold)
             return QCoreApplication::translate("ValueNotes",

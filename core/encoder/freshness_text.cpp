@@ -40,7 +40,7 @@ QString freshnessText(Freshness::Reason reason)
     case Freshness::Reason::none:
         break;
     case Freshness::Reason::notSeen:
-        return FreshnessText::tr("Nothing came from the encoder yet.");
+        return FreshnessText::tr("Nothing has come from the encoder yet.");
     case Freshness::Reason::disconnected:
         return FreshnessText::tr("Not connected.");
     case Freshness::Reason::linkLost:
@@ -54,7 +54,7 @@ QString freshnessText(Freshness::Reason reason)
     case Freshness::Reason::notAsked:
         return FreshnessText::tr("The encoder is not being asked: something else keeps the line busy.");
     case Freshness::Reason::slept:
-        return FreshnessText::tr("The computer slept since.");
+        return FreshnessText::tr("The computer has slept since.");
     }
     return {};
 }

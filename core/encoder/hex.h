@@ -12,8 +12,8 @@ namespace codewheel {
 // Eight digits, upper case, as the manuals write them: "020000FF".
 QString hexWord(Word word);
 
-// "020000FF", "0x20000ff", "20000FFh", also with spaces, "16#0200_00FF", the words of a PLC "16#0200 16#00FF";
-// 1 to 8 digits. Nothing for anything else: no sign, not both prefix and suffix.
+// "020000FF", "0x20000ff", "20000FFh", also with spaces, "16#0200_00FF", the words of a PLC "16#0200
+// 16#00FF"; 1 to 8 digits. Nothing for anything else: no sign, not both prefix and suffix.
 std::optional<Word> parseHexWord(QStringView text);
 
 // Nothing but 1 to `longest` hexadecimal digits, at most 15. Nothing for anything else.

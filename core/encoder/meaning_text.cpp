@@ -72,9 +72,9 @@ constexpr std::array meaningRows{
         MeaningId::serviceWriteInvalid, "serviceWriteInvalid",
         QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3; the encoder refuses this value")},
     MeaningRow{MeaningId::noOutWord, "noOutWord",
-               QT_TRANSLATE_NOOP("Meaning", "This encoder has no OUT word: it only tells its position")},
+               QT_TRANSLATE_NOOP("Meaning", "This encoder has no OUT word: it only sends its position")},
     MeaningRow{MeaningId::undescribedOut, "undescribedOut",
-               QT_TRANSLATE_NOOP("Meaning", "The OUT word of a K4 encoder is described in no source")},
+               QT_TRANSLATE_NOOP("Meaning", "No source describes the OUT word of a K4 encoder")},
     MeaningRow{MeaningId::undefinedOut, "undefinedOut",
                QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 
@@ -85,9 +85,9 @@ constexpr std::array meaningRows{
     MeaningRow{MeaningId::grayPosition, "grayPosition",
                QT_TRANSLATE_NOOP("Meaning", "position %1 (Gray code %2)")},
     MeaningRow{MeaningId::undescribedPosition, "undescribedPosition",
-               QT_TRANSLATE_NOOP("Meaning",
-                                 "position %1, as long as all four status bits are 0: where they stand "
-                                 "is in no source")},
+               QT_TRANSLATE_NOOP(
+                   "Meaning",
+                   "position %1, as long as all four status bits are 0: no source says where they stand")},
     MeaningRow{MeaningId::rawPosition, "rawPosition",
                QT_TRANSLATE_NOOP("Meaning", "position %1 in a coding that is not known")},
     MeaningRow{MeaningId::velocity, "velocity", QT_TRANSLATE_NOOP("Meaning", "speed %1 rpm")},
@@ -121,7 +121,7 @@ constexpr std::array meaningRows{
     MeaningRow{MeaningId::manufacturerError, "manufacturerError",
                QT_TRANSLATE_NOOP("Meaning", "Manufacturer's error %1")},
     MeaningRow{MeaningId::unknownState, "unknownState",
-               QT_TRANSLATE_NOOP("Meaning", "D31 D30 = 01: a state in no manual")},
+               QT_TRANSLATE_NOOP("Meaning", "D31 D30 = 01: a state that no manual describes")},
     MeaningRow{MeaningId::manufacturerSpecificIn, "manufacturerSpecificIn",
                QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
     MeaningRow{MeaningId::positionWithError, "positionWithError",

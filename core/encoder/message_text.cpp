@@ -127,15 +127,12 @@ constexpr std::array messageRows{
     MessageRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
     MessageRow{MessageId::projectRecovered, "projectRecovered",
                QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were brought back.")},
-    MessageRow{
-        MessageId::eepromThreeQuarters, "eepromThreeQuarters",
-        QT_TRANSLATE_NOOP("Message",
-                          "This program has written %1 times to the EEPROM; its manual speaks of about %2. "
-                          "Each further write is asked for.")},
+    MessageRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
+               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
+                                            "states about %2 writes. Each further write is asked about.")},
     MessageRow{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
-               QT_TRANSLATE_NOOP("Message",
-                                 "This program has written %1 times to the EEPROM, as often as its "
-                                 "manual speaks of (%2). It may lose its values.")},
+               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as "
+                                            "its manual states (%2). It may lose its values.")},
     MessageRow{MessageId::valuesStored, "valuesStored",
                QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
     MessageRow{
@@ -188,7 +185,7 @@ constexpr std::array messageRows{
     MessageRow{MessageId::lineAddressChanged, "lineAddressChanged",
                QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
     MessageRow{MessageId::baudRateChanged, "baudRateChanged",
-               QT_TRANSLATE_NOOP("Message", "The encoder speaks at %2 baud now (before: %1).")},
+               QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
     MessageRow{MessageId::encodersFound, "encodersFound",
                QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
     MessageRow{MessageId::training, "training", "%1"},

@@ -81,7 +81,7 @@ constexpr std::array refusalRows{
         RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
         QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
     RefusalRow{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
-               QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. There may stand: %3.")},
+               QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
     RefusalRow{RefusalId::deviceFileBroken, "deviceFileBroken",
                QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
     RefusalRow{
@@ -120,12 +120,10 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
     RefusalRow{RefusalId::projectEmpty, "projectEmpty",
                QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
-    RefusalRow{
-        RefusalId::lineAddressWrong, "lineAddressWrong",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "\"%1\" is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 "
-            "is for an encoder that is alone on its line.")},
+    RefusalRow{RefusalId::lineAddressWrong, "lineAddressWrong",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "\"%1\" is not an address of an encoder on a serial line. Addresses go from "
+                                 "01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.")},
     RefusalRow{RefusalId::lineSettingWrong, "lineSettingWrong",
                QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
     RefusalRow{
@@ -216,12 +214,11 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::masterStateWrong, "masterStateWrong",
                QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
     RefusalRow{RefusalId::noConfiguration, "noConfiguration",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The master keeps no configuration. Read in the ring, or download one.")},
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The master has no stored configuration. Read in the ring, or download one.")},
     RefusalRow{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1: this program has written %2 times to its EEPROM; its manual speaks "
-                                 "of about %3. Say that you want to write.")},
+               QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; its manual "
+                                            "states about %3 writes. Confirm that you want to write.")},
     RefusalRow{RefusalId::eepromLimitPassed, "eepromLimitPassed",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1: this program has written %2 times to its EEPROM; beyond %3 its "
@@ -287,11 +284,9 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP(
                    "Refusal", "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
                               "it, and write again.")},
-    RefusalRow{
-        RefusalId::unknownState, "unknownState",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder shows a state that is in no manual (IN %1). Send run, or switch the "
-                          "encoder off and on.")},
+    RefusalRow{RefusalId::unknownState, "unknownState",
+               QT_TRANSLATE_NOOP("Refusal", "The encoder shows a state that no manual describes (IN %1). "
+                                            "Send run, or switch the encoder off and on.")},
     RefusalRow{RefusalId::restarted, "restarted",
                QT_TRANSLATE_NOOP(
                    "Refusal",
@@ -423,9 +418,8 @@ constexpr std::array refusalRows{
                                             "plan what is connected.")},
     RefusalRow{RefusalId::serialDiffers, "serialDiffers",
                QT_TRANSLATE_NOOP("Refusal",
-                                 "%1: the label in the project has the serial number %2, the encoder "
-                                 "tells %3. Replace the encoder in the project, or correct the "
-                                 "label.")},
+                                 "%1: the label in the project has the serial number %2, the encoder reports "
+                                 "%3. Replace the encoder in the project, or correct the label.")},
     // stopped
     RefusalRow{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
     RefusalRow{
@@ -507,7 +501,7 @@ QString labelKeyText(const Refusal &refusal)
     const QStringList parts = argumentTexts(refusal.arguments);
     if (parts.value(1).isEmpty())
         return sentence(
-            refusalPattern(QT_TRANSLATE_NOOP("Refusal", "\"%1\" ends too early. There may follow: %3.")),
+            refusalPattern(QT_TRANSLATE_NOOP("Refusal", "\"%1\" ends too early. What may follow: %3.")),
             parts);
     if (parts.value(2).isEmpty())
         return sentence(

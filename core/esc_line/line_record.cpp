@@ -46,7 +46,7 @@ void LineRecordReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
     if (root.isObject() && root["format"] == Json::Value(sessionFormat))
         return;
     faults.report(root, QString(),
-                  tr("This is no session of a serial line: \"format\" is not \"%1\".")
+                  tr("This is not a session of a serial line: \"format\" is not \"%1\".")
                       .arg(QLatin1String(sessionFormat)));
 }
 

@@ -59,8 +59,8 @@ QString TypedParts::addressFault() const
         return tr("Type a request: two hexadecimal digits for the address, then the command, as in 05P.");
     if (m_address.size() == addressDigits && LineAddress::fromWire(m_address))
         return {};
-    return sentence(tr("\"%1\" is no address. A request begins with two hexadecimal digits: 01 to 1F, or 00 "
-                       "for whichever encoder is alone on the line."),
+    return sentence(tr("\"%1\" is not an address. A request begins with two hexadecimal digits: 01 to 1F, or "
+                       "00 for whichever encoder is alone on the line."),
                     {m_address});
 }
 
@@ -90,8 +90,9 @@ QString TypedParts::dataFault(const esc::CommandShape &shape) const
     if (m_data.size() > shape.digits)
         return sentence(tr("%1 takes %2 hexadecimal digits at most; these are %3."),
                         {m_letters, QLocale().toString(shape.digits), QLocale().toString(m_data.size())});
-    return parseHexDigits(m_data, shape.digits) ? QString()
-                                                : sentence(tr("\"%1\" is no hexadecimal number."), {m_data});
+    return parseHexDigits(m_data, shape.digits)
+               ? QString()
+               : sentence(tr("\"%1\" is not a hexadecimal number."), {m_data});
 }
 
 QString TypedParts::valueFault(int fractionBits) const

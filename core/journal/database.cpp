@@ -164,13 +164,13 @@ Stored<Database> Database::connect(const DatabasePlace &place)
 {
     const QFileInfo info(place.name);
     if (!place.inMemory && info.exists() && !info.isFile()) // a pipe would never end
-        return tl::unexpected(foreignFile(Journal::tr("it is no file.")));
+        return tl::unexpected(foreignFile(Journal::tr("it is not a file.")));
     const OpenFile::Turn turn = OpenFile::turn();
     std::optional<QByteArray> begin;
     if (!place.inMemory)
         begin = OpenFile::beginning(turn, place.name, journalModeAt + 1);
     if (begin && !begin->isEmpty() && !begin->startsWith(sqliteHeader))
-        return tl::unexpected(foreignFile(Journal::tr("it is no database, and was left as it was.")));
+        return tl::unexpected(foreignFile(Journal::tr("it is not a database, and was left as it was.")));
 
     Database database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), newName()),
                       place.inMemory ? QString() : place.name);

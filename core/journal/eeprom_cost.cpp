@@ -96,7 +96,7 @@ QString countedBy(const EepromCount &count)
 {
     switch (count.by) {
     case CountedBy::serialNumber:
-        return Eeprom::tr("counted by the serial number %1 the encoder told").arg(count.serialNumber);
+        return Eeprom::tr("counted by the serial number %1 read from the encoder").arg(count.serialNumber);
     case CountedBy::labelSerialNumber:
         return Eeprom::tr("counted by the serial number %1 on its label").arg(count.serialNumber);
     case CountedBy::place:
@@ -211,14 +211,12 @@ QString eepromConcernText(const EncoderSession &encoder, int planned)
     switch (eepromConcern(encoder, planned)) {
     case EepromConcern::question:
         if (soFar + planned <= *can.eepromBudget)
-            return Eeprom::tr(
-                       "This program has written %1 times to the EEPROM; the manual speaks of about %2. "
-                       "Write only what has to be.")
+            return Eeprom::tr("This program has written %1 times to the EEPROM; the manual states about %2 "
+                              "writes. Write only what has to be written.")
                 .arg(soFar)
                 .arg(*can.eepromBudget);
-        return Eeprom::tr(
-                   "With %1 writes by this program and %2 more, the about %3 of which the manual speaks "
-                   "are used up. The encoder may lose its values.")
+        return Eeprom::tr("With %1 writes by this program and %2 more, the %3 or so that the manual states "
+                          "are used up. The encoder may lose its values.")
             .arg(soFar)
             .arg(planned)
             .arg(*can.eepromBudget);

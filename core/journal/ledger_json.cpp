@@ -88,7 +88,7 @@ Ledger::Record recordOf(const JsonObject &json)
     Ledger::Entry &entry = record.entry;
     entry.at = QDateTime::fromString(json.text("at"), Qt::ISODateWithMs);
     if (!entry.at.isValid())
-        json.report("at", Journal::tr("This is no time as 2026-03-01T13:00:00.000Z."));
+        json.report("at", Journal::tr("This is not a time such as 2026-03-01T13:00:00.000Z."));
     entry.identity = json.text("identity");
     const auto by = countedByFromKey(json.text("countedBy"));
     if (!by)

@@ -82,7 +82,7 @@ Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
     if (id == RefusalId::linkFailed && isNoPort(path))
         return {RefusalKind::link,
                 id,
-                {QCoreApplication::translate("codewheel::PortAccess", "%1 is no serial port.").arg(path)}};
+                {QCoreApplication::translate("codewheel::PortAccess", "%1 is not a serial port.").arg(path)}};
     if (id == RefusalId::linkFailed)
         return {RefusalKind::link, id, {QStringLiteral("%1: %2").arg(path, errorText)}};
     return {RefusalKind::link, id, {path}};

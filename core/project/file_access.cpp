@@ -29,7 +29,7 @@ tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
 
 QString noFile()
 {
-    return QCoreApplication::translate("codewheel::FileAccess", "It is no file.");
+    return QCoreApplication::translate("codewheel::FileAccess", "It is not a file.");
 }
 
 std::int64_t megabytes(qint64 bytes)

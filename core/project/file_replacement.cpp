@@ -21,7 +21,7 @@ QString whyNotReplaceable(const QString &path)
     if (::stat(QFile::encodeName(path).constData(), &there) != 0)
         return errno == ENOENT ? QString() : qt_error_string(errno);
     return S_ISREG(there.st_mode) ? QString()
-                                  : QCoreApplication::translate("codewheel::FileAccess", "It is no file.");
+                                  : QCoreApplication::translate("codewheel::FileAccess", "It is not a file.");
 }
 
 bool writeAll(int file, QByteArrayView bytes)

@@ -246,7 +246,7 @@ QString PlanRules::noPlaceText(const QString &text) const
     const std::vector<NodeId> all = places();
     if (all.empty())
         return tr("Devices of this bus keep their places.");
-    return sentence(tr("\"%1\" is no address of this bus: type one from %2 to %3."),
+    return sentence(tr("\"%1\" is not an address of this bus: type one from %2 to %3."),
                     {text, writtenShort(all.front()), writtenShort(all.back())});
 }
 

@@ -22,9 +22,9 @@ std::int64_t FileHeader::readVersion(const Json::Value &root, FaultKeeper &fault
 {
     if (!root.isObject() || root["format"] != Json::Value(project_keys::formatName)) {
         const bool hasFormat = root.isObject() && root.isMember("format");
-        faults.report(
-            hasFormat ? root["format"] : root, QStringLiteral("format"),
-            tr("This is no project: the format is not \"%1\".").arg(QLatin1String(project_keys::formatName)));
+        faults.report(hasFormat ? root["format"] : root, QStringLiteral("format"),
+                      tr("This is not a project: the format is not \"%1\".")
+                          .arg(QLatin1String(project_keys::formatName)));
         return 0;
     }
     const Json::Value &version = root["version"];

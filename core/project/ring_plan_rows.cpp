@@ -132,7 +132,7 @@ QString RingPlanRules::complaint(const Project &project, Place device, const Pla
     if (column.field != PlanField::own || text.isEmpty() || parseAddress(text, unit))
         return {};
     const int largest = unit == AddressRules::Unit::byte ? largestAddress : largestAddress / 2;
-    return tr("%1 is no address. Give a number from 0 to %2, or nothing to have it counted.")
+    return tr("%1 is not an address. Give a number from 0 to %2, or nothing to have it counted.")
         .arg(text, QLocale().toString(largest));
 }
 

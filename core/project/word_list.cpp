@@ -38,7 +38,7 @@ Parsed<std::vector<Word>> parseColumn(const QString &text)
         if (!word)
             return tl::unexpected(
                 QCoreApplication::translate("Sequence",
-                                            "Nothing was pasted: line %1, \"%2\", is no hexadecimal word. "
+                                            "Nothing was pasted: line %1, \"%2\", is not a hexadecimal word. "
                                             "Each line takes up to 8 digits of 0 to 9 and A to F.")
                     .arg(QString::number(i + 1), cell.left(40)));
         words.push_back(*word);

@@ -29,7 +29,7 @@ void SequenceFile::checkFormat(const Json::Value &root, FaultKeeper &faults)
         return;
     faults.report(
         root, QString(),
-        tr("This is no sequence of words: \"format\" is not \"%1\".").arg(QLatin1String(wordListFormat)));
+        tr("This is not a sequence of words: \"format\" is not \"%1\".").arg(QLatin1String(wordListFormat)));
 }
 
 WordList SequenceFile::read(const JsonObject &json)

@@ -65,7 +65,7 @@ ReportSection eepromWrites(const ReportInput &input, const std::vector<ReportedD
     ReportSection section{.heading = ReportTexts::tr("EEPROM writes by this program"), .blocks = {}};
     ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Station"),
                        ReportTexts::tr("Writes"), ReportTexts::tr("Since"),
-                       ReportTexts::tr("Encoder told by"), ReportTexts::tr("Writes the manual states")},
+                       ReportTexts::tr("Encoder identified by"), ReportTexts::tr("Writes the manual states")},
                       {Column::text, Column::text, Column::number, Column::text, Column::text, Column::text},
                       {}};
     for (const ReportedDevice &device : devices)

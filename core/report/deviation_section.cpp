@@ -76,7 +76,7 @@ void addValues(ReportSection &section, const std::vector<ReportedDevice> &device
         section.blocks.emplace_back(std::move(table));
     else
         section.blocks.emplace_back(
-            ReportTexts::tr("No encoder is known to have anything else than what is wanted."));
+            ReportTexts::tr("No encoder is known to have anything other than what is wanted."));
     if (const int notKnown = countDeviations(devices).notKnown; notKnown > 0)
         section.blocks.emplace_back(
             ReportTexts::tr("%n wanted value(s) or cam program(s) could not be compared: what the encoders "

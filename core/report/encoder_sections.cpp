@@ -80,7 +80,7 @@ void addParameters(ReportSection &section, const ReportedDevice &device, const Q
 {
     const std::vector<Parameter> parameters = device.parameters();
     if (parameters.empty()) {
-        section.blocks.emplace_back(ReportTexts::tr("It has no parameters: it only tells its position."));
+        section.blocks.emplace_back(ReportTexts::tr("It has no parameters: it only sends its position."));
         return;
     }
     ReportTable table{{ReportTexts::tr("Parameter"), ReportTexts::tr("Wanted"), ReportTexts::tr("Known"),
@@ -109,11 +109,10 @@ std::vector<ReportSection> encoders(const ReportInput &input, const std::vector<
 {
     std::vector<ReportSection> sections{
         {.heading = ReportTexts::tr("Encoders"),
-         .blocks = {
-             ReportTexts::tr("Known values are: read, the encoder told it when it was read; echoed, the "
-                             "encoder confirmed it in a handshake and went into operation with it; told, "
-                             "somebody said so and the encoder was not asked; unknown, nobody knows what "
-                             "the encoder has.")}}};
+         .blocks = {ReportTexts::tr(
+             "Known values are: read, from the encoder; echoed, the encoder confirmed the value in a "
+             "handshake and went into operation with it; by hand, set by somebody, and the encoder was not "
+             "asked; unknown, nobody knows what the encoder has.")}}};
     for (const ReportedDevice &device : devices)
         if (device.description)
             sections.push_back(encoder(device, input.now));

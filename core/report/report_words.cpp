@@ -54,7 +54,7 @@ QString evidence(Evidence evidence)
     case Evidence::told:
         break;
     }
-    return ReportTexts::tr("told");
+    return ReportTexts::tr("by hand");
 }
 
 QString unknown()

@@ -53,8 +53,8 @@ Result<void> checkPlace(const RingStructure &structure, const RingPlace &place, 
     const Participant &terminal = structure.at(*place.terminal);
     if (terminal.idCode == busTerminalIdCode)
         return {};
-    return broken(
-        RingEdits::tr("Nothing can hang below %1: it is no bus terminal.").arg(terminal.number.toString()));
+    return broken(RingEdits::tr("Nothing can hang below %1: it is not a bus terminal.")
+                      .arg(terminal.number.toString()));
 }
 
 std::vector<std::size_t> &busAt(RingTree &tree, const RingPlace &place)

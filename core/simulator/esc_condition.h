@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What has befallen a simulated ESC encoder, and how its inputs are wired. The trainer sets it.
+// What has happened to a simulated ESC encoder, and how its inputs are wired. The trainer sets it.
 struct EscCondition
 {
     bool powered = true;

@@ -90,7 +90,7 @@ void FaultPlanReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
     if (!root.isObject() || root["format"] == Json::Value(planFormat))
         return;
     faults.report(root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
-                  tr("This is no fault plan: the format is not \"%1\".").arg(QLatin1String(planFormat)));
+                  tr("This is not a fault plan: the format is not \"%1\".").arg(QLatin1String(planFormat)));
 }
 
 FaultPlan FaultPlanReader::read(const JsonObject &json)

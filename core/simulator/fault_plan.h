@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-// What can befall a simulated ring and its devices.
+// What can happen to a simulated ring and its devices.
 enum class TrainingFault : std::uint8_t {
     wireBreak, // before the device
     crcErrors, // in its segment: faulty data cycles of 1000

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What befalls the bytes on a simulated serial line, in both directions. Counts are of 1000 bytes; what a
+// What happens to the bytes on a simulated serial line, in both directions. Counts are of 1000 bytes; what a
 // byte suffers is drawn from a random number whose seed is known, so that a run can be repeated.
 struct LineFaults
 {

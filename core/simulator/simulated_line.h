@@ -13,7 +13,7 @@ namespace codewheel {
 // The encoders 03, 05 and 12h of the training bus. 05 stands at 1235h, as in the manual's example.
 std::vector<EscEncoderPlan> trainingLine();
 
-// A serial line with simulated ESC encoders on it, and what befalls it. Every character takes its time; a
+// A serial line with simulated ESC encoders on it, and what happens to it. Every character takes its time; a
 // character at another baud rate than the listener's, or at another format than 8 data bits without parity,
 // is junk for it. Time is an argument: SimulatedLineLink makes it virtual or real. One thread uses the line;
 // the trainer's functions may be called by any.

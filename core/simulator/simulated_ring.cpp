@@ -49,7 +49,7 @@ void SimulatedRing::passTime()
             if (step == nullptr)
                 break;
             const auto place = std::ranges::find(m_wiring.planned(), step->place, &Participant::number);
-            befall(step->fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), step->value);
+            cause(step->fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), step->value);
         }
     }
     m_master.cycle();

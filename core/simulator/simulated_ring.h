@@ -69,8 +69,8 @@ private:
     void passTime();
     Result<void> exchangeSome(std::span<const Word> out, std::span<Word> in);
     void idle();
-    void befall(TrainingFault fault, std::size_t place, int value);
-    void befallRing(TrainingFault fault, std::size_t place, int value);
+    void cause(TrainingFault fault, std::size_t place, int value);
+    void causeInRing(TrainingFault fault, std::size_t place, int value);
     void putDevice(std::size_t place, bool wrong);
     std::optional<int> standing(TrainingFault fault, std::size_t place) const;
     std::optional<int> standingOfRing(TrainingFault fault, std::size_t place) const;

@@ -28,10 +28,10 @@ void SimulatedRing::setFault(TrainingFault fault, NodeId number, int value)
     const std::scoped_lock lock(m_mutex);
     const auto place = std::ranges::find(m_wiring.planned(), number, &Participant::number);
     if (place != m_wiring.planned().end())
-        befall(fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), value);
+        cause(fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), value);
 }
 
-void SimulatedRing::befall(TrainingFault fault, std::size_t place, int value)
+void SimulatedRing::cause(TrainingFault fault, std::size_t place, int value)
 {
     SimulatedDevice &device = *m_devices[place];
     const bool on = value > 0;
@@ -62,11 +62,11 @@ void SimulatedRing::befall(TrainingFault fault, std::size_t place, int value)
         device.setMagnetInRange(!on);
         return;
     default:
-        befallRing(fault, place, value);
+        causeInRing(fault, place, value);
     }
 }
 
-void SimulatedRing::befallRing(TrainingFault fault, std::size_t place, int value)
+void SimulatedRing::causeInRing(TrainingFault fault, std::size_t place, int value)
 {
     PlaceTrouble trouble = m_wiring.trouble(place);
     const bool on = value > 0;

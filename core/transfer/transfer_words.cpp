@@ -30,7 +30,7 @@ QString evidence(Evidence evidence)
     case Evidence::told:
         break;
     }
-    return TransferWords::tr("told");
+    return TransferWords::tr("by hand");
 }
 
 QString text(Became became)
@@ -39,7 +39,7 @@ QString text(Became became)
     case Became::written:
         return TransferWords::tr("Written");
     case Became::alreadyThere:
-        return TransferWords::tr("Was there already");
+        return TransferWords::tr("Already there");
     case Became::restored:
         return TransferWords::tr("Value from before restored");
     case Became::confirmed:

@@ -11,7 +11,7 @@ namespace codewheel {
 // Transfers in words, for window, command line and report alike.
 namespace transfer_words {
 
-// "Written, and read back", "Was there already".
+// "Written, and read back", "Already there".
 QString became(const AccountRow &row);
 QString became(const AccountCamRow &row);
 // "8 192 (read)"; "unknown"

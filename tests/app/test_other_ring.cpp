@@ -19,7 +19,7 @@ using test::fraba;
 class OtherRingTest : public test::WindowTest
 {
 protected:
-    void befall(TrainingFault fault, Place place, int value = 1)
+    void cause(TrainingFault fault, Place place, int value = 1)
     {
         shown->controls().setFault(fault, place.node, value);
         advance(60);
@@ -32,7 +32,7 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
     monitors().pin(fraba);
     monitors().pin("6.1"_ring);
     window().findChild<StructureView *>()->choose("6.1"_ring);
-    befall(TrainingFault::wireBreak, "6.0"_ring);
+    cause(TrainingFault::wireBreak, "6.0"_ring);
     ringActions().readIn->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
@@ -42,7 +42,7 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
     advance(200);
 
-    befall(TrainingFault::wireBreak, "6.0"_ring, 0);
+    cause(TrainingFault::wireBreak, "6.0"_ring, 0);
     ringActions().readIn->trigger();
     advance(100);
     EXPECT_EQ(bus().structure().size(), 7U);
@@ -52,7 +52,7 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
 TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
 {
     WordCard *monitor = monitors().cards().front();
-    befall(TrainingFault::wrongDevice, baumer);
+    cause(TrainingFault::wrongDevice, baumer);
     ringActions().readIn->trigger();
     advance(100);
     EXPECT_EQ(monitors().cards().front(), monitor);

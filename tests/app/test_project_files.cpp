@@ -311,7 +311,8 @@ TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
     drop(write("readme.txt", "encoders"));
     EXPECT_TRUE(notice().contains(QStringLiteral("none of the files")));
     drop(write("own.json", R"({"vendor": "Own", "profile": "unheard of"})"));
-    EXPECT_TRUE(notice("droppedDevice").contains(QStringLiteral("no device description that can be used")));
+    EXPECT_TRUE(
+        notice("droppedDevice").contains(QStringLiteral("not a device description that can be used")));
     QFile::rename(saved("crane.codewheel", QStringLiteral("hoist")), path("crane.json"));
     nameStation(QStringLiteral("unsaved"));
     {

@@ -223,6 +223,7 @@ TEST_F(StartOfTheProgram, TheFirstIsAliveAndTheNextOffersWhatTheLastHadOpen)
     EXPECT_TRUE(program->plant()->buses().open().empty());
     EXPECT_TRUE(page().isVisible());
     EXPECT_TRUE(page().reopen->isVisible());
+    EXPECT_EQ(program->window()->focusWidget()->objectName(), QStringLiteral("startReopen"));
     EXPECT_EQ(program->window()->windowTitle(), QStringLiteral("Untitled[*]"));
     page().training->trigger();
     ASSERT_TRUE(isConnected());

@@ -139,7 +139,7 @@ TEST_F(SupportTest, SaysWhyItWasNotSavedAndKeepsWhatWasThere)
     EXPECT_FALSE(dialog().saveTo(folder.filePath(QStringLiteral("nowhere/support.zip"))));
     EXPECT_THAT(dialog().findChild<InlineMessage *>()->sentence().toStdString(), HasSubstr("nowhere"));
     EXPECT_TRUE(dialog().isVisible());
-    EXPECT_FALSE(dialog().saveTo(QStringLiteral("/dev/full"))) << "it is no file";
+    EXPECT_FALSE(dialog().saveTo(QStringLiteral("/dev/full"))) << "it is not a file";
     ASSERT_TRUE(old.open(QIODevice::ReadOnly));
     EXPECT_EQ(old.readAll(), QByteArray("old"));
     EXPECT_TRUE(dialog().saveTo(zip())) << "in place of one that is there";
@@ -166,7 +166,7 @@ TEST(PrivateNames, AreTakenOutOfPathsAndNotOutOfWords)
     EXPECT_EQ(without("/home/crane2/a.codewheel"), "/home/crane2/a.codewheel");
     EXPECT_EQ(without("/media/crane/STICK/crane.pdf"), "/media/user/STICK/crane.pdf");
     EXPECT_EQ(without("The crane on pc-17 stands."), "The crane on computer stands.");
-    EXPECT_EQ(withoutPrivateNames(QStringLiteral("as it is"), {}), QStringLiteral("as it is"));
+    EXPECT_EQ(withoutPrivateNames(QStringLiteral("unchanged"), {}), QStringLiteral("unchanged"));
 }
 
 } // namespace

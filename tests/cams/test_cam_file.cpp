@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
     Rules, BrokenCamFile,
     testing::Values(
         Breakage{"\"version\": 1,", "\"version\": 1", 4, "", "not valid JSON"},
-        Breakage{"codewheel-cams", "codewheel-sequence", 2, "format", "no file of cam programs"},
+        Breakage{"codewheel-cams", "codewheel-sequence", 2, "format", "not a file of cam programs"},
         Breakage{"\"version\": 1,", "\"version\": 2,", 3, "version", "Only version 1"},
         Breakage{"\"version\": 1,", "\"version\": 1, \"version\": 1,", 3, "version", "stands here twice"},
         Breakage{"\"device\": \"fraba-ocd-ib\",", "", 1, "device", "missing"},
@@ -119,7 +119,7 @@ TEST(CamFile, WhatIsOfAnotherKindIsToldBeforeItsKeys)
         const auto file = camFileFromJson(other, fileName);
         ASSERT_FALSE(file);
         EXPECT_EQ(refusalText(file.error()).toStdString(),
-                  "press.json, line 1, format: This is no file of cam programs: the format is not "
+                  "press.json, line 1, format: This is not a file of cam programs: the format is not "
                   "\"codewheel-cams\". Nothing was taken from the file.");
     }
 }

@@ -154,11 +154,11 @@ TEST(DescriptionRules, RefuseCommandsThatDoNotBelong)
     };
     const Row rows[] = {
         {onLine(R"({"parameter": "steps", "read": "GR", "minimum": 1, "maximum": 2})"), "parameters[0].read",
-         "\"GR\" is no command that reads a value."},
+         "\"GR\" is not a command that reads a value."},
         {onLine(R"({"parameter": "steps", "read": "V", "minimum": 1, "maximum": 2})"), "parameters[0].read",
-         "\"V\" is no command that reads a value."},
+         "\"V\" is not a command that reads a value."},
         {onLine(R"({"parameter": "steps", "read": "D", "write": "D", "minimum": 1, "maximum": 2})"),
-         "parameters[0].write", "\"D\" is no command that writes a value."},
+         "parameters[0].write", "\"D\" is not a command that writes a value."},
         {onLine(R"({"parameter": "steps", "write": "GR", "minimum": 1, "maximum": 2})"),
          "parameters[0].write", "must be read, too"},
         {onLine(R"({"parameter": "steps", "number": 1, "minimum": 1, "maximum": 2})"), "parameters[0].number",

@@ -51,7 +51,7 @@ TEST_F(ExplainWord, InWordsOfFraba)
     EXPECT_EQ(text(fraba, 0xA000'2000, positionIn), "Self test, or read-out of 8192");
     EXPECT_EQ(text(fraba, 0x9800'0017, positionIn), "Manufacturer's error 23");
     EXPECT_EQ(text(fraba, 0x9800'0100, positionIn), "Error 12: an error of the manufacturer's own");
-    EXPECT_EQ(text(fraba, 0x4000'0000, positionIn), "D31 D30 = 01: a state in no manual");
+    EXPECT_EQ(text(fraba, 0x4000'0000, positionIn), "D31 D30 = 01: a state that no manual describes");
 }
 
 TEST_F(ExplainWord, CamWordsOfFraba)
@@ -208,7 +208,7 @@ TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
     EXPECT_EQ(text(k1, 0x0000'0FFF, positionIn), "Running, position 4095");
     EXPECT_EQ(text(k1, 0x0000'9800, positionIn),
               "No position: D15, D12 should be 0, since the position has 12 bits");
-    EXPECT_EQ(text(k1, 0x0200'00FF, positionOut), "This encoder has no OUT word: it only tells its position");
+    EXPECT_EQ(text(k1, 0x0200'00FF, positionOut), "This encoder has no OUT word: it only sends its position");
     const DeviceDescription &k2 = *catalog.find(u"fraba-ocd-ib-k2");
     EXPECT_EQ(text(k2, 0x00FF'FFFF, positionIn), "Running, position 16777215");
     EXPECT_EQ(text(k2, 0x0100'0000, positionIn),
@@ -217,10 +217,10 @@ TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
     EXPECT_EQ(text(*catalog.find(u"twk-k2"), 0xC200'0005, positionIn),
               "No position: D31, D30, D25 should be 0, since the position has 25 bits");
     const DeviceDescription &k4 = *catalog.find(u"twk-k4");
-    EXPECT_EQ(text(k4, 0x0001'2A4F, positionIn),
-              "Running, position 76367, as long as all four status bits are 0: "
-              "where they stand is in no source");
-    EXPECT_EQ(text(k4, 0x0200'00FF, positionOut), "The OUT word of a K4 encoder is described in no source");
+    EXPECT_EQ(
+        text(k4, 0x0001'2A4F, positionIn),
+        "Running, position 76367, as long as all four status bits are 0: no source says where they stand");
+    EXPECT_EQ(text(k4, 0x0200'00FF, positionOut), "No source describes the OUT word of a K4 encoder");
 
     DeviceDescription coded = k2;
     coded.coding = PositionCoding::gray;
@@ -252,8 +252,8 @@ TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
     EXPECT_EQ(bit(k1, WordDirection::in, 12), "D12: not used, always 0");
     EXPECT_EQ(bit(k1, WordDirection::out, 31), "D31: this encoder has no OUT word");
     EXPECT_EQ(bit(*catalog.find(u"twk-k4"), WordDirection::in, 31),
-              "D31..D0: position; which four bits are status bits is in no source");
-    EXPECT_EQ(bit(*catalog.find(u"twk-k4"), WordDirection::out, 31), "D31..D0: described in no source");
+              "D31..D0: position; no source says which four bits are status bits");
+    EXPECT_EQ(bit(*catalog.find(u"twk-k4"), WordDirection::out, 31), "D31..D0: no source describes them");
     for (const DeviceDescription &device : catalog.devices())
         for (const WordDirection direction : {WordDirection::in, WordDirection::out}) {
             for (int i = 0; i < 32; ++i)

@@ -111,10 +111,9 @@ TEST_F(LabelKey, OfKueblerTellsTheInterface)
 
 TEST_F(LabelKey, SaysWhichPartIsNotUnderstoodAndWhatMayStandThere)
 {
-    EXPECT_EQ(
-        refusal("OCD-IBA1B-1413-C100-PRI"),
-        "\"14\" in \"OCD-IBA1B-1413-C100-PRI\" is not understood. There may stand: Bits for revolutions: "
-        "00 (single-turn), 12 (multi-turn, 4096 turns).");
+    EXPECT_EQ(refusal("OCD-IBA1B-1413-C100-PRI"),
+              "\"14\" in \"OCD-IBA1B-1413-C100-PRI\" is not understood. Allowed there: Bits for revolutions: "
+              "00 (single-turn), 12 (multi-turn, 4096 turns).");
     EXPECT_THAT(refusal("OCD-IBA1B-12 14-C100-PRI"), HasSubstr("\"14\""));
     EXPECT_THAT(refusal("OCD-IBA1B-1213-C150-PRI"), HasSubstr("\"C15\"")) << "only for a hollow shaft";
     EXPECT_THAT(refusal("OCD-IBA1B-1213-B100-PRI"), HasSubstr("B15 (blind hollow shaft, 15 mm)"));
@@ -127,11 +126,10 @@ TEST_F(LabelKey, SaysWhichPartIsNotUnderstoodAndWhatMayStandThere)
 
 TEST_F(LabelKey, SaysWhereItEndsTooEarlyOrTooLate)
 {
-    EXPECT_EQ(refusal("GXP6W.0 10"), "\"GXP6W.0 10\" ends too early. There may follow: Connection: A0 "
-                                     "(C-plug 2 x 9 pins, axial), A1 (C-plug 2 "
-                                     "x 9 pins, radial), A2 (C-plug 2 x 9 pins, axial, 4 LEDs), A3 (C-plug 2 "
-                                     "x 9 pins, radial, 4 LEDs), 20 "
-                                     "(bus cover, 2 LEDs).");
+    EXPECT_EQ(refusal("GXP6W.0 10"),
+              "\"GXP6W.0 10\" ends too early. What may follow: Connection: A0 (C-plug 2 x 9 pins, axial), A1 "
+              "(C-plug 2 x 9 pins, radial), A2 (C-plug 2 x 9 pins, axial, 4 LEDs), A3 (C-plug 2 x 9 pins, "
+              "radial, 4 LEDs), 20 (bus cover, 2 LEDs).");
     EXPECT_EQ(refusal("GXP6W.0 10 A0 01 77"),
               "\"77\" in \"GXP6W.0 10 A0 01 77\" is too much: the key ends before it. Leave it out.");
     EXPECT_THAT(refusal(""), HasSubstr("ends too early"));

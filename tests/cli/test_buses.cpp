@@ -213,7 +213,7 @@ TEST_F(CliBuses, WhatIsRefusedIsToldWithItsBus)
     EXPECT_EQ(stopped.exit, 1);
     EXPECT_THAT(stopped.err, HasSubstr("Nothing was sent to Crane 2/1.0: the bus is stopped."));
     EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Crane 2/6.0")}).err,
-                HasSubstr("The device at Crane 2/6.0 is no encoder"));
+                HasSubstr("The device at Crane 2/6.0 is not an encoder"));
     findDevice(project, {secondLine, LineAddress{5}.node()})->label.serialNumber = QStringLiteral("DEADBEEF");
     EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Right")}).err, HasSubstr("Gate 2/esc:05"));
 }

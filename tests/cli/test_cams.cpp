@@ -121,7 +121,7 @@ TEST_F(CliCams, WhatIsNoFileIsNotReplacedAndNothingIsRead)
     const CliRun run = shared.runLine(QStringLiteral("cams 1.0 read %1 --yes").arg(pipe));
     EXPECT_EQ(run.exit, 2);
     EXPECT_EQ(run.out, "");
-    EXPECT_THAT(run.err, HasSubstr("pipe cannot be written: It is no file."));
+    EXPECT_THAT(run.err, HasSubstr("pipe cannot be written: It is not a file."));
     struct stat there = {};
     ASSERT_EQ(::stat(QFile::encodeName(pipe).constData(), &there), 0);
     EXPECT_TRUE(S_ISFIFO(there.st_mode));

@@ -89,7 +89,7 @@ TEST(CliExplain, WithoutTheModeAllMeaningsAreGiven)
     EXPECT_THAT(meanings("40000000 --device fraba-ocd-ib --direction out --mode position"),
                 ElementsAre("initialisePreset"));
     EXPECT_THAT(runLine(QStringLiteral("explain 40000000 --device fraba-ocd-ib --direction out")).out,
-                HasSubstr("What may tell which: --mode"));
+                HasSubstr("To narrow it down: --mode"));
 }
 
 // It may be a FRABA in any mode.
@@ -107,7 +107,7 @@ TEST(CliExplain, WithoutTheMakeTheMeaningsOfCamModeAreGiven)
                 ElementsAre("initialisePreset"));
     EXPECT_THAT(meanings("40000000 --device twk-k3 --direction out"), ElementsAre("initialisePreset"));
     EXPECT_THAT(runLine(QStringLiteral("explain 40000000 --device generic-k3 --direction out")).out,
-                HasSubstr("What may tell which: --device, --mode"));
+                HasSubstr("To narrow it down: --device, --mode"));
 }
 
 TEST(CliExplain, TheCodingDecidesWhatAPositionIs)

@@ -83,7 +83,7 @@ TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)
     EXPECT_EQ(run(monitorCommand, {QStringLiteral("1.0")}).exit, 0);
     const CliRun input = run(monitorCommand, {QStringLiteral("2.0")});
     EXPECT_EQ(input.exit, 2);
-    EXPECT_THAT(input.err, HasSubstr("2.0 is no encoder this program can drive"));
+    EXPECT_THAT(input.err, HasSubstr("2.0 is not an encoder this program can drive"));
 }
 
 TEST_F(CliForeignRing, AnEncoderThatDoesNotAnswerIsExit1)

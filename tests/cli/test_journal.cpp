@@ -67,11 +67,11 @@ TEST_F(CliJournal, AFileThatIsNoLedgerStaysWhereItIs)
     file.close();
     const CliRun looked = run("ledger --ledger %1/x.codewheel");
     EXPECT_EQ(looked.exit, 1);
-    EXPECT_NE(looked.err.find("x.codewheel cannot be used: it is no database, and was left as it was."),
+    EXPECT_NE(looked.err.find("x.codewheel cannot be used: it is not a database, and was left as it was."),
               std::string::npos)
         << looked.err;
     const CliRun written = run("write 1.0 steps=2048 --yes --ledger %1/x.codewheel");
-    EXPECT_NE(written.err.find("it is no database"), std::string::npos) << written.err;
+    EXPECT_NE(written.err.find("it is not a database"), std::string::npos) << written.err;
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("x.codewheel")});
 }
 

@@ -131,7 +131,7 @@ TEST_F(CliMaster, TakesNoOtherAction)
     for (const char *line : {"master dance", "master segment", "master segment x on", "master start now"}) {
         const CliRun run = runLine(QString::fromLatin1(line));
         EXPECT_EQ(run.exit, 2) << line;
-        EXPECT_THAT(run.err, HasSubstr("no action of the master")) << line;
+        EXPECT_THAT(run.err, HasSubstr("not an action of the master")) << line;
     }
 }
 

@@ -68,7 +68,7 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     const CliRun done = run("replace 1.0 --project @ --label OCD-IBA1B-1213-C100-PRI --serial 4711 "
                             "--position 3000 --yes --trace");
     EXPECT_EQ(done.exit, 0) << done.err << done.out;
-    EXPECT_THAT(done.out, HasSubstr("It fits: as far as the project tells, it is like the one before.\n"));
+    EXPECT_THAT(done.out, HasSubstr("It fits: as far as the project shows, it is like the one before.\n"));
     EXPECT_THAT(done.out, HasSubstr("  The position is set to 3000 at the end of it.\n"));
     EXPECT_THAT(done.out, HasSubstr("  Position: set to 3000.\n"));
     EXPECT_THAT(done.out, HasSubstr("  steps        = 4096     Written, and read back\n"));

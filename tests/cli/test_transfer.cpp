@@ -82,8 +82,9 @@ TEST_F(CliTransfer, WritesToAllAndASecondTimeToNone)
 {
     const CliRun run = runIt("transfer @ --yes");
     EXPECT_EQ(run.exit, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("  steps        = 255  Written, and read back\n"
-                                   "  revolutions  = 1    Was there already\n"));
+    EXPECT_THAT(
+        run.out,
+        HasSubstr("  steps        = 255  Written, and read back\n  revolutions  = 1    Already there\n"));
     EXPECT_THAT(run.out, HasSubstr("Written: 2. Already there: 1. EEPROM writes: 2.\n"));
     EXPECT_EQ(shared.eepromWrites(), 2);
     const CliRun again = runIt("transfer @");

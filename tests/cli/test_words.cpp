@@ -208,7 +208,7 @@ TEST_P(CliWordsBadInput, IsRefusedAndNothingIsSent)
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliWordsBadInput,
-    testing::Values(BadWords{"words 1.0 020000FF 0200XYFF", "notAWord", "\"0200XYFF\" is no word"},
+    testing::Values(BadWords{"words 1.0 020000FF 0200XYFF", "notAWord", "\"0200XYFF\" is not a word"},
                     BadWords{"words 1.0 0020000FF", "notAWord", "up to 8 hexadecimal digits"},
                     BadWords{"words 1.0 -1", "notAWord", "\"-1\""},
                     BadWords{"words 7.0 020000FF", "unknownDevice", "1.0, 2.0"},

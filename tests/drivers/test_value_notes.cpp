@@ -75,11 +75,11 @@ TEST(ValueNotes, StepsOfASerialEncoderSetItsRevolutions)
 {
     const QStringView device = u"kuebler-esc-rs485";
     EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 16}}),
-                ElementsAre("With the steps, the encoder sets its revolutions to 4096: now they are 16. If "
-                            "they shall stay, write them along with the steps."));
+                ElementsAre("With the steps, the encoder sets its revolutions to 4096: now they are 16. To "
+                            "keep them, write them along with the steps."));
     EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}),
-                ElementsAre("With the steps, the encoder sets its revolutions to 4096. If they shall be "
-                            "others, write them along with the steps."));
+                ElementsAre("With the steps, the encoder sets its revolutions to 4096. To have others, write "
+                            "them along with the steps."));
     EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 4096}}), IsEmpty());
     EXPECT_THAT(textsOf(u"fraba-ocd-ib", {{Parameter::steps, 864}}, {{Parameter::revolutions, 16}}),
                 IsEmpty())
@@ -94,7 +94,7 @@ TEST(ValueNotes, AnotherScalingNeedsThePresetAgain)
     for (const QStringView device : {u"fraba-ocd-ib", u"kuebler-esc-rs485"}) {
         EXPECT_THAT(idsOf(device, steps, known), ElementsAre(Id::presetNeeded));
         EXPECT_THAT(idsOf(device, steps, known, PositionIsSet::yes), IsEmpty());
-        EXPECT_THAT(idsOf(device, {{Parameter::steps, 8192}}, known), IsEmpty()) << "as it is";
+        EXPECT_THAT(idsOf(device, {{Parameter::steps, 8192}}, known), IsEmpty()) << "unchanged";
         EXPECT_THAT(idsOf(device, {{Parameter::preset, 1}}, known), IsEmpty());
     }
     ParameterValues withoutOffset = known;

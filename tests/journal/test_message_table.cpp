@@ -164,7 +164,7 @@ TEST(MessageTable, LeavesAFileThatIsNoDatabaseAlone)
         const JournalFile file;
         file.fill(bytes);
         EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::foreign) << bytes.size();
-        EXPECT_EQ(errorOf(file).reason, QStringLiteral("it is no database, and was left as it was."));
+        EXPECT_EQ(errorOf(file).reason, QStringLiteral("it is not a database, and was left as it was."));
         EXPECT_EQ(QFileInfo(file.path).size(), bytes.size());
     }
 }

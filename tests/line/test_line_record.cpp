@@ -65,8 +65,8 @@ TEST(LineRecord, RefusesWhatBreaksARuleWithItsLine)
         QByteArray json;
         const char *named;
     } rows[] = {
-        {"{}", "a.json, line 1: This is no session of a serial line"},
-        {"[]", "This is no session of a serial line"},
+        {"{}", "a.json, line 1: This is not a session of a serial line"},
+        {"[]", "This is not a session of a serial line"},
         {"", "a.json, line 1"},
         {file(good, "\"version\": 2,"), "a.json, line 3, version: Only version 1"},
         {file(R"({"at": -1, "kind": "sent", "bytes": "1B"})"), "line 8, rows[0].at"},

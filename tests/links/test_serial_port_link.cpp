@@ -201,7 +201,7 @@ TEST_F(SerialLink, WhatIsNoPortIsRefused)
         const auto none = SerialPortLink(QString::fromLatin1(path)).open(usual);
         ASSERT_EQ(refusalOf(none), RefusalId::linkFailed) << path;
         EXPECT_TRUE(refusalText(none.error())
-                        .endsWith(QString::fromLatin1(path) + QStringLiteral(" is no serial port.")));
+                        .endsWith(QString::fromLatin1(path) + QStringLiteral(" is not a serial port.")));
     }
 }
 

@@ -216,7 +216,7 @@ TEST_F(ProjectFile, ASocketIsNotReplaced)
         ASSERT_FALSE(refused);
         EXPECT_TRUE(
             refusalText(refused.error())
-                .endsWith(QStringLiteral("cannot be written: It is no file. Nothing was changed there.")))
+                .endsWith(QStringLiteral("cannot be written: It is not a file. Nothing was changed there.")))
             << refusalText(refused.error()).toStdString();
     }
     struct stat there = {};

@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
     Rules, BrokenProject,
     testing::Values(
         Breakage{"\"version\": 2,", "\"version\": 2", 4, "", "not valid JSON"},
-        Breakage{"codewheel-project", "codewheel-cams", 2, "format", "This is no project"},
+        Breakage{"codewheel-project", "codewheel-cams", 2, "format", "This is not a project"},
         Breakage{"\"version\": 2,", "", 1, "version", "whole number from 1"},
         Breakage{"\"version\": 2,", "\"version\": 0,", 3, "version", "whole number from 1"},
         Breakage{"\"version\": 2,", "\"version\": 2.0,", 3, "version", "whole number from 1"},

@@ -25,7 +25,7 @@ TEST(WordList, RefusesAColumnWithJunkAsAWholeAndNamesTheLine)
     const auto words = parseColumn(QStringLiteral("020000FF\n\nsteps\t80000000\n"));
     ASSERT_FALSE(words);
     EXPECT_TRUE(words.error().startsWith(
-        QLatin1String("Nothing was pasted: line 3, \"steps\", is no hexadecimal word.")))
+        QLatin1String("Nothing was pasted: line 3, \"steps\", is not a hexadecimal word.")))
         << words.error().toStdString();
 }
 
@@ -74,8 +74,8 @@ TEST(WordList, ABadFileIsRefusedWithItsLine)
 {
     const BadFile rows[] = {
         {"", "Line 1: The file is empty."},
-        {"[]", "Line 1: This is no sequence of words"},
-        {"{\n\"format\": \"codewheel-plan\"}", "Line 1: This is no sequence of words"},
+        {"[]", "Line 1: This is not a sequence of words"},
+        {"{\n\"format\": \"codewheel-plan\"}", "Line 1: This is not a sequence of words"},
         {"{\"format\": \"codewheel-sequence\",\n\"version\": 2, \"words\": []}",
          "Line 2, version: Only version 1"},
         {"{\"format\": \"codewheel-sequence\",\n\"version\": 1,\n\"words\": [\"0\",\n\"020000FG\"]}",

@@ -337,7 +337,7 @@ TEST(CommissioningReport, APositionEncoderHasNoParameters)
     fraba(input).wanted.clear();
     fraba(input).stored.clear();
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "1.0: FRABA OCD-IB K1, Crane 1, hoist")),
-                Contains("It has no parameters: it only tells its position."));
+                Contains("It has no parameters: it only sends its position."));
 }
 
 TEST(CommissioningReport, AnEmptyProjectIsAReportToo)

@@ -44,7 +44,7 @@ protected:
         EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
         m_bus.advance(10);
     }
-    void befall(TrainingFault fault, Place place, int value = 1)
+    void cause(TrainingFault fault, Place place, int value = 1)
     {
         m_ring.ring->setFault(fault, place.node, value);
     }
@@ -159,7 +159,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     ASSERT_TRUE(m_bus.channel(first)->write());
     m_bus.advance(5);
     takeMessages();
-    befall(TrainingFault::wireBreak, second);
+    cause(TrainingFault::wireBreak, second);
     m_bus.advance(1);
     EXPECT_EQ(m_bus.latest().state, MasterState::busFail);
     EXPECT_EQ(m_bus.channel(first)->out(), 0U);
@@ -180,7 +180,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     EXPECT_EQ(m_bus.latest().state, MasterState::busFail);
 
     takeMessages();
-    befall(TrainingFault::wireBreak, second, 0);
+    cause(TrainingFault::wireBreak, second, 0);
     m_bus.advance(5);
     EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
     EXPECT_EQ(m_bus.latest().state, MasterState::ready);
@@ -198,7 +198,7 @@ TEST_F(ASessionWithAMaster, AJobEndsAsStoppedWhenTheBusFails)
                      [&](const Outcome &ended) { outcome = ended; });
     ASSERT_TRUE(m_bus.encoder(first)->start(ReadParameters{{Parameter::steps}}));
     m_bus.advance(2);
-    befall(TrainingFault::noSupply, last);
+    cause(TrainingFault::noSupply, last);
     m_bus.advance(1);
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->result.error().id, RefusalId::busStopped);
@@ -240,7 +240,7 @@ TEST_F(ASessionWithAMaster, AJobInASegmentThatIsSwitchedOffEndsAsStopped)
 
 TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenItIsConfirmed)
 {
-    befall(TrainingFault::peripheralFault, onLocalBus);
+    cause(TrainingFault::peripheralFault, onLocalBus);
     takeMessages();
     m_bus.advance(1);
     ASSERT_EQ(m_messages.size(), 1U);
@@ -253,7 +253,7 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenI
     m_bus.advance(2);
     EXPECT_THAT(takeMessages(), ElementsAre(MessageId::diagnosticsConfirmed,
                                             MessageId::peripheralFaultConfirmed, MessageId::peripheralFault));
-    befall(TrainingFault::peripheralFault, onLocalBus, 0);
+    cause(TrainingFault::peripheralFault, onLocalBus, 0);
     m_bus.confirmDiagnostics();
     m_bus.advance(2);
     EXPECT_THAT(takeMessages(),
@@ -263,9 +263,9 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenI
 
 TEST_F(ASessionWithAMaster, APeripheralFaultIsNotConfirmedByReadingIn)
 {
-    befall(TrainingFault::peripheralFault, onLocalBus);
+    cause(TrainingFault::peripheralFault, onLocalBus);
     m_bus.advance(1);
-    befall(TrainingFault::peripheralFault, onLocalBus, 0);
+    cause(TrainingFault::peripheralFault, onLocalBus, 0);
     takeMessages();
     readIn();
     EXPECT_THAT(takeMessages(), ElementsAre(MessageId::ringRead, MessageId::busStarted));
@@ -278,9 +278,9 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsNotConfirmedByReadingIn)
 
 TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
 {
-    befall(TrainingFault::peripheralFault, last);
+    cause(TrainingFault::peripheralFault, last);
     m_bus.advance(1);
-    befall(TrainingFault::wireBreak, "4.0"_ring);
+    cause(TrainingFault::wireBreak, "4.0"_ring);
     m_bus.advance(30);
     m_messages.clear();
     readIn();
@@ -294,7 +294,7 @@ TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
 
 TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
 {
-    befall(TrainingFault::wireBreak, "5.0"_ring);
+    cause(TrainingFault::wireBreak, "5.0"_ring);
     m_bus.advance(30);
     takeMessages();
     m_bus.switchSegment(4, false); // it is the segment before
@@ -311,17 +311,17 @@ TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
 TEST_F(ASessionWithAMaster, AFaultElsewhereIsToldAsGone)
 {
     m_bus.switchSegment(4, false);
-    befall(TrainingFault::wireBreak, last);
+    cause(TrainingFault::wireBreak, last);
     m_bus.advance(30);
     takeMessages();
-    befall(TrainingFault::wireBreak, last, 0);
+    cause(TrainingFault::wireBreak, last, 0);
     m_bus.advance(3);
     EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
 }
 
 TEST_F(ASessionWithAMaster, ReadingInARingWhereNoDeviceAnswersIsToldInWords)
 {
-    befall(TrainingFault::wireBreak, first);
+    cause(TrainingFault::wireBreak, first);
     m_bus.advance(30);
     m_messages.clear();
     readIn();
@@ -334,10 +334,10 @@ TEST_F(ASessionWithAMaster, ReadingInARingWhereNoDeviceAnswersIsToldInWords)
 
 TEST_F(ASessionWithAMaster, CrcErrorsOfABurstAreToldWhenTheirMinuteIsOver)
 {
-    befall(TrainingFault::crcErrors, second, 100);
+    cause(TrainingFault::crcErrors, second, 100);
     takeMessages();
     m_bus.advance(5'000);
-    befall(TrainingFault::crcErrors, second, 0);
+    cause(TrainingFault::crcErrors, second, 0);
     m_bus.advance(100'000);
     ASSERT_EQ(m_messages.size(), 2U);
     const std::int64_t all = m_bus.master()->segments[1].crcErrors;
@@ -349,7 +349,7 @@ TEST_F(ASessionWithAMaster, CrcErrorsOfABurstAreToldWhenTheirMinuteIsOver)
 
 TEST_F(ASessionWithAMaster, CrcErrorsAreToldWhenTheBusIsStoppedWithinTheMinute)
 {
-    befall(TrainingFault::crcErrors, second, 100);
+    cause(TrainingFault::crcErrors, second, 100);
     takeMessages();
     m_bus.advance(500);
     const std::int64_t all = m_bus.master()->segments[1].crcErrors;
@@ -364,7 +364,7 @@ TEST_F(ASessionWithAMaster, CrcErrorsAreToldWhenTheBusIsStoppedWithinTheMinute)
 
 TEST_F(ASessionWithAMaster, CrcErrorsAreToldOnceAMinute)
 {
-    befall(TrainingFault::crcErrors, second, 100);
+    cause(TrainingFault::crcErrors, second, 100);
     takeMessages();
     m_bus.advance(59'000);
     ASSERT_EQ(m_messages.size(), 1U);
@@ -403,7 +403,7 @@ TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
     ASSERT_TRUE(kept->start(ReadParameters{{Parameter::steps}}));
     m_bus.advance(200);
     ASSERT_EQ(kept->known(Parameter::steps)->value, 8'192);
-    befall(TrainingFault::wireBreak, "3.1"_ring);
+    cause(TrainingFault::wireBreak, "3.1"_ring);
     m_bus.advance(30);
     readIn();
     EXPECT_EQ(m_changes, 1);
@@ -447,7 +447,7 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
         ASSERT_FALSE(started);
         refusedJob = started.error().id;
     });
-    befall(TrainingFault::wireBreak, onLocalBus);
+    cause(TrainingFault::wireBreak, onLocalBus);
     m_bus.advance(30);
     readIn();
     ASSERT_EQ(m_changes, 1);
@@ -463,7 +463,7 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
 TEST_F(ASessionWithAMaster, AnotherDeviceInAPlaceGetsASessionOfItsOwn)
 {
     QPointer<EncoderSession> before = m_bus.encoder(second);
-    befall(TrainingFault::wrongDevice, second);
+    cause(TrainingFault::wrongDevice, second);
     m_bus.advance(30);
     readIn();
     m_bus.advance(1);
@@ -486,7 +486,7 @@ TEST_F(ASessionWithAMaster, AlarmStopEndsReadingIn)
 // Posted while the ring that was read in takes over: the new one must not start.
 TEST_F(ASessionWithAMaster, AlarmStopBetweenTwoRingsIsNotLost)
 {
-    befall(TrainingFault::wireBreak, last);
+    cause(TrainingFault::wireBreak, last);
     m_bus.advance(30);
     QObject::connect(&m_bus, &RingSession::readInProgressed, &m_bus, [this](int devices) {
         if (devices == 7)
@@ -521,7 +521,7 @@ TEST_F(ASessionWithAMaster, TheMasterKeepsWhatItIsGiven)
 // A smaller configuration than the ring was started with takes its place.
 TEST_F(ASessionWithAMaster, AConfigurationThatIsActivatedAnewIsTakenOver)
 {
-    befall(TrainingFault::wireBreak, last);
+    cause(TrainingFault::wireBreak, last);
     m_bus.advance(30);
     KeptConfiguration smaller{QStringLiteral("smaller.codewheel"), m_bus.structure()};
     smaller.structure.pop_back();

@@ -118,7 +118,7 @@ TEST(RingEdit, WhatCannotBeIsRefusedInWords)
     EXPECT_EQ(sentence(moveDevices(before, terminal, {10, true, 0})),
               "The bus cannot be built like this: A bus terminal belongs on the remote bus.");
     EXPECT_EQ(sentence(insertDevice(before, encoder(), {0, true, 0})),
-              "The bus cannot be built like this: Nothing can hang below 1.0: it is no bus terminal.");
+              "The bus cannot be built like this: Nothing can hang below 1.0: it is not a bus terminal.");
     EXPECT_EQ(sentence(insertDevice(before, encoder(), {{}, true, 0})),
               "The bus cannot be built like this: A local bus needs a bus terminal.");
     EXPECT_EQ(sentence(changeDevice(before, 1, encoder())),

@@ -64,7 +64,7 @@ TEST_F(AFaultPlan, APipeIsNoFile)
     const auto refused = loadFaultPlan(pipe, m_training.controls->places());
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().id, RefusalId::fileNotReadable);
-    EXPECT_EQ(refusalText(refused.error()), pipe + QStringLiteral(" cannot be read: It is no file."));
+    EXPECT_EQ(refusalText(refused.error()), pipe + QStringLiteral(" cannot be read: It is not a file."));
 }
 
 TEST_F(AFaultPlan, IsRefusedWithLineAndKey)

@@ -11,11 +11,11 @@ class AppendixEncoder
 public:
     explicit AppendixEncoder(const AppendixRow &row)
         : m_encoder({8192, 4096}, 0x3039, {.serialNumber = 4711, .operatingTime = 99},
-                    {.startUp = row.befalls == Befalls::startsUp ? 20 : 0})
+                    {.startUp = row.happening == Happening::startsUp ? 20 : 0})
     {
         for (const Word word : row.before)
             send(m_encoder, {word});
-        befall(row.befalls);
+        cause(row.happening);
     }
 
     Word answer(Word out, int cycles)
@@ -27,21 +27,21 @@ public:
     }
 
 private:
-    void befall(Befalls befalls)
+    void cause(Happening happening)
     {
-        switch (befalls) {
-        case Befalls::nothing:
+        switch (happening) {
+        case Happening::nothing:
             break;
-        case Befalls::turnsAt1500Rpm:
+        case Happening::turnsAt1500Rpm:
             m_encoder.setSpeed(1500);
             break;
-        case Befalls::turnsAt6000Rpm:
+        case Happening::turnsAt6000Rpm:
             m_encoder.setSpeed(6000);
             break;
-        case Befalls::losesItsParameters:
+        case Happening::losesItsParameters:
             m_encoder.loseParameters();
             break;
-        case Befalls::startsUp:
+        case Happening::startsUp:
             m_encoder.setPower(false);
             m_encoder.setPower(true);
             break;

@@ -33,7 +33,7 @@ protected:
             }
         }
     }
-    void befall(TrainingFault fault, NodeId place, int value = 1)
+    void cause(TrainingFault fault, NodeId place, int value = 1)
     {
         m_ring.ring->setFault(fault, place, value);
     }
@@ -148,7 +148,7 @@ TEST_P(ALocatedFault, IsLookedForFoundAndGone)
     const Broken &broken = GetParam();
     m_out[0] = 0x0400'0001;
     cycles(2);
-    befall(broken.fault, broken.place);
+    cause(broken.fault, broken.place);
     cycles(1);
     EXPECT_EQ(status().state, MasterState::busFail);
     EXPECT_EQ(status().statusBits, 0x0090); // READY, DETECT
@@ -163,7 +163,7 @@ TEST_P(ALocatedFault, IsLookedForFoundAndGone)
     const auto refused = m_master.activateConfiguration();
     ASSERT_FALSE(refused);
 
-    befall(broken.fault, broken.place, 0);
+    cause(broken.fault, broken.place, 0);
     cycles(1);
     EXPECT_EQ(status().state, MasterState::ready);
     EXPECT_EQ(status().errorCode, 0x0000);
@@ -195,9 +195,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(ASimulatedMaster, FindsNothingWhereTheFaultIsGoneAtTheCheck)
 {
-    befall(TrainingFault::wireBreak, NodeId("2.0"));
+    cause(TrainingFault::wireBreak, NodeId("2.0"));
     cycles(1);
-    befall(TrainingFault::wireBreak, NodeId("2.0"), 0);
+    cause(TrainingFault::wireBreak, NodeId("2.0"), 0);
     cycles(SimulatedMaster::lookingCycles);
     EXPECT_EQ(status().state, MasterState::busFail);
     EXPECT_EQ(status().errorCode, 0x0BE1);
@@ -210,11 +210,11 @@ TEST_F(ASimulatedMaster, FindsNothingWhereTheFaultIsGoneAtTheCheck)
 
 TEST_F(ASimulatedMaster, LooksAgainWhereAnotherFaultIsLeft)
 {
-    befall(TrainingFault::wireBreak, NodeId("2.0"));
-    befall(TrainingFault::noSupply, NodeId("6.0"));
+    cause(TrainingFault::wireBreak, NodeId("2.0"));
+    cause(TrainingFault::noSupply, NodeId("6.0"));
     cycles(1 + SimulatedMaster::lookingCycles);
     EXPECT_EQ(status().parameter, 0x0180);
-    befall(TrainingFault::wireBreak, NodeId("2.0"), 0);
+    cause(TrainingFault::wireBreak, NodeId("2.0"), 0);
     cycles(1);
     EXPECT_EQ(status().errorCode, 0x0BDF);
     cycles(SimulatedMaster::lookingCycles);
@@ -224,7 +224,7 @@ TEST_F(ASimulatedMaster, LooksAgainWhereAnotherFaultIsLeft)
 
 TEST_F(ASimulatedMaster, RunsOnWithoutTheSegmentOfTheFault)
 {
-    befall(TrainingFault::wireBreak, NodeId("4.0"));
+    cause(TrainingFault::wireBreak, NodeId("4.0"));
     cycles(1 + SimulatedMaster::lookingCycles);
     ASSERT_TRUE(m_master.switchSegment(4, false));
     start();
@@ -250,7 +250,7 @@ TEST_F(ASimulatedMaster, SwitchesOnlySegmentsItHas)
 
 TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseIsGone)
 {
-    befall(TrainingFault::peripheralFault, NodeId("3.1"));
+    cause(TrainingFault::peripheralFault, NodeId("3.1"));
     cycles(1);
     EXPECT_EQ(status().state, MasterState::run);
     EXPECT_EQ(status().statusBits, 0x00E2);
@@ -261,7 +261,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
     EXPECT_EQ(status().statusBits, 0x00E0);
     cycles(1); // the cause is there
     EXPECT_EQ(status().errorCode, 0x0BB1);
-    befall(TrainingFault::peripheralFault, NodeId("3.1"), 0);
+    cause(TrainingFault::peripheralFault, NodeId("3.1"), 0);
     cycles(5);
     EXPECT_EQ(status().errorCode, 0x0BB1); // not by itself
     ASSERT_TRUE(m_master.confirmDiagnostics());
@@ -273,9 +273,9 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
 // Only 0760 takes a report back, whatever else is done with the configuration.
 TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
 {
-    befall(TrainingFault::peripheralFault, NodeId("6.0"));
+    cause(TrainingFault::peripheralFault, NodeId("6.0"));
     cycles(1);
-    befall(TrainingFault::peripheralFault, NodeId("6.0"), 0);
+    cause(TrainingFault::peripheralFault, NodeId("6.0"), 0);
     readIn();
     EXPECT_EQ(status().statusBits, 0x00C2);
     EXPECT_EQ(status().parameter, 0x0600);
@@ -283,7 +283,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
     m_master.alarmStop();
     start();
     EXPECT_EQ(status().statusBits, 0x00E2);
-    befall(TrainingFault::wireBreak, NodeId("4.0")); // the segments behind it move up
+    cause(TrainingFault::wireBreak, NodeId("4.0")); // the segments behind it move up
     readIn();
     EXPECT_EQ(status().parameter, 0x0400);
     ASSERT_TRUE(m_master.confirmDiagnostics());
@@ -292,10 +292,10 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
 
 TEST_F(ASimulatedMaster, APeripheralFaultGoesWithItsDevice)
 {
-    befall(TrainingFault::peripheralFault, NodeId("2.0"));
+    cause(TrainingFault::peripheralFault, NodeId("2.0"));
     cycles(1);
-    befall(TrainingFault::peripheralFault, NodeId("2.0"), 0);
-    befall(TrainingFault::wrongDevice, NodeId("2.0"));
+    cause(TrainingFault::peripheralFault, NodeId("2.0"), 0);
+    cause(TrainingFault::wrongDevice, NodeId("2.0"));
     cycles(30);
     readIn();
     EXPECT_EQ(status().statusBits, 0x00C0);
@@ -303,7 +303,7 @@ TEST_F(ASimulatedMaster, APeripheralFaultGoesWithItsDevice)
 
 TEST_F(ASimulatedMaster, CountsCrcErrorsBySegmentAndKeepsTheWordsOfTheCycleBefore)
 {
-    befall(TrainingFault::crcErrors, NodeId("2.0"), 100);
+    cause(TrainingFault::crcErrors, NodeId("2.0"), 100);
     cycles(1'000);
     const std::uint32_t errors = status().segments[1].crcErrors;
     EXPECT_GT(errors, 60U);
@@ -311,7 +311,7 @@ TEST_F(ASimulatedMaster, CountsCrcErrorsBySegmentAndKeepsTheWordsOfTheCycleBefor
     EXPECT_EQ(status().segments[0].crcErrors, 0U);
     EXPECT_EQ(status().statusBits, 0x40E0); // QUALITY
     EXPECT_EQ(m_in[0], 1'000U);
-    befall(TrainingFault::crcErrors, NodeId("2.0"), 0);
+    cause(TrainingFault::crcErrors, NodeId("2.0"), 0);
     ASSERT_TRUE(m_master.confirmDiagnostics());
     EXPECT_EQ(status().statusBits, 0x00E0);
     EXPECT_EQ(status().segments[1].crcErrors, errors);
@@ -331,7 +331,7 @@ TEST_F(ASimulatedMaster, FindsTheSameRingDeviceByDevice)
 
 TEST_F(ASimulatedMaster, CountsSegmentsAnewWhereDevicesAreMissing)
 {
-    befall(TrainingFault::wireBreak, NodeId("4.0"));
+    cause(TrainingFault::wireBreak, NodeId("4.0"));
     const RingStructure found = readIn();
     std::vector<NodeId> numbers;
     for (const Participant &participant : found)
@@ -341,7 +341,7 @@ TEST_F(ASimulatedMaster, CountsSegmentsAnewWhereDevicesAreMissing)
     ASSERT_TRUE(m_master.startDataTransfer());
     cycles(3);
     EXPECT_EQ(m_in[5], 6'000U); // 6.0 of the whole ring
-    befall(TrainingFault::wireBreak, NodeId("4.0"), 0);
+    cause(TrainingFault::wireBreak, NodeId("4.0"), 0);
     cycles(3);
     EXPECT_EQ(status().statusBits, 0x00E0);
     EXPECT_EQ(readIn().size(), FaultyRing::devices);
@@ -349,7 +349,7 @@ TEST_F(ASimulatedMaster, CountsSegmentsAnewWhereDevicesAreMissing)
 
 TEST_F(ASimulatedMaster, FindsTheWrongDevice)
 {
-    befall(TrainingFault::wrongDevice, NodeId("2.0"));
+    cause(TrainingFault::wrongDevice, NodeId("2.0"));
     cycles(30);
     const RingStructure found = readIn();
     EXPECT_EQ(found[1].deviceCode, 0x0236U);
@@ -388,8 +388,8 @@ TEST_F(ASimulatedMaster, DoesNotActivateWhatTheRingIsNot)
     EXPECT_EQ(readIn().size(), FaultyRing::devices);
 }
 
-// Whatever befalls the ring and whatever is asked for: the state is one of four, with the bits that belong to
-// it, and READY, 0711, 0701 leads to RUN once all is mended.
+// Whatever happens to the ring and whatever is asked for: the state is one of four, with the bits that belong
+// to it, and READY, 0711, 0701 leads to RUN once all is mended.
 TEST_F(ASimulatedMaster, RandomFaultsAndServicesLeaveNoStateThatIsNotDocumented)
 {
     std::mt19937 random{4}; // NOLINT: the same in each run
@@ -403,11 +403,11 @@ TEST_F(ASimulatedMaster, RandomFaultsAndServicesLeaveNoStateThatIsNotDocumented)
         switch (below(12)) {
         case 0:
         case 1:
-            befall(faults.at(static_cast<std::size_t>(below(faults.size()))), place, below(2));
+            cause(faults.at(static_cast<std::size_t>(below(faults.size()))), place, below(2));
             break;
         case 2:
             for (const TrainingFault fault : faults)
-                befall(fault, place, 0);
+                cause(fault, place, 0);
             break;
         case 3:
             std::ignore = m_master.activateConfiguration();
@@ -455,7 +455,7 @@ TEST_F(ASimulatedMaster, RandomFaultsAndServicesLeaveNoStateThatIsNotDocumented)
     }
     for (const Participant &participant : plan)
         for (const TrainingFault fault : faults)
-            befall(fault, participant.number, 0);
+            cause(fault, participant.number, 0);
     cycles(50);
     EXPECT_EQ(readIn().size(), FaultyRing::devices);
     ASSERT_TRUE(m_master.startDataTransfer());

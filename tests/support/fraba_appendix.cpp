@@ -5,7 +5,7 @@ namespace codewheel {
 namespace {
 
 using enum MeaningId;
-using enum Befalls;
+using enum Happening;
 using enum WordDirection;
 
 constexpr Mode cam = Mode::cam;

@@ -8,8 +8,8 @@
 
 namespace codewheel {
 
-// What befalls the encoder before a row of the appendix is put to it.
-enum class Befalls { nothing, turnsAt1500Rpm, turnsAt6000Rpm, losesItsParameters, startsUp };
+// What happens to the encoder before a row of the appendix is put to it.
+enum class Happening { nothing, turnsAt1500Rpm, turnsAt6000Rpm, losesItsParameters, startsUp };
 
 // A row of the FRABA manual's appendix (10.1 to 10.6): OUT, and IN as it answers.
 //
@@ -22,7 +22,7 @@ struct AppendixRow
     const char *printed;  // its hexadecimal column, x: any digit
     WordDirection column; // which of the two words the column shows
     Mode mode;            // in which the encoder answers
-    Befalls befalls;
+    Happening happening;
     std::vector<Word> before; // brings the encoder to where the row applies
     Word out;
     Word in;

@@ -208,7 +208,7 @@ TEST_F(RingAndLine, OnALineAddressDeviceAndSerialNumberTellTheEncoder)
     }
     device.label.serialNumber = QStringLiteral("4711");
     EXPECT_EQ(hindrance(project, standing),
-              "esc:05: the label in the project has the serial number 4711, the encoder tells 0012D5A4. "
+              "esc:05: the label in the project has the serial number 4711, the encoder reports 0012D5A4. "
               "Replace the encoder in the project, or correct the label.");
     EXPECT_FALSE(ProjectPlaces(project, buses).hindranceToReplace(standing));
     device.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");

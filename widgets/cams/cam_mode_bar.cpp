@@ -13,10 +13,9 @@ namespace codewheel {
 
 CamModeBar::CamModeBar(QWidget *parent)
     : QWidget(parent)
-    , m_question(
-          new QLabel(tr("The mode of the encoder is not known, and for this it is switched to cam mode. In "
-                        "which mode is it to be afterwards?"),
-                     this))
+    , m_question(new QLabel(tr("The mode of the encoder is not known, and for this it is switched to cam "
+                               "mode. Which mode should it be in afterwards?"),
+                            this))
     , m_position(new QPushButton(tr("&Position mode"), this))
     , m_cams(new QPushButton(this))
     , m_cancel(new QPushButton(tr("&Cancel"), this))

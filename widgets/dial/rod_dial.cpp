@@ -37,11 +37,11 @@ RodDial::RodDial(QWidget *parent)
     , m_missing(new MissingValues({Parameter::direction, Parameter::measuringLength}, this))
     , m_readStatus(new QPushButton(lineIcon(Icon::read), tr("Read error &status"), this))
     , m_tellRow(new QWidget(this))
-    , m_tell(new QPushButton(tr("&Tell"), m_tellRow))
+    , m_tell(new QPushButton(tr("&Set manually"), m_tellRow))
 {
     describe(m_readStatus, "readErrorStatus",
              tr("Reads why the error bit is set. That clears it, once the magnet is back."));
-    describe(m_tell, "tellRodLength", tr("Takes the length as known by telling. Nothing is sent."));
+    describe(m_tell, "tellRodLength", tr("Takes the length as set manually. Nothing is sent."));
     auto *row = new QGridLayout(m_tellRow);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(grid::unit);
@@ -159,7 +159,7 @@ QString RodDial::noteOfKnown() const
 {
     if (!m_missing->isEmpty())
         return tr("Not known: %1.").arg(m_missing->names());
-    return m_known.scale ? QString() : tr("mm unknown: tell the rod length from its label.");
+    return m_known.scale ? QString() : tr("mm unknown: set the rod length from its label.");
 }
 
 } // namespace codewheel

@@ -35,7 +35,7 @@ QString unknownNote(const DeviceDescription &device, const Reading &reading)
 {
     if (onlyTellsPosition(device.profile))
         return explanationText(device, explainWord(device, reading.in, {WordDirection::in, {}, {}, {}, {}}));
-    return DialNote::tr("IN %1 is in no manual: there is no position.").arg(hexWord(reading.in));
+    return DialNote::tr("No manual describes IN %1: there is no position.").arg(hexWord(reading.in));
 }
 
 } // namespace
@@ -92,11 +92,13 @@ QString whyNoPosition(const EncoderSession &encoder)
                             "coding: name it in the bus structure.")
             .arg(raw);
     if (!device.quirks.hasModes || reading.mode == Mode::position)
-        return DialNote::tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.")
+        return DialNote::tr(
+                   "Raw word %1. The coding is not known: write it, or set it manually under Parameters.")
             .arg(raw);
     return reading.mode
                ? DialNote::tr("Raw word %1, in cam mode: there is no position.").arg(raw)
-               : DialNote::tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")
+               : DialNote::tr(
+                     "Raw word %1. The mode is not known: set the start-up mode manually under Parameters.")
                      .arg(raw);
 }
 

@@ -44,7 +44,7 @@ EepromGate::EepromGate(QWidget *parent)
     , m_icon(new QLabel(this))
     , m_text(wrappedLabel(this, "eepromConcern"))
     , m_nevertheless(describe(new QCheckBox(tr("Write &nevertheless"), this), "writeNevertheless",
-                              tr("The EEPROM was written as often as the manual speaks of")))
+                              tr("The EEPROM has been written as often as the manual states")))
     , m_place(describe(new QLineEdit(this), "typedPlace", tr("Place, to write nevertheless"),
                        tr("The place of the encoder, so that nothing is written beyond the limit by "
                           "accident")))

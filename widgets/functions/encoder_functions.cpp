@@ -49,7 +49,7 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     describeAction(*m_frabaPreset, "frabaPreset",
                    tr("Sets the position to the programmed preset, as often as wanted; asks first"),
                    Qt::CTRL | Qt::SHIFT | Qt::Key_P);
-    describeAction(*m_reset, "resetToDefault", tr("Tells what is lost, and asks first"));
+    describeAction(*m_reset, "resetToDefault", tr("Shows what is lost, and asks first"));
     connect(m_isInPositionMode, &QAction::triggered, this, &EncoderFunctions::tellPositionMode);
     connect(m_position, &QAction::triggered, this, &EncoderFunctions::goToPositionMode);
     connect(m_velocity, &QAction::triggered, this, &EncoderFunctions::goToVelocityMode);

@@ -57,7 +57,7 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
     bool isNumber = false;
     const double number = plain.replace(u',', u'.').toDouble(&isNumber);
     if (!isNumber || !qIsFinite(number))
-        return tl::unexpected(DecimalText::tr("\"%1\" is no number.").arg(typed));
+        return tl::unexpected(DecimalText::tr("\"%1\" is not a number.").arg(typed));
     return number;
 }
 

@@ -27,7 +27,7 @@ QString takenText(const EncoderSession &encoder, const CancelSituation &situatio
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    QStringList lines{CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.place().shown())};
+    QStringList lines{CancelQuestion::tr("How should the encoder %1 be left?").arg(encoder.place().shown())};
     if (!situation.isActive || situation.tookCams || !situation.taken.empty())
         lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation));
     if (situation.canRestore)

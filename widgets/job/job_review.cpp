@@ -44,7 +44,7 @@ JobReview::JobReview(const char *id, QWidget *parent)
     , m_notes(wrappedLabel(this))
     , m_gate(new EepromGate(this))
     , m_options(new QHBoxLayout)
-    , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
+    , m_writeAll(new QCheckBox(tr("Write &all, including what is there"), this))
     , m_write(new QPushButton(lineIcon(Icon::write), {}, this))
     , m_cancel(new QPushButton(tr("&Cancel"), this))
 {

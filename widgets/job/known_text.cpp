@@ -26,7 +26,7 @@ QString evidenceText(const std::optional<Known> &known)
     case Evidence::echoed:
         return KnownText::tr("echoed");
     case Evidence::told:
-        return KnownText::tr("told");
+        return KnownText::tr("by hand");
     }
     return {};
 }
@@ -39,7 +39,7 @@ QString evidenceExplanation(const std::optional<Known> &known, bool reads)
                            "Not known, and the encoder cannot be read: set it manually, or write it.");
     switch (known->evidence) {
     case Evidence::read:
-        return KnownText::tr("The encoder told it when it was read.");
+        return KnownText::tr("It was read from the encoder.");
     case Evidence::echoed:
         return reads ? KnownText::tr("Confirmed in a handshake, but not read back since: read it.")
                      : KnownText::tr("Confirmed in a handshake; the encoder cannot be read.");

@@ -65,7 +65,7 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome)
     if (encoder.device().mayHaveModes() && encoder.latest().mode != Mode::position)
         sentences << OutcomeText::tr("Mode: %1.").arg(modeName(encoder.latest().mode));
     if (!outcome.alreadyThere.empty())
-        sentences << OutcomeText::tr("There already: %1.").arg(outcome.alreadyThere.size());
+        sentences << OutcomeText::tr("Already there: %1.").arg(outcome.alreadyThere.size());
     else if (outcome.written.empty() && !outcome.read.empty())
         sentences << OutcomeText::tr("Values read: %1.").arg(outcome.read.size());
     sentences << leftInText(outcome.leftIn);

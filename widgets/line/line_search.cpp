@@ -46,7 +46,7 @@ protected:
         if (address && address->value >= minimum() && address->value <= maximum())
             return address->value;
         return tl::unexpected(
-            LineSearch::tr("\"%1\" is no address. Give two hexadecimal digits, 01 to 1F.").arg(bare));
+            LineSearch::tr("\"%1\" is not an address. Give two hexadecimal digits, 01 to 1F.").arg(bare));
     }
 };
 
@@ -69,7 +69,7 @@ LineSearch::LineSearch(QWidget *parent)
                        tr("An encoder answers at its own baud rate alone; 19200 is that of the factory")))
     , m_master(new QCheckBox(tr("Ask at the &master address 00 first"), this))
     , m_device(describe(new QComboBox(this), tr("Kind of encoder"),
-                        tr("As which encoder those that are ticked are taken over: they do not tell whether "
+                        tr("The kind that the ticked encoders are taken over as: they do not report whether "
                            "they have RS-422 or RS-485")))
     , m_progress(new QProgressBar(this))
     , m_message(new InlineMessage(this))
@@ -311,8 +311,8 @@ void LineSearch::showLeft(const std::vector<FoundEncoder> &left)
         named << tr("%1 at %2 Bd").arg(encoder.address.shown(), QLocale().toString(encoder.baudRate));
     m_message->showMessage(
         Role::attention,
-        sentence(tr("Not taken over: %1. The line works at %2 Bd. Choose the other baud rate in "
-                    "the settings of the line, and connect it again."),
+        sentence(tr("Not taken over: %1. The line runs at %2 Bd. Choose the other baud rate in the settings "
+                    "of the line, and connect it again."),
                  {named.join(QStringLiteral(", ")), QLocale().toString(m_line->settings().baudRate)}));
 }
 

@@ -62,7 +62,8 @@ void setUpToolBar(QToolBar &bar)
 {
     bar.setIconSize({grid::smallIcon, grid::smallIcon});
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // icons alone would never get room for words
+    bar.setSizePolicy(QSizePolicy::Expanding,
+                      QSizePolicy::Fixed); // icons alone would never get room for words
     new ToolWords(bar);
 }
 

@@ -91,7 +91,8 @@ void MasterPanel::makeState(QVBoxLayout *column)
     m_errorCode = addLine(*form, tr("Error code"), tr("As the firmware's manual lists it"));
     m_parameter = addLine(*form, tr("Diagnostic parameter"),
                           tr("Segment and position of the fault; 0080h: not located"));
-    m_configuration = addLine(*form, tr("Keeps"), tr("The configuration the master keeps, by its file"));
+    m_configuration =
+        addLine(*form, tr("Stored configuration"), tr("The configuration stored in the master, by its file"));
     m_errorCode->setFont(numberFont());
     column->addLayout(form);
 }

@@ -200,7 +200,7 @@ void MessagesView::updateContent()
     if (noneShown) {
         if (none)
             m_empty->setTexts(tr("No messages yet"),
-                              tr("What happens to the bus and its devices is told here."));
+                              tr("What happens to the bus and its devices is listed here."));
         else if (m_messages.searched())
             m_empty->setTexts(tr("No message found so far"), tr("The search goes on."));
         else

@@ -199,7 +199,7 @@ QVariant ParameterModel::headCell(const ParameterRow &row, int column, int role)
         return isOpen ? tr("%1, open").arg(name) : tr("%1, folded away").arg(name);
     case Qt::ToolTipRole:
         if (isReadOnly)
-            return tr("What the encoder tells and nobody can write");
+            return tr("What the encoder reports and nobody can write");
         return isOpen ? tr("Click, or Enter: folds the registers away")
                       : tr("Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, "
                            "Read from encoder reads them, too.");
@@ -237,6 +237,8 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return column == nameColumn || isPale || !row.parameter.choices.empty() ? textFont() : numberFont();
     case detailRole:
         return detail(row, column);
+    case shortDetailRole: // without the time, which the tooltip has
+        return column == knownColumn && row.known ? evidenceText(row.known) : detail(row, column);
     case detailMarkRole:
         return column == wantedColumn && row.differs() ? QVariant(static_cast<int>(Role::attention))
                                                        : QVariant();
@@ -262,10 +264,10 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
                    : valueWithUnit(m_encoder.device(), {parameter, row.known->value}, options);
     }
     if (row.isTold())
-        return m_encoder.session() != nullptr ? tr("tell it") : QString();
+        return m_encoder.session() != nullptr ? tr("set it") : QString();
     if (row.isReadOnly())
         return {};
-    return row.wanted ? valueText(row.parameter, *row.wanted, options) : tr("as it is");
+    return row.wanted ? valueText(row.parameter, *row.wanted, options) : tr("unchanged");
 }
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const
@@ -295,7 +297,7 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     const QString range = parameter_words::rangeAndFactory(row.parameter);
     if (column != knownColumn)
         return row.isTold() && m_encoder.session() == nullptr
-                   ? tr("%1\nIt is told of an encoder that is connected.")
+                   ? tr("%1\nIt can be set once the encoder is connected.")
                          .arg(parameterName(row.parameter.parameter))
                    : QStringLiteral("%1\n%2").arg(parameterName(row.parameter.parameter), range);
     if (m_encoder.session() == nullptr)

@@ -39,9 +39,10 @@ class ParameterModel final : public TableModelBase<ParameterRow>
 
 public:
     enum Column { nameColumn, knownColumn, wantedColumn };
-    static constexpr int detailRole = Qt::UserRole + 1;     // QString
-    static constexpr int detailMarkRole = Qt::UserRole + 2; // int, a Role: icon before the detail
-    static constexpr int isPaleRole = Qt::UserRole + 3;     // bool: stands for "no value"
+    static constexpr int detailRole = Qt::UserRole + 1;      // QString
+    static constexpr int detailMarkRole = Qt::UserRole + 2;  // int, a Role: icon before the detail
+    static constexpr int isPaleRole = Qt::UserRole + 3;      // bool: stands for "no value"
+    static constexpr int shortDetailRole = Qt::UserRole + 4; // QString: where the detail has no room
 
     explicit ParameterModel(WantedValues &wanted, QObject *parent = nullptr);
 

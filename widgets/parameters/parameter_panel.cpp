@@ -87,7 +87,7 @@ QWidget *ParameterPanel::makeButtons()
     m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
     m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
     m_more = describe(new QToolButton(buttons), tr("More for the parameters"),
-                      tr("Take over, clear or tell values; modes, preset and reset"));
+                      tr("Take over, clear or set values manually; modes, preset and reset"));
     m_more->setText(tr("&More"));
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -105,10 +105,10 @@ QWidget *ParameterPanel::makeButtons()
 void ParameterPanel::makeMenu()
 {
     auto *menu = new QMenu(m_more);
-    m_tellValue = menu->addAction(tr("&Tell what the encoder has..."));
+    m_tellValue = menu->addAction(tr("Set &manually what the encoder has..."));
     menu->addSeparator();
     m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
-    m_leaveAll = menu->addAction(tr("&Leave all as they are"));
+    m_leaveAll = menu->addAction(tr("&Leave all unchanged"));
     menu->addSeparator();
     m_setPosition = menu->addAction(tr("&Set the position..."));
     menu->addActions(m_functions->actions());
@@ -194,13 +194,13 @@ void ParameterPanel::showWhyEmpty()
     }
     const DeviceDescription &device = m_encoder.device();
     const QString what = tr("%1 has no parameters here").arg(m_encoder.place().shown());
-    m_empty->setTexts(what, device.outWords == 0
-                                ? tr("The %1 has no OUT word. It only tells its position: nothing can be "
-                                     "read from it or written to it.")
-                                      .arg(device.fullName())
-                                : tr("What words set up a %1 is in no source, so none are sent. Its position "
-                                     "is shown.")
-                                      .arg(device.fullName()));
+    m_empty->setTexts(
+        what, device.outWords == 0
+                  ? tr("The %1 has no OUT word. It only sends its position: nothing can be read from it or "
+                       "written to it.")
+                        .arg(device.fullName())
+                  : tr("No source says which words set up a %1, so none are sent. Its position is shown.")
+                        .arg(device.fullName()));
 }
 
 void ParameterPanel::connectSession(EncoderSession &session)
@@ -221,12 +221,13 @@ void ParameterPanel::showWhatIsPossible()
     const bool isConnected = session() != nullptr;
     const QString offline = tr("Not connected: nothing can be read or written. What is wanted is kept in the "
                                "project.");
-    const QString note = !isConnected ? offline
-                         : !can.reads
-                             ? tr("The %1 has no read-out. Known is what was written from here or told.")
-                                   .arg(m_encoder.device().fullName())
-                         : can.readingHidesPosition ? tr("Reading takes the position away for some cycles.")
-                                                    : QString();
+    const QString note =
+        !isConnected ? offline
+        : !can.reads
+            ? tr("The %1 has no read-out. Only what was written from here, or set manually, is known.")
+                  .arg(m_encoder.device().fullName())
+        : can.readingHidesPosition ? tr("Reading takes the position away for some cycles.")
+                                   : QString();
     m_note->setText(note);
     m_note->setVisible(!note.isEmpty());
     m_read->setAccessibleDescription(note);
@@ -337,20 +338,20 @@ void ParameterPanel::askWhatItHas()
         return;
     const Parameter parameter = currentParameter();
     const auto known = m_encoder.known(parameter);
-    m_bar->ask({.parameter = *m_encoder.device().find(parameter),
-                .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
-                .ifEmpty = tr("unknown"),
-                .button = tr("&Tell"),
-                .toolTip = tr("Takes the value as known by telling; nothing is sent. An empty field takes it "
-                              "back."),
-                .mayBeEmpty = true,
-                .answered =
-                    [this, parameter](std::optional<std::int64_t> value) {
-                        if (session())
-                            session()->tell(parameter, value);
-                        m_table->setFocus();
-                    }},
-               known ? std::optional(known->value) : std::nullopt);
+    m_bar->ask(
+        {.parameter = *m_encoder.device().find(parameter),
+         .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
+         .ifEmpty = tr("unknown"),
+         .button = tr("&Set manually"),
+         .toolTip = tr("Takes the value as set manually; nothing is sent. An empty field takes it back."),
+         .mayBeEmpty = true,
+         .answered =
+             [this, parameter](std::optional<std::int64_t> value) {
+                 if (session())
+                     session()->tell(parameter, value);
+                 m_table->setFocus();
+             }},
+        known ? std::optional(known->value) : std::nullopt);
 }
 
 // Where the command brings its value along.

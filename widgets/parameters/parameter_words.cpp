@@ -40,7 +40,7 @@ QString howKnown(const std::optional<Known> &known, const QDateTime &when, bool 
 QString rangeAndFactory(const ParameterDescription &parameter)
 {
     if (parameter.onLabel)
-        return ParameterWords::tr("Stands on the label of the encoder; it is told, never written.") +
+        return ParameterWords::tr("Printed on the label of the encoder; it is set manually, never written.") +
                QLatin1Char('\n') + range(parameter);
     if (!parameter.canBeWritten())
         return ParameterWords::tr("Can be read, not written.");

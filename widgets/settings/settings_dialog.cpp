@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/settings/settings_dialog.h"
 
+#include "widgets/help/help_topic.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
@@ -48,6 +49,7 @@ SettingsDialog::SettingsDialog(const ProgramSettings &settings, const std::vecto
     , m_settings(settings)
     , m_pages(new QTabWidget(this))
 {
+    setHelpTopic(*this, "settings.md");
     setObjectName(QStringLiteral("settings"));
     setWindowTitle(tr("Settings"));
     makeLook();

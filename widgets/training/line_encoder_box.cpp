@@ -25,7 +25,7 @@ LineEncoderBox::LineEncoderBox(QWidget *parent)
     , m_speed(new DecimalField(this))
     , m_troubles{{
           {&EscCondition::powered, tr("Power on"), tr("Supply of the encoder; it keeps what was written")},
-          {&EscCondition::mute, tr("Silent"), tr("It hears and acts, and says nothing")},
+          {&EscCondition::mute, tr("Silent"), tr("It receives and acts, but does not answer")},
           {&EscCondition::batteryLimit, tr("Battery nearly flat"), tr("Warning: soon to be changed")},
           {&EscCondition::batteryFlat, tr("Battery flat"), tr("Alarm")},
           {&EscCondition::temperatureExceeded, tr("Too hot"), tr("Alarm: temperature exceeded")},

@@ -15,7 +15,7 @@ namespace codewheel {
 
 class HandWheel;
 
-// A simulated encoder of the serial line: its shaft, and what can befall it. Part of the training panel.
+// A simulated encoder of the serial line: its shaft, and what can happen to it. Part of the training panel.
 class LineEncoderBox : public QWidget
 {
     Q_OBJECT

@@ -54,7 +54,7 @@ LineFaultsBox::LineFaultsBox(QWidget *parent)
     makeRates(*fields);
     column->addLayout(fields);
     m_echo = addBox(column, tr("Echo"), tr("The adapter hears what it sends: half duplex, as RS-485 may do"));
-    m_silent = addBox(column, tr("All encoders silent"), tr("They hear and act, and say nothing"));
+    m_silent = addBox(column, tr("All encoders silent"), tr("They receive and act, but do not answer"));
     m_unplugged =
         addBox(column, tr("Adapter unplugged"), tr("The port is gone until it is plugged in again"));
     connect(m_echo, &QCheckBox::clicked, this, &LineFaultsBox::setEcho);

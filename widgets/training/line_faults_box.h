@@ -14,7 +14,7 @@ class QSpinBox;
 
 namespace codewheel {
 
-// What can befall the simulated serial line: bytes lost, wrong, doubled or late, an adapter that hears its
+// What can happen to the simulated serial line: bytes lost, wrong, doubled or late, an adapter that hears its
 // own echo, encoders that fall silent, an adapter that is unplugged. Part of the training panel.
 class LineFaultsBox : public QWidget
 {

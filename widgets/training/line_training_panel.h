@@ -9,8 +9,8 @@ class LineEncoderBox;
 class LineFaultsBox;
 class SimulatedLine;
 
-// What a trainer does to a simulated serial line: what befalls the line itself (a place without a node), and
-// each of its encoders. Used by the training dock.
+// What a trainer does to a simulated serial line: what happens to the line itself (a place without a node),
+// and each of its encoders. Used by the training dock.
 class LineTrainingPanel final : public TrainingArea
 {
     Q_OBJECT

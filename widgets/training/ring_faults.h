@@ -14,8 +14,8 @@ class QVBoxLayout;
 
 namespace codewheel {
 
-// What can befall the ring at one place: broken wire, missing supply, a wrong device, a peripheral fault, CRC
-// errors in its segment. Only what fits the place is shown. Used by the training panel.
+// What can happen to the ring at one place: broken wire, missing supply, a wrong device, a peripheral fault,
+// CRC errors in its segment. Only what fits the place is shown. Used by the training panel.
 class RingFaults : public QWidget
 {
     Q_OBJECT

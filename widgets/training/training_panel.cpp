@@ -180,7 +180,7 @@ void TrainingPanel::showCommon(const Common &common)
         m_codeDisc->setChecked(common.codeDiscFaulty);
 }
 
-// A bus terminal: nothing but what befalls the ring.
+// A bus terminal: nothing but what happens to the ring.
 void TrainingPanel::hideCommon()
 {
     m_shown.reset();

@@ -38,7 +38,7 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
 {
     setAccessibleName(tr("Replace encoder"));
-    describe(m_back, "replaceBack", tr("To the step before"));
+    describe(m_back, "replaceBack", tr("To the previous step"));
     m_next->setDefault(true);
     describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
     makeSteps();

@@ -78,7 +78,7 @@ void DevicePage::describeChosen()
     QStringList lines{tr("Description: %1").arg(device.manual)};
     if (device.isGeneric())
         lines += tr("The make of this encoder is not known. If you know it, name it in the bus structure: "
-                    "then direction and errors can be told by their names.");
+                    "then direction and errors are shown by name.");
     if (!device.notes.isEmpty())
         lines += device.notesText();
     m_description->setText(lines.join(QLatin1Char('\n')));

@@ -173,10 +173,9 @@ void DirectionPage::showNow()
     } else if (!reading.position) {
         m_usesRawWord = true;
         m_position->setText(hexWord(reading.in));
-        m_problem->showMessage(
-            Role::attention,
-            tr("The position cannot be told: mode or coding of the encoder is not known. The "
-               "raw word is watched instead; trust it only for slow, small moves."));
+        m_problem->showMessage(Role::attention,
+                               tr("The position is not known, since mode or coding of the encoder is not. "
+                                  "The raw word is watched instead; trust it only for slow, small moves."));
         m_check.take(k3::data(reading.in));
     } else {
         m_problem->withdraw();

@@ -34,11 +34,11 @@ GearPanel::GearPanel(QWidget *parent)
                             tr("mm the machine moves in one turn of its spindle, wheel or drum."), 0.001, 4},
                            10);
     m_encoderTurns = addCalculatorField(*layout, *this,
-                                        {tr("&Gear, encoder turns"), tr("Encoder turns of the gear"),
+                                        {tr("&Gear ratio encoder"), tr("Encoder turns of the gear"),
                                          tr("Turns of the encoder ..."), 0.001, 3},
                                         1);
     m_partTurns = addCalculatorField(*layout, *this,
-                                     {tr("to &part turns"), tr("Part turns of the gear"),
+                                     {tr(": &load"), tr("Part turns of the gear"),
                                       tr("... while the driven part makes so many turns."), 0.001, 3},
                                      1);
     m_mmPerStep = addCalculatorField(

@@ -287,7 +287,7 @@ CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Pr
     situation.positionNote = position ? tr("The position will then read %1%2.")
                                             .arg(position->exact ? QString() : tr("about "),
                                                  QLocale().toString(qlonglong{position->position}))
-                                      : tr("What the position will then read cannot be told.");
+                                      : tr("What the position will then read is not known.");
     return situation;
 }
 

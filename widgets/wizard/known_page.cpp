@@ -43,7 +43,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     , m_tellLabel(new QLabel(this))
     , m_tellRow(new QHBoxLayout)
     , m_tellUnit(new QLabel(this))
-    , m_tell(new QPushButton(tr("&Tell"), this))
+    , m_tell(new QPushButton(tr("&Set manually"), this))
     , m_mode(new RoleLabel(this))
     , m_isPositionMode(describe(new QPushButton(tr("It is in &position mode"), this), "isPositionMode",
                                 tr("Say that the encoder is in position mode, not in velocity or cam mode. "
@@ -88,7 +88,7 @@ void KnownPage::enter()
             ? tr("Reading sends requests, which change nothing.")
         : encoder.can().reads
             ? tr("Reading sends words: the position is away for some cycles. Needs Operate.")
-            : tr("The %1 has no read-out. Known is only what was written from here, or what you tell.")
+            : tr("The %1 has no read-out. Only what was written from here, or set manually, is known.")
                   .arg(encoder.device().fullName()));
     setFocusProxy(encoder.can().reads ? static_cast<QWidget *>(m_read) : m_view);
     showKnown();

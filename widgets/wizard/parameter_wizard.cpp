@@ -37,7 +37,7 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
                         tr("Takes back what was set here, and leaves the wizard. During a handshake it first "
                            "asks how to leave the encoder.")))
     , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "wizardBack",
-                      tr("To the page before.")))
+                      tr("To the previous page.")))
     , m_next(named(new QPushButton(lineIcon(Icon::next), tr("&Next"), this), "wizardNext"))
 {
     makePages();

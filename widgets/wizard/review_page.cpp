@@ -65,7 +65,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_changesView(named(new QTableView(this), "changes"))
     , m_words(new QLabel(this))
     , m_stepsView(named(new QTableView(this), "plannedWords"))
-    , m_writeAll(new QCheckBox(tr("&Write all, also what is there already"), this))
+    , m_writeAll(new QCheckBox(tr("&Write all, including what is already there"), this))
     , m_writes(wrappedLabel(this, "eepromWrites"))
     , m_gate(new EepromGate(this))
     , m_note(wrappedLabel(this))
@@ -128,7 +128,7 @@ void ReviewPage::plan()
         if (!row.goesAlong)
             rows.push_back({{parameterName(row.wanted.parameter), knownText(encoder.device(), row.known),
                              valueWithUnit(encoder.device(), row.wanted),
-                             row.isThere                ? tr("there already, not written")
+                             row.isThere                ? tr("already there, not written")
                              : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
                                                         : tr("written")}});
     if (const auto position = m_setup.wish.setPositionTo) {

@@ -36,11 +36,10 @@ QString RodConsequences::scaleText() const
     const auto steps = m_setup.valueAfter(Parameter::measuringLength);
     const auto length = m_setup.valueNow(Parameter::rodLength);
     if (!steps)
-        return tr("The resolution can be told once the measuring length is known or wanted.");
+        return tr("The resolution is shown once the measuring length is known or wanted.");
     if (!length)
         return tr("Positions from 0 to %1. For mm, calculate the measuring length from the length of the "
-                  "rod, "
-                  "or tell that length under What is known.")
+                  "rod, or set that length under What is known.")
             .arg(numberText(*steps));
     return tr("Positions from 0 to %1 over %2 mm: %3.")
         .arg(numberText(*steps), QLocale().toString(millimetresOf(*length), 'g', 7),

@@ -46,7 +46,7 @@ RodPanel::RodPanel(QWidget *parent)
     m_length->setObjectName(QStringLiteral("rodLength"));
     m_mmPerStep->setObjectName(QStringLiteral("rodResolution"));
     m_take->setToolTip(tr("Puts this measuring length among the wanted values, and takes the length of the "
-                          "rod as told."));
+                          "rod as set manually."));
     layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
     layout->addWidget(m_take, layout->rowCount(), 0);
     layout->setColumnStretch(1, 1);

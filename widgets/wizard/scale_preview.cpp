@@ -19,7 +19,7 @@ ScalePreview::ScalePreview(QWidget *parent)
     : QWidget(parent)
     , m_dial(new CodeDisc(this))
     , m_turns(describe(new DecimalField(this), "previewTurns", tr("Turns from here"),
-                       tr("Turn the shaft in thought, clockwise; negative: counter-clockwise.")))
+                       tr("Imagine the shaft turned clockwise by so much; negative: counter-clockwise.")))
 {
     auto *title = new QLabel(tr("Will read, &after turns from here:"), this);
     title->setWordWrap(true);

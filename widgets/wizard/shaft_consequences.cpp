@@ -48,9 +48,10 @@ void ShaftConsequences::refresh()
 {
     showLimits();
     const auto then = scaleAfter(m_setup);
-    QString scale = then ? scaleText(*then)
-                         : tr("Resolution and range can be told once steps, revolutions and direction are "
-                              "known or wanted.");
+    QString scale =
+        then
+            ? scaleText(*then)
+            : tr("Resolution and range are shown once steps, revolutions and direction are known or wanted.");
     for (const ValueNote &note : notes())
         if (note.id == ValueNote::Id::presetNeeded)
             scale += u' ' + noteText(note);
@@ -58,7 +59,7 @@ void ShaftConsequences::refresh()
     const auto start = positionAfterHandshake(m_setup);
     m_preview->setScale(
         then, start ? std::optional(start->position) : std::nullopt,
-        tr("What it will read here cannot be told: the zero offset or the scale is not known."));
+        tr("What it will read here is not known, since the zero offset or the scale is not."));
 }
 
 QString ShaftConsequences::scaleText(const PositionScale &scale) const

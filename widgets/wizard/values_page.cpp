@@ -111,7 +111,7 @@ void ValuesPage::makeRows()
     for (const ParameterDescription &parameter : m_setup.encoder->device().parameters) {
         if (!parameter.canBeWritten())
             continue;
-        auto *field = new ValueField(parameter, tr("as it is"), m_form);
+        auto *field = new ValueField(parameter, tr("unchanged"), m_form);
         auto *name = new QLabel(parameterName(parameter.parameter), m_form);
         name->setBuddy(field->focusProxy());
         Row row{field, new QLabel(m_form)};

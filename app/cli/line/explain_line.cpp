@@ -74,9 +74,8 @@ Checked<Answer> explainAnswer(const QString &typed, const esc::Request &request,
     if (!answer)
         return badInput(
             QStringLiteral("notAnAnswer"),
-            CommandLine::tr("\"%1\" is no answer to %2. A read is answered with its digits, a write "
-                            "with a bare line end (type CRLF), either with 03 or 05 where it is "
-                            "refused."),
+            CommandLine::tr("\"%1\" is not an answer to %2. A read is answered with its digits, a write with "
+                            "a bare line end (type CRLF), either with 03 or 05 where it is refused."),
             {typed, QString::fromLatin1(request.text())});
     QJsonObject json = answerJson(request, *answer, options);
     json.insert(QStringLiteral("direction"), in);

@@ -37,7 +37,7 @@ QString LineAccount::fateOf(const ParameterValue &value) const
     case Fate::accepted:
         return CommandLine::tr("accepted by the encoder, not read back");
     case Fate::alreadyThere:
-        return CommandLine::tr("was there already");
+        return CommandLine::tr("already there");
     case Fate::unknown:
         return CommandLine::tr("sent: it is not known whether the encoder has it");
     case Fate::refused:

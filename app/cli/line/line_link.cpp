@@ -79,8 +79,8 @@ Checked<void> takeFormat(LineLink &link, const QString &text)
                           (text[2] == u'1' || text[2] == u'2');
     if (!isFormat)
         return badInput(QStringLiteral("lineFormatWrong"),
-                        CommandLine::tr("\"%1\" is no format of a serial line. Give data bits (7, 8), parity "
-                                        "(N, E, O) and stop bits (1, 2), as 8N2."),
+                        CommandLine::tr("\"%1\" is not a format of a serial line. Give data bits (7, 8), "
+                                        "parity (N, E, O) and stop bits (1, 2), as 8N2."),
                         {text});
     link.settings.serial.dataBits = text[0].digitValue();
     link.settings.serial.parity = parities.at(static_cast<std::size_t>(letters.indexOf(text[1].toUpper())));

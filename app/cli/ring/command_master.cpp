@@ -48,7 +48,7 @@ struct Action
 tl::unexpected<Complaint> unknownAction(const QString &text)
 {
     return badInput(QStringLiteral("unknownAction"),
-                    CommandLine::tr("\"%1\" is no action of the master. There are: %2."),
+                    CommandLine::tr("\"%1\" is not an action of the master. There are: %2."),
                     {text, QString::fromLatin1(actions)});
 }
 

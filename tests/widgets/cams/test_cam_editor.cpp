@@ -143,7 +143,7 @@ TEST_F(CamEditorView, WhatIsNoNumberIsToldAsSuch)
     EXPECT_EQ(message(), QStringLiteral("2.5 has decimals; a whole number belongs here."));
     shift().selectAll();
     QTest::keyClicks(&shift(), QStringLiteral("two"));
-    EXPECT_EQ(message(), QStringLiteral("\"two\" is no number."));
+    EXPECT_EQ(message(), QStringLiteral("\"two\" is not a number."));
     QTest::keyClick(&shift(), Qt::Key_Escape);
     EXPECT_EQ(message(), QString());
     EXPECT_EQ(sheet().program().shift, 0U);
@@ -153,7 +153,7 @@ TEST_F(CamEditorView, WhatIsNoNumberIsToldAsSuch)
     ASSERT_NE(field, nullptr);
     field->selectAll();
     QTest::keyClicks(field, QStringLiteral("ten"));
-    EXPECT_EQ(message(), QStringLiteral("\"ten\" is no number."));
+    EXPECT_EQ(message(), QStringLiteral("\"ten\" is not a number."));
     QTest::keyClick(field, Qt::Key_Escape);
 }
 

@@ -60,7 +60,7 @@ TEST(DecimalText, ARefusalSaysBothMeanings)
     EXPECT_TRUE(english.error().contains(QStringLiteral("1.000"))) << english.error().toStdString();
     const auto word = readDecimal(QStringLiteral("abc"), QLocale(QLocale::English));
     ASSERT_FALSE(word);
-    EXPECT_EQ(word.error(), QStringLiteral("\"abc\" is no number."));
+    EXPECT_EQ(word.error(), QStringLiteral("\"abc\" is not a number."));
 }
 
 } // namespace

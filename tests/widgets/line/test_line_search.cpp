@@ -66,7 +66,7 @@ TEST_F(LineSearchTest, WhatIsNoAddressIsSaidAndNothingIsSearched)
     QTest::keyClicks(first, QStringLiteral("zz"));
     button("Search").click();
     EXPECT_FALSE(search.findChild<QProgressBar *>()->isVisible());
-    EXPECT_TRUE(isSaid("\"zz\" is no address")) << "not the first one";
+    EXPECT_TRUE(isSaid("\"zz\" is not an address")) << "not the first one";
     EXPECT_EQ(search.wish().first.value, before);
     first->selectAll();
     QTest::keyClicks(first, QStringLiteral("05"));

@@ -76,7 +76,7 @@ TEST_F(LineSettingsFormTest, WhatIsTypedIsTakenOrRefusedBeforeTheLineIsOpened)
     QTest::keyClicks(&timeOut, QStringLiteral("2,5x"));
     connectNow();
     EXPECT_EQ(wanted.size(), 1U);
-    EXPECT_EQ(said(), QStringLiteral("\"2,5x\" is no number."));
+    EXPECT_EQ(said(), QStringLiteral("\"2,5x\" is not a number."));
 }
 
 TEST_F(LineSettingsFormTest, APathMayBeTyped)

@@ -55,7 +55,7 @@ protected:
         ADD_FAILURE() << "no button " << text.toStdString();
         std::abort();
     }
-    void befall(TrainingFault fault, Place place, int value = 1)
+    void cause(TrainingFault fault, Place place, int value = 1)
     {
         ring.controls->setFault(fault, place.node, value);
         ring.bus.advance(40);
@@ -71,7 +71,7 @@ TEST_F(MasterPanelTest, ShowsAHealthyMaster)
 {
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Master RUN"));
     EXPECT_EQ(value("Fault"), QStringLiteral("none"));
-    EXPECT_EQ(value("Keeps"), QStringLiteral("training.json"));
+    EXPECT_EQ(value("Stored configuration"), QStringLiteral("training.json"));
     EXPECT_EQ(value("Diagnostic status register"), QStringLiteral("00E0h"));
     EXPECT_FALSE(value("RUN is set").isEmpty());
     EXPECT_FALSE(value("BUS is not set").isEmpty());
@@ -88,7 +88,7 @@ TEST_F(MasterPanelTest, NamesAFaultAsBannerAndMessagesDo)
     StructureModel model;
     const test::ModelTester tester(model);
     model.addBus(ring.bus);
-    befall(TrainingFault::wireBreak, fourth);
+    cause(TrainingFault::wireBreak, fourth);
     const QString name = QStringLiteral("0D10 at outgoing remote bus of 3.0 (see IBS SYS FW G4 UM)");
     EXPECT_EQ(value("Fault"), name);
     EXPECT_EQ(value("Error code"), QStringLiteral("0D10h"));
@@ -144,8 +144,8 @@ TEST_F(MasterPanelTest, NamesWhatGoesBeforeASegmentIsSwitchedOff)
 
 TEST_F(MasterPanelTest, InWatchItSaysThatOperateIsNeeded)
 {
-    befall(TrainingFault::peripheralFault, fraba);
-    befall(TrainingFault::peripheralFault, fraba, 0);
+    cause(TrainingFault::peripheralFault, fraba);
+    cause(TrainingFault::peripheralFault, fraba, 0);
     ring.bus.setOperate(false);
     ring.bus.advance(5);
     bool asked = false;
@@ -168,9 +168,9 @@ TEST_F(MasterPanelTest, InWatchItSaysThatOperateIsNeeded)
 
 TEST_F(MasterPanelTest, ConfirmsPeripheralFaults)
 {
-    befall(TrainingFault::peripheralFault, fraba);
+    cause(TrainingFault::peripheralFault, fraba);
     EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
-    befall(TrainingFault::peripheralFault, fraba, 0);
+    cause(TrainingFault::peripheralFault, fraba, 0);
     EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
     QTest::mouseClick(&button(QStringLiteral("Confirm diagnostics")), Qt::LeftButton);
     ring.bus.advance(5);
@@ -196,7 +196,7 @@ TEST_F(MasterPanelTest, ShowsTheProgressOfReadingIn)
 
 TEST_F(MasterPanelTest, CountsCrcErrorsWithAHistory)
 {
-    befall(TrainingFault::crcErrors, "2.0"_ring, 100);
+    cause(TrainingFault::crcErrors, "2.0"_ring, 100);
     ring.bus.advance(1'000);
     const QAbstractItemModel &model = *table().model();
     EXPECT_GT(model.index(1, SegmentModel::crcColumn).data().toString().toInt(), 50);

@@ -163,7 +163,8 @@ TEST_F(FreshnessTest, WhereNoPositionIsKnownTheTreeShowsADashAndTellsWhy)
     advance(40);
     const QModelIndex baumer = model.indexOf(test::baumer).siblingAtColumn(StructureModel::positionColumn);
     const QString dash(QChar(0x2013));
-    const QString why = QStringLiteral("The coding is not known: write it, or tell it under Parameters.");
+    const QString why =
+        QStringLiteral("The coding is not known: write it, or set it manually under Parameters.");
     EXPECT_EQ(baumer.data().toString(), dash);
     EXPECT_TRUE(baumer.data(Qt::ToolTipRole).toString().contains(why));
     const QModelIndex terminal =

@@ -180,7 +180,7 @@ TEST_F(WordCardTest, BadInputIsSaidAtOnceStagesNothingAndIsNotLost)
 {
     click(4);
     type("02XY");
-    EXPECT_TRUE(message(card).startsWith(QLatin1String("\"02XY\" is no hexadecimal word")))
+    EXPECT_TRUE(message(card).startsWith(QLatin1String("\"02XY\" is not a hexadecimal word")))
         << message(card).toStdString();
     EXPECT_TRUE(hex().hasProblem());
     EXPECT_EQ(ring.channel(fraba).staged(), 0x10U);

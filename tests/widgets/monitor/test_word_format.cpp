@@ -74,7 +74,7 @@ TEST(WordFormat, SaysWhatIsWrongWithAHexadecimalWord)
     for (const char *good : {"020000FF", "0x20000ff", "20000FFh", "0200 00FF", "0"})
         EXPECT_TRUE(hexProblem(QString::fromLatin1(good)).isEmpty()) << good;
     EXPECT_TRUE(
-        hexProblem(QStringLiteral("02XY")).startsWith(QLatin1String("\"02XY\" is no hexadecimal word.")));
+        hexProblem(QStringLiteral("02XY")).startsWith(QLatin1String("\"02XY\" is not a hexadecimal word.")));
     EXPECT_TRUE(hexProblem(QStringLiteral("-1")).contains(QLatin1String("0 to 9 and A to F")));
     EXPECT_TRUE(hexProblem(QStringLiteral("0200000FF")).contains(QLatin1String("has 9 digits")));
     EXPECT_TRUE(hexProblem(QStringLiteral("  ")).startsWith(QLatin1String("There is no word here.")));

@@ -143,10 +143,10 @@ TEST_F(Parameters, AnEncoderThatOnlyTellsItsPositionSaysSo)
                 shown += label->text();
         return shown;
     };
-    EXPECT_EQ(texts(), (QStringList{QStringLiteral("3.0 has no parameters here"),
-                                    QStringLiteral("The FRABA OCD-IB K1 has no OUT word. It only tells its "
-                                                   "position: nothing can be read from it or written to "
-                                                   "it.")}));
+    EXPECT_EQ(texts(),
+              (QStringList{QStringLiteral("3.0 has no parameters here"),
+                           QStringLiteral("The FRABA OCD-IB K1 has no OUT word. It only sends its position: "
+                                          "nothing can be read from it or written to it.")}));
     panel.setEncoder(bus.encoder(fraba));
     EXPECT_TRUE(table().isVisible());
     panel.setEncoder(nullptr);
@@ -157,7 +157,7 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
 {
     const test::ModelTester tester(model());
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::knownColumn), QStringLiteral("unknown not read yet"));
-    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("as it is"));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("unchanged"));
     EXPECT_EQ(textAt(Parameter::serialNumber, ParameterModel::wantedColumn), QStringLiteral("read only"));
     const QString tip =
         indexOf(Parameter::steps, ParameterModel::nameColumn).data(Qt::ToolTipRole).toString();
@@ -378,7 +378,7 @@ TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
     ASSERT_TRUE(bus.encoder(baumer)->known(Parameter::steps));
     EXPECT_EQ(bus.encoder(baumer)->known(Parameter::steps)->evidence, Evidence::told);
     EXPECT_TRUE(
-        textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("4096 told")));
+        textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("4096 by hand")));
     menu->actions().at(2)->trigger();
     EXPECT_EQ(wanted.values(baumer), (ParameterValues{{Parameter::steps, 4096}}));
     menu->actions().at(3)->trigger();

@@ -89,10 +89,10 @@ TEST_F(OfflineParameters, WhatIsWantedIsEditedInTheProjectAndUndone)
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("4096 not compared"));
     EXPECT_EQ(project.undoStack().undoText(), QStringLiteral("Steps wanted for 1.0"));
     project.undoStack().undo();
-    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("as it is"));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("unchanged"));
     project.undoStack().redo();
     for (QAction *action : panel.findChild<QMenu *>()->actions())
-        if (action->text() == QStringLiteral("&Leave all as they are"))
+        if (action->text() == QStringLiteral("&Leave all unchanged"))
             action->trigger();
     EXPECT_TRUE(project.device(fraba).wanted.empty());
 }
@@ -115,7 +115,7 @@ TEST_F(OfflineParameters, WhatSendsIsGreyedAndSaysWhy)
     for (const QAction *action : panel.findChild<QMenu *>()->actions())
         if (action->isEnabled() && action->isVisible() && !action->isSeparator())
             enabled << action->text();
-    EXPECT_EQ(enabled, QStringList{QStringLiteral("&Leave all as they are")});
+    EXPECT_EQ(enabled, QStringList{QStringLiteral("&Leave all unchanged")});
 }
 
 TEST_F(OfflineParameters, WhatTheLabelTellsIsToldOnceItIsConnected)

@@ -110,13 +110,13 @@ TEST_F(ParametersOfARod, TheLengthOfTheRodIsToldInMillimetresAndNeverWanted)
 {
     const test::ModelTester tester(*table().model());
     EXPECT_EQ(textAt(Parameter::rodLength, ParameterModel::wantedColumn),
-              QStringLiteral("tell it from its label"));
+              QStringLiteral("set it from its label"));
     typeWanted(Parameter::rodLength, QLocale().toString(650.5, 'f', 1));
     ASSERT_TRUE(rod().known(Parameter::rodLength));
     EXPECT_EQ(rod().known(Parameter::rodLength)->value, 650'500);
     EXPECT_EQ(rod().known(Parameter::rodLength)->evidence, Evidence::told);
     EXPECT_TRUE(textAt(Parameter::rodLength, ParameterModel::knownColumn)
-                    .startsWith(QStringLiteral("650.500 mm told")))
+                    .startsWith(QStringLiteral("650.500 mm by hand")))
         << textAt(Parameter::rodLength, ParameterModel::knownColumn).toStdString();
     EXPECT_TRUE(wanted.values(rodPlace).empty());
     EXPECT_EQ(ring.channel(rodPlace).out(), 0u);

@@ -69,9 +69,10 @@ TEST_F(PlanEditsTest, WhatCannotBeIsRefusedAndIsNoStep)
 {
     const auto into = edits.move(id(QStringLiteral("2.0")), PlanStep::in); // behind 1.0, no terminal
     ASSERT_FALSE(into);
-    EXPECT_EQ(refusalText(into.error()),
-              QStringLiteral("The bus cannot be built like this: Nothing can hang below 1.0: it is no bus "
-                             "terminal."));
+    EXPECT_EQ(
+        refusalText(into.error()),
+        QStringLiteral(
+            "The bus cannot be built like this: Nothing can hang below 1.0: it is not a bus terminal."));
     EXPECT_FALSE(
         edits.insert(deviceOf(busTerminalIdCode), where({.terminal = 1, .onLocalBus = true, .row = 0})));
     EXPECT_FALSE(edits.change(id(QStringLiteral("2.0")), deviceOf(0x0237)));

@@ -123,7 +123,7 @@ TEST_F(PlannedLine, AnAddressThatIsTakenOrNoneIsToldOnTheSpot)
     const int steps = document.undoStack().count();
     for (const auto &[typed, told] :
          {std::pair(u"01", u"\"Hoist\" is planned at 01."),
-          std::pair(u"20", u"\"20\" is no address of an encoder on a serial line."),
+          std::pair(u"20", u"\"20\" is not an address of an encoder on a serial line."),
           std::pair(u"00", u"Every encoder answers to address 00: it is for an encoder that is alone on its "
                            u"line, and there is 01 too.")}) {
         type(1, PlanField::place, QString::fromUtf16(typed));
@@ -254,7 +254,7 @@ TEST_F(PlannedLine, AKindThatIsAddedIsPlannedByItsPlaces)
     EXPECT_FALSE(child<QPushButton>("insertDevice").isEnabled());
     EXPECT_EQ(child<QLabel>("insertReading").text(), QStringLiteral("Every place of this bus is taken."));
     type(2, PlanField::place, QStringLiteral("4"));
-    EXPECT_EQ(message(), QStringLiteral("\"4\" is no address of this bus: type one from 1 to 3."));
+    EXPECT_EQ(message(), QStringLiteral("\"4\" is not an address of this bus: type one from 1 to 3."));
 }
 
 } // namespace

@@ -242,9 +242,10 @@ TEST_F(StructureEditorTest, WhatIsRefusedIsSaidOnTheSpotUntilSomethingElseIsDone
 {
     choose(QStringLiteral("2.0"));
     key(Qt::Key_Right, Qt::AltModifier);
-    EXPECT_EQ(message(),
-              QStringLiteral("The bus cannot be built like this: Nothing can hang below 1.0: it is no "
-                             "bus terminal."));
+    EXPECT_EQ(
+        message(),
+        QStringLiteral(
+            "The bus cannot be built like this: Nothing can hang below 1.0: it is not a bus terminal."));
     key(Qt::Key_Down, Qt::AltModifier);
     EXPECT_EQ(message(), QString());
 }

@@ -54,7 +54,7 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     exchange();
     page.replace(fraba);
     EXPECT_EQ(text("replaceDifferences"),
-              QStringLiteral("It fits: as far as the project tells, it is like the one before."));
+              QStringLiteral("It fits: as far as the project shows, it is like the one before."));
     type("replaceSerial", "4711");
     click("replaceNext");
     EXPECT_TRUE(find<QRadioButton>("positionLast")->isChecked());

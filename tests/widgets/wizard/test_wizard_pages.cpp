@@ -25,7 +25,7 @@ TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
     test::ModelTester tester(*table->model());
     EXPECT_EQ(table->model()->index(0, 2).data(), QStringLiteral("unknown"));
     baumer().tell(Parameter::steps, 8192);
-    EXPECT_EQ(table->model()->index(0, 2).data(), QStringLiteral("told"));
+    EXPECT_EQ(table->model()->index(0, 2).data(), QStringLiteral("by hand"));
     EXPECT_FALSE(find<QAbstractButton>("readAll")->isVisible()); // no read-out
 }
 
