@@ -46,8 +46,8 @@ TraceView::TraceView(Buses &buses, QWidget *parent)
     auto *page = new QWidget;
     auto *rows = layOut<QVBoxLayout>(page, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
     auto *bar = new QHBoxLayout;
-    bar->addWidget(m_tools);
-    bar->addWidget(m_counts, 1);
+    bar->addWidget(m_tools, 1);
+    bar->addWidget(m_counts);
     rows->addLayout(bar);
     rows->addWidget(m_message);
     rows->addWidget(m_table, 1);
