@@ -3096,6 +3096,14 @@
 <context>
     <name>Unit</name>
     <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>revolution</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
         <source>steps</source>
         <translation>Schritte</translation>
     </message>
@@ -7976,8 +7984,8 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Get&amp;riebe Geber</translation>
     </message>
     <message>
-        <source>: &amp;load</source>
-        <translation>: &amp;Last</translation>
+        <source>to &amp;load</source>
+        <translation>zu &amp;Last</translation>
     </message>
     <message>
         <source>Puts these steps and revolutions among the wanted values.</source>
@@ -7988,8 +7996,8 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>So fein löst der Geber nicht auf. Mehr mm je Schritt wählen.</translation>
     </message>
     <message>
-        <source>%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.</source>
-        <translation>%1 Schritte bei %2 Umdrehungen: %3 mm je Schritt, %4 mm Abweichung auf %5 mm.</translation>
+        <source>%1 steps in %2 %6: %3 mm per step, %4 mm off over %5 mm.</source>
+        <translation>%1 Schritte bei %2 %6: %3 mm je Schritt, %4 mm Abweichung auf %5 mm.</translation>
     </message>
     <message>
         <source>From mm and gear</source>

@@ -109,15 +109,18 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
     return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
 }
 
-QString unitText(Unit unit)
+QString unitText(Unit unit, std::optional<std::int64_t> of)
 {
+    const bool isOne = of == 1;
     switch (unit) {
     case Unit::none:
         break;
     case Unit::steps:
-        return QCoreApplication::translate("Unit", "steps");
+        return isOne ? QCoreApplication::translate("Unit", "step")
+                     : QCoreApplication::translate("Unit", "steps");
     case Unit::revolutions:
-        return QCoreApplication::translate("Unit", "revolutions");
+        return isOne ? QCoreApplication::translate("Unit", "revolution")
+                     : QCoreApplication::translate("Unit", "revolutions");
     case Unit::tenMinutes:
     case Unit::tenthHours:
         return QCoreApplication::translate("Unit", "h");

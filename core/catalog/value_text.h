@@ -18,7 +18,7 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
                   const std::optional<ValueOptions> &options = {});
 
-// The unit that goes with valueText(): "steps", "°C"; empty for none.
-QString unitText(Unit unit);
+// The unit that goes with valueText(): "steps", "°C"; empty for none. `of` this number: "1 revolution".
+QString unitText(Unit unit, std::optional<std::int64_t> of = {});
 
 } // namespace codewheel

@@ -57,7 +57,7 @@ QString valueWithUnit(const DeviceDescription &device, const ParameterValue &val
     if (parameter == nullptr)
         return QString::number(value.value);
     return QStringLiteral("%1 %2")
-        .arg(valueText(*parameter, value.value, options), unitText(parameter->unit))
+        .arg(valueText(*parameter, value.value, options), unitText(parameter->unit, value.value))
         .trimmed();
 }
 

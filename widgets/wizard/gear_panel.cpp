@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_panel.h"
 
+#include "catalog/value_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/wrapped_label.h"
@@ -38,7 +39,7 @@ GearPanel::GearPanel(QWidget *parent)
                                          tr("Turns of the encoder ..."), 0.001, 3},
                                         1);
     m_partTurns = addCalculatorField(*layout, *this,
-                                     {tr(": &load"), tr("Part turns of the gear"),
+                                     {tr("to &load"), tr("Part turns of the gear"),
                                       tr("... while the driven part makes so many turns."), 0.001, 3},
                                      1);
     m_mmPerStep = addCalculatorField(
@@ -72,11 +73,12 @@ void GearPanel::calculate()
         m_answer->setText(tr("The encoder cannot resolve this. Choose more mm per step."));
         return;
     }
-    m_answer->setText(tr("%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.")
+    m_answer->setText(tr("%1 steps in %2 %6: %3 mm per step, %4 mm off over %5 mm.")
                           .arg(QLocale().toString(qlonglong{m_result->steps}),
                                QLocale().toString(qlonglong{m_result->revolutions}),
                                gearNumber(m_result->mmPerStep, 6), gearNumber(m_result->errorOverTravel, 3),
-                               gearNumber(m_result->travel, 7)));
+                               gearNumber(m_result->travel, 7),
+                               unitText(Unit::revolutions, m_result->revolutions)));
 }
 
 } // namespace codewheel
