@@ -52,6 +52,7 @@ LineRowTable::LineRowTable(TrafficModel &rows, const QString &name, QWidget *par
 
 LineRowTable::~LineRowTable()
 {
+    const QSignalBlocker silent(this); // who listens may be gone by now
     setModel(nullptr);
 }
 
