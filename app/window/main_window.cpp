@@ -133,6 +133,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         else
             m_panels.fold().unfold();
     });
+    // Later, when the panels have the heights that are to come back.
+    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::foldForStart, Qt::QueuedConnection);
     showBusState();
     showStart();
     if (m_pages->currentWidget() == m_monitors)
@@ -243,6 +245,15 @@ void MainWindow::showMonitors()
 {
     if (m_monitors != nullptr)
         m_pages->setCurrentWidget(m_start->pageInsteadOf(m_monitors));
+}
+
+// The start page needs the height of the bottom panels as a page does.
+void MainWindow::foldForStart()
+{
+    if (m_pages->currentWidget() == m_start->page())
+        m_panels.fold().fold();
+    else if (m_pages->currentWidget() == m_monitors)
+        m_panels.fold().unfold();
 }
 
 // In place of the monitors, or they in its place; another page that is open stays.

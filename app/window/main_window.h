@@ -145,6 +145,7 @@ private:
     void collectForSupport();
     void showBusState();
     void showStart();
+    void foldForStart();
     void connectDrops();
     void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has none

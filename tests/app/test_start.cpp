@@ -71,6 +71,17 @@ TEST_F(StartPageTest, StandsInPlaceOfTheMonitorsWhileNoBusIsConnected)
     EXPECT_EQ(page(), &monitors());
 }
 
+TEST_F(StartPageTest, HasTheHeightOfThePanelsAtTheBottom)
+{
+    resizeTo({1280, 800});
+    const int before = start().parentWidget()->height();
+    disconnectAll();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return start().height() > before + 100; })) << start().height();
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return monitors().height() == before; })) << monitors().height();
+}
+
 TEST_F(StartPageTest, LeavesAPageThatIsOpenInItsPlace)
 {
     actions().structureEditor->trigger();
