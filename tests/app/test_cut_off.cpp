@@ -56,7 +56,7 @@ protected:
         open(); // in this language
         window().resize(GetParam().size);
         actions().defaultLayout->trigger();
-        window().resize(GetParam().size);
+        resizeTo(GetParam().size);
         advance(99);
     }
     ~NothingIsCutOff() override
@@ -134,6 +134,7 @@ protected:
         shown.window().resize(size);
         shown.window().actions().defaultLayout->trigger();
         shown.window().resize(size);
+        test::waitUntilSettled(shown.window());
         shown.advance(33); // the first panels come to the front
         if (auto *dock = qobject_cast<QDockWidget *>(&seen))
             dock->raise();

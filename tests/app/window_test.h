@@ -22,6 +22,13 @@ namespace codewheel::test {
 inline constexpr Place fraba = "1.0"_ring;
 inline constexpr Place baumer = "2.0"_ring;
 
+// Its panels are arranged as its size asks for, once its edge rests.
+inline void waitUntilSettled(const MainWindow &window)
+{
+    const auto *settling = window.findChild<QTimer *>(QStringLiteral("settling"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !settling->isActive(); }));
+}
+
 // The whole window on the training bus in virtual time, shown and active.
 class WindowTest : public testing::Test
 {
@@ -55,8 +62,7 @@ protected:
     void resizeTo(QSize size)
     {
         window().resize(size);
-        auto *settling = window().findChild<QTimer *>(QStringLiteral("settling"));
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !settling->isActive(); }));
+        waitUntilSettled(window());
         advance(50);
     }
 
