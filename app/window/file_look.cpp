@@ -5,6 +5,8 @@
 
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace codewheel {
 namespace {
@@ -28,6 +30,7 @@ struct FileLook::Mail
 {
     std::mutex mutex;
     FileLook *to;
+    std::vector<std::pair<QString, RecentFile::State>> found;
 };
 
 FileLook::FileLook(QObject *parent)
@@ -38,6 +41,7 @@ FileLook::FileLook(QObject *parent)
     m_patience.setSingleShot(true);
     m_patience.setInterval(patience);
     connect(&m_patience, &QTimer::timeout, this, &FileLook::callSilent);
+    connect(this, &FileLook::hasMail, this, &FileLook::takeMail, Qt::QueuedConnection);
 }
 
 FileLook::~FileLook()
@@ -60,16 +64,24 @@ void FileLook::look(const QString &path)
     std::thread([path, mail = m_mail] {
         const RecentFile::State state = lookAt(path);
         const std::lock_guard lock(mail->mutex);
-        if (FileLook *to = mail->to)
-            QMetaObject::invokeMethod(
-                to, [to, path, state] { to->take(path, state); }, Qt::QueuedConnection);
+        mail->found.emplace_back(path, state);
+        if (mail->to)
+            Q_EMIT mail->to->hasMail();
     }).detach();
 }
 
-void FileLook::take(const QString &path, RecentFile::State state)
+void FileLook::takeMail()
 {
-    m_pending.erase(path);
-    if (std::exchange(m_states[path], state) != state)
+    const auto found = [this] {
+        const std::lock_guard lock(m_mail->mutex);
+        return std::exchange(m_mail->found, {});
+    }();
+    bool isNew = false;
+    for (const auto &[path, state] : found) {
+        m_pending.erase(path);
+        isNew |= std::exchange(m_states[path], state) != state;
+    }
+    if (isNew)
         Q_EMIT changed();
 }
 

@@ -28,10 +28,11 @@ public:
 
 Q_SIGNALS:
     void changed(); // state() of any
+    void hasMail(); // from a thread that looked
 
 private:
     struct Mail;
-    void take(const QString &path, RecentFile::State state);
+    void takeMail();
     void callSilent();
 
     std::shared_ptr<Mail> m_mail;
