@@ -67,8 +67,8 @@ public:
     virtual void connectTraining() {}     // to its simulated link
     // A device was opened. False: its words are to be looked at, as everybody's.
     virtual bool open(Place) { return false; }
-    virtual void showPicture() {} // with each picture of the window
-    virtual void compare() {}     // it says how its bus differs from the project
+    virtual void showFrame() {} // with each frame of the window
+    virtual void compare() {}   // it says how its bus differs from the project
     // What its faults name as an action, as it can be had now; done.
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}

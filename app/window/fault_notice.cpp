@@ -25,7 +25,7 @@ FaultNotice::FaultNotice(Plant &plant, ViewsOf viewsOf, QVBoxLayout &notices, QO
     connect(m_banner, &FaultBanner::actionRequested, this, &FaultNotice::act);
 }
 
-void FaultNotice::showPicture()
+void FaultNotice::showFrame()
 {
     m_faults.look(m_plant.buses());
     m_banner->showFaults(m_faults, [this](BusId bus) { return nameOf(bus); });

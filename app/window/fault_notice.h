@@ -15,7 +15,7 @@ class BusViews;
 class FaultBanner;
 class Plant;
 
-// What is wrong anywhere, above the pages of the window: asks all buses with each picture, and has done what
+// What is wrong anywhere, above the pages of the window: asks all buses with each frame, and has done what
 // the banner offers by who can do it.
 class FaultNotice : public QObject
 {
@@ -27,7 +27,7 @@ public:
     // The plant outlives it. The banner is put on top of the notices.
     FaultNotice(Plant &plant, ViewsOf viewsOf, QVBoxLayout &notices, QObject *parent);
 
-    void showPicture();
+    void showFrame();
     // The worst of each bus that is `meant`: "Ring 2: BUS FAIL".
     QStringList inBrief(const std::function<bool(BusId bus)> &isMeant) const;
 

@@ -175,7 +175,7 @@ void LineViews::setChosen(std::optional<Place> place)
     showChosen();
 }
 
-void LineViews::showPicture()
+void LineViews::showFrame()
 {
     m_training->refresh();
     showStatus();

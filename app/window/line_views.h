@@ -50,7 +50,7 @@ public:
     bool open(Place place) override; // its terminal: it has no words
     void connectBus() override { showSettings(); }
     void connectTraining() override;
-    void showPicture() override;
+    void showFrame() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
 

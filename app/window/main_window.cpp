@@ -199,16 +199,16 @@ void MainWindow::showChosen()
     m_device->setPlace(place, encoder.isThere() && !isNamed ? std::optional(encoder.device()) : std::nullopt);
 }
 
-void MainWindow::showPicture()
+void MainWindow::showFrame()
 {
     if (m_plant == nullptr)
         return;
     m_buses->pump();
     for (const auto &[bus, views] : m_views)
-        views->showPicture();
-    m_faults->showPicture();
+        views->showFrame();
+    m_faults->showFrame();
     m_status->setOtherFaults(otherFaults());
-    m_status->showPicture();
+    m_status->showFrame();
 }
 
 // Of buses whose state the status line does not show, since another one of their kind is chosen.

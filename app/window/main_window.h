@@ -75,8 +75,8 @@ public:
     // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
     void warn(const QString &sentence);
 
-    // Takes a picture of the bus and shows it. Called by the PictureClock, by hand in tests.
-    void showPicture();
+    // Takes a frame of the bus and shows it. Called by the FrameClock, by hand in tests.
+    void showFrame();
     bool hasJob() const; // on any bus
 
     const WindowActions &actions() const { return m_actions; }

@@ -50,7 +50,7 @@ Program::Program(QApplication &application, const QString &settingsFile)
 
 Program::~Program()
 {
-    m_pictures.stop();
+    m_frames.stop();
     m_window.reset(); // before the sessions it looks at
 }
 
@@ -65,7 +65,7 @@ int Program::run()
 void Program::openWindow()
 {
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
-    m_pictures.setWindow(*m_window);
+    m_frames.setWindow(*m_window);
     connect(m_window.get(), &MainWindow::languageChosen, this, [this](const QString &language) {
         ProgramSettings settings = m_choices.now();
         settings.language = language;
@@ -103,7 +103,7 @@ void Program::startBus()
     attach();
     openProject();
     m_plant->start();
-    m_pictures.start();
+    m_frames.start();
     if (measured)
         QTimer::singleShot(measuredRun, &m_application, [] {
             reportMemory();
@@ -141,7 +141,7 @@ void Program::attach()
 void Program::useSettings()
 {
     const ProgramSettings &now = m_choices.now();
-    m_pictures.setRate(now.picturesPerSecond);
+    m_frames.setRate(now.framesPerSecond);
     askFromEepromShare(now.eepromQuestionFrom);
     if (m_recovery)
         m_recovery->setPeriod(std::chrono::seconds(now.secondsBetweenKeeping));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/language.h"
-#include "app/window/picture_clock.h"
+#include "app/window/frame_clock.h"
 #include "app/window/settings_at_work.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -48,7 +48,7 @@ private:
     void keepLastFile();
     void openProject();
     void attach();
-    void showPicture();
+    void showFrame();
     void useSettings();
     void useLanguage();
     void makeWindowAnew();
@@ -68,7 +68,7 @@ private:
     QString m_file;     // to be opened once the bus is there
     QString m_lastFile; // of the session before, until another is opened
     std::unique_ptr<MainWindow> m_window;
-    PictureClock m_pictures;
+    FrameClock m_frames;
 };
 
 } // namespace codewheel

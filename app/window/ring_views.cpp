@@ -102,7 +102,7 @@ void RingViews::connectBus()
     m_connection->connectRing();
 }
 
-void RingViews::showPicture()
+void RingViews::showFrame()
 {
     m_training->refresh();
     showStatus();

@@ -36,7 +36,7 @@ public:
     void open() override;
     void connectBus() override;
     void connectTraining() override { connectBus(); } // a ring of the program is a training ring
-    void showPicture() override;
+    void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;

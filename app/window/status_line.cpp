@@ -24,7 +24,7 @@ QLabel *makeLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
     return describe(new QLabel(&bar), name, toolTip);
 }
 
-// Repainting a text that is the same costs a picture of its own, and one that is as long as before must not
+// Repainting a text that is the same costs a frame of its own, and one that is as long as before must not
 // lay out the window anew.
 void setTextOf(QLabel *label, const QString &text)
 {
@@ -124,7 +124,7 @@ void StatusLine::setOtherFaults(const QStringList &faults)
 void StatusLine::setEncoder(EncoderSession *encoder)
 {
     m_encoder = encoder;
-    showPicture();
+    showFrame();
 }
 
 bool StatusLine::eventFilter(QObject *watched, QEvent *event)
@@ -155,7 +155,7 @@ void StatusLine::fit()
     }
 }
 
-void StatusLine::showPicture()
+void StatusLine::showFrame()
 {
     const auto make = [](const DeviceDescription &device) {
         return device.vendor.isEmpty() ? profileName(device.profile) : device.vendor;

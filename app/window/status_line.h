@@ -38,7 +38,7 @@ public:
     // What is wrong with buses that are not shown in the line: "Ring 2: BUS FAIL".
     void setOtherFaults(const QStringList &faults);
     void setEncoder(EncoderSession *encoder);
-    void showPicture();
+    void showFrame();
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int picturePeriod = 33; // ms
+constexpr int framePeriod = 33; // ms
 
 } // namespace
 
@@ -28,7 +28,7 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     if (size.isValid())
         m_window->resize(size);
     m_window->attach(m_plant, m_messages);
-    advance(picturePeriod);
+    advance(framePeriod);
 }
 
 TrainingWindow::~TrainingWindow() = default;
@@ -36,11 +36,11 @@ TrainingWindow::~TrainingWindow() = default;
 void TrainingWindow::advance(int milliseconds)
 {
     while (milliseconds > 0) {
-        const int step = std::min(milliseconds, picturePeriod);
+        const int step = std::min(milliseconds, framePeriod);
         for (const BusAtWork *bus : m_plant.all())
             if (EncoderBus *its = bus->bus())
                 its->advance(std::chrono::milliseconds(step));
-        m_window->showPicture();
+        m_window->showFrame();
         QCoreApplication::processEvents();
         milliseconds -= step;
     }

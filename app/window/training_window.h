@@ -28,7 +28,7 @@ public:
     TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }
     MessageModel &messages() { return m_messages; }
     ProjectDocument &project() { return m_project; } // of the plant, at first
-    // So many milliseconds pass on the bus; a picture is taken every 33.
+    // So many milliseconds pass on the bus; a frame is taken every 33.
     void advance(int milliseconds);
 
     static QDateTime begin();

@@ -53,7 +53,7 @@ const QString helpLayoutKey = QStringLiteral("help/layout");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
 const QString decimalSignKey = QStringLiteral("appearance/decimalSign");
-const QString pictureRateKey = QStringLiteral("window/picturesPerSecond");
+const QString frameRateKey = QStringLiteral("window/framesPerSecond");
 const QString eepromKey = QStringLiteral("eeprom/questionFromPercent");
 const QString traceRowsKey = QStringLiteral("trace/mostRows");
 const QString keepingKey = QStringLiteral("recovery/seconds");
@@ -77,14 +77,14 @@ int WindowSettings::number(const QString &key, int usual, SettingRange range) co
 ProgramSettings WindowSettings::choices() const
 {
     const ProgramSettings usual;
-    const int rate = m_settings->value(pictureRateKey, usual.picturesPerSecond).toInt();
+    const int rate = m_settings->value(frameRateKey, usual.framesPerSecond).toInt();
     return {
         .language = m_settings->value(languageKey).toString(),
         .appearance = {.scheme = schemeOf(m_settings->value(schemeKey).toString()),
                        .largeControls = m_settings->value(largeControlsKey).toBool(),
                        .lessMotion = m_settings->value(lessMotionKey).toBool()},
         .decimalSign = signOf(m_settings->value(decimalSignKey).toString()),
-        .picturesPerSecond = std::ranges::count(pictureRates, rate) > 0 ? rate : usual.picturesPerSecond,
+        .framesPerSecond = std::ranges::count(frameRates, rate) > 0 ? rate : usual.framesPerSecond,
         .eepromQuestionFrom = number(eepromKey, usual.eepromQuestionFrom, eepromQuestionRange),
         .largestMessageFile = number(largestMessageFileKey, usual.largestMessageFile, messageFileRange),
         .traceRows = number(traceRowsKey, usual.traceRows, traceRowsRange),
@@ -100,7 +100,7 @@ void WindowSettings::setChoices(const ProgramSettings &choices)
     m_settings->setValue(lessMotionKey, choices.appearance.lessMotion);
     m_settings->setValue(decimalSignKey,
                          QLatin1String(signNames.at(static_cast<std::size_t>(choices.decimalSign))));
-    m_settings->setValue(pictureRateKey, choices.picturesPerSecond);
+    m_settings->setValue(frameRateKey, choices.framesPerSecond);
     m_settings->setValue(eepromKey, choices.eepromQuestionFrom);
     m_settings->setValue(largestMessageFileKey, choices.largestMessageFile);
     m_settings->setValue(traceRowsKey, choices.traceRows);

@@ -146,7 +146,7 @@ private:
         for (Event &event : m_runner->takeEvents())
             if (!isTakenAtOnce(event))
                 m_events.push_back(std::move(event));
-        if (m_state != BusState::open) // a picture can wait until that is told
+        if (m_state != BusState::open) // a frame can wait until that is told
             return;
         auto newest = m_runner->takeLatest();
         if (!newest || !isOfNow(*newest))

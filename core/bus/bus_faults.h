@@ -13,7 +13,7 @@ namespace codewheel {
 class Buses;
 
 // The faults of all buses that are open, worst first; of those that are alike, bus by bus. A bus that stood
-// still for a fault that is not told any more is among them until it runs. Asked with each picture.
+// still for a fault that is not told any more is among them until it runs. Asked with each frame.
 class BusFaults
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::BusFaults)

@@ -26,7 +26,7 @@ struct BusNode
     friend bool operator==(const BusNode &, const BusNode &) = default;
 };
 
-// What changes with every picture.
+// What changes with every frame.
 struct NodeState
 {
     StateWord shown;

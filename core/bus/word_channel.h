@@ -17,7 +17,7 @@ namespace codewheel {
 class EncoderBus;
 
 // The words of a device as they stood on the bus, and the bits that changed in any cycle since the last
-// picture.
+// frame.
 struct WordsOnBus
 {
     Word in = 0;
@@ -63,12 +63,12 @@ public:
     Result<void> write();
     Result<void> zero(); // sends 00000000, whatever is staged; refused likewise
 
-    // By its bus: the newest picture, and that a word will be seen in the next one.
+    // By its bus: the newest frame, and that a word will be seen in the next one.
     void show(const WordsOnBus &words, const Freshness &freshness, Instant now);
     void wasWritten(Word word, Instant at) { m_written = {word, at}; }
 
 Q_SIGNALS:
-    void changed(); // in, out, edges, or whether they are live: at most once per picture
+    void changed(); // in, out, edges, or whether they are live: at most once per frame
     void stagedChanged();
     void refused(const codewheel::Refusal &why);
 

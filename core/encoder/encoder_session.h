@@ -86,7 +86,7 @@ public:
     virtual QDateTime dateTime(Instant at) const = 0;
 
 Q_SIGNALS:
-    void latestChanged();    // a newer reading, which may say the same; at most once a picture
+    void latestChanged();    // a newer reading, which may say the same; at most once a frame
     void freshnessChanged(); // live, old or unknown, or why
     void knownChanged();
     // The encoder stored to its EEPROM because of what this program sent, so many times.

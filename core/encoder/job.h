@@ -115,7 +115,7 @@ enum class OnCancel : std::uint8_t {
     runWithWhatItHas, // run
     leaveAsIs,        // OUT back to 0, the encoder stays in parameterization
     // OUT back to 0 if the encoder has taken nothing. Else the job goes on, and a Progress tells so
-    // (hasTaken): whoever cancels then asks how. The driver decides it, since a picture may be old.
+    // (hasTaken): whoever cancels then asks how. The driver decides it, since a frame may be old.
     ifNothingTaken,
 };
 

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// How the CRC errors of each segment came over the last minutes, as far as pictures of the ring were taken.
+// How the CRC errors of each segment came over the last minutes, as far as frames of the ring were taken.
 // Kept by RingSession, shown by the master panel.
 class CrcHistory
 {

@@ -139,7 +139,7 @@ void RingSession::Private::endRetired()
     retiredDescriptions.clear();
 }
 
-// What shows already in the next picture.
+// What shows already in the next frame.
 bool RingSession::takeAtOnce(const RingEvent &event)
 {
     const bool isOfRing = event.generation == d->generation;

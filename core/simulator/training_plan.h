@@ -21,7 +21,7 @@ struct TrainingParticipant
     std::int64_t serialNumber = 0;   // FRABA K3
     std::int64_t operatingTime = 0;  // FRABA K3, 10 min
     ParameterValues known;           // what the user is taken to know of it
-    ParameterValues knownInWindow{}; // besides: so that its first picture shows all positions
+    ParameterValues knownInWindow{}; // besides: so that its first frame shows all positions
 };
 using TrainingPlan = std::vector<TrainingParticipant>; // in ring order
 

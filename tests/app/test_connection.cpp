@@ -89,7 +89,7 @@ TEST_F(ConnectionTest, ConnectingAgainBringsAllBack)
     EXPECT_EQ(bus().encoder(fraba)->known(Parameter::startUpMode)->value, 1) << "as it was told before";
     EXPECT_TRUE(messages().join(u'|').contains(QStringLiteral("as the project says")))
         << messages().join(u'|').toStdString();
-    window().showPicture();
+    window().showFrame();
 }
 
 TEST_F(ConnectionTest, DisconnectingAsksForOutWordsThatAreNotZero)

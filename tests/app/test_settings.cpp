@@ -141,7 +141,7 @@ TEST_F(Settings, AreKeptForTheNextStart)
     EXPECT_EQ(kept.traceRows, 5'000);
     EXPECT_EQ(kept.largestMessageFile, 50);
     EXPECT_EQ(kept.secondsBetweenKeeping, 30);
-    EXPECT_EQ(kept.picturesPerSecond, 60);
+    EXPECT_EQ(kept.framesPerSecond, 60);
 }
 
 TEST_F(Settings, OkTakesWhatIsBeingTypedAndStaysWhereThatIsRefused)

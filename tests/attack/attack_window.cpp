@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window for hours of bus time, which run ahead: one picture for each second of the bus, while somebody
+// The window for hours of bus time, which run ahead: one frame for each second of the bus, while somebody
 // works with it. What it holds of memory must be flat after warming up.
 //
 //   attack_window [--minutes N] [--warm-up MINUTES] [--seed N]
 //
-// Prints time of the bus, memory and pictures as it goes, and in the end what memory has grown by; exit code
+// Prints time of the bus, memory and frames as it goes, and in the end what memory has grown by; exit code
 // 1 where that is more than what is allowed. Memory is looked at once a minute, with the window as it was the
 // other times.
 #include "app/window/training_window.h"
@@ -110,13 +110,13 @@ private:
     std::size_t m_size = 0;
 };
 
-// A second of the bus and of the line, and the picture of it.
+// A second of the bus and of the line, and the frame of it.
 void letASecondPass(TrainingWindow &shown)
 {
     shown.bus().advance(1'000);
     if (LineSession *line = shown.line().session())
         line->advance(1s);
-    shown.window().showPicture();
+    shown.window().showFrame();
     shown.messages().catchUp();
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -151,7 +151,7 @@ std::array<double, 2> watchMemory(TrainingWindow &shown, const Soak &soak)
         }
         if ((minute + 1) % std::max(all / lines, 1) == 0) {
             const std::chrono::duration<double> past = std::chrono::steady_clock::now() - begin;
-            std::printf("  %3d min of the bus, %6.2f MB in use, %.0f pictures a second\n", minute + 1, memory,
+            std::printf("  %3d min of the bus, %6.2f MB in use, %.0f frames a second\n", minute + 1, memory,
                         60 * (minute + 1) / past.count());
             std::fflush(stdout);
         }
@@ -190,10 +190,9 @@ int main(int argc, char **argv)
     const std::array<double, 2> most = watchMemory(shown, soak);
     const double growth = most[1] - most[0];
     const bool isFlat = growth <= allowedGrowth;
-    std::printf(
-        "window: %d pictures in %d min of the bus after warming up, at most %.2f MB in the first half "
-        "and %.2f MB in the second. %s: %+.2f MB, allowed %.2f MB.\n",
-        60 * soak.minutes, soak.minutes, most[0], most[1], isFlat ? "Flat" : "It grows", growth,
-        allowedGrowth);
+    std::printf("window: %d frames in %d min of the bus after warming up, at most %.2f MB in the first half "
+                "and %.2f MB in the second. %s: %+.2f MB, allowed %.2f MB.\n",
+                60 * soak.minutes, soak.minutes, most[0], most[1], isFlat ? "Flat" : "It grows", growth,
+                allowedGrowth);
     return isFlat ? 0 : 1;
 }

@@ -2,8 +2,8 @@
 // bench_frames MONITORS WIDTHxHEIGHT: the window at work with so many monitors, a bus at 1 ms in a thread of
 // its own with eight devices whose words move, the dial, and the training line asked for its positions; then
 // the same at rest, with a window that nobody sees. Prints frames a second and the share of one core of both.
+#include "app/window/frame_clock.h"
 #include "app/window/main_window.h"
-#include "app/window/picture_clock.h"
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
 #include "catalog/catalog.h"
@@ -112,9 +112,9 @@ int main(int argc, char **argv)
     window.show();
     plant.start();
 
-    PictureClock pictures;
-    pictures.setWindow(window);
-    pictures.start();
+    FrameClock frames;
+    frames.setWindow(window);
+    frames.start();
 
     std::printf("%zu monitors at %d x %d\n", shown, window.width(), window.height());
     measure("at work", bus);

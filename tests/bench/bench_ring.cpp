@@ -20,14 +20,14 @@ using Clock = std::chrono::steady_clock;
 constexpr int encoders = 128; // all that 4096 points allow
 constexpr int warmUp = 2'000;
 constexpr int cycles = 100'000;
-constexpr int cyclesPerPicture = 33; // a window takes 30 snapshots a second
+constexpr int cyclesPerFrame = 33; // a window takes 30 snapshots a second
 
 double microseconds(Clock::duration duration)
 {
     return std::chrono::duration<double, std::micro>(duration).count();
 }
 
-// The ring as the program runs it: a driver for each encoder, and somebody who takes the pictures.
+// The ring as the program runs it: a driver for each encoder, and somebody who takes the frames.
 class Ring
 {
 public:
@@ -49,7 +49,7 @@ public:
         const Clock::time_point begin = Clock::now();
         m_runner.cycle(m_now);
         const Clock::duration duration = Clock::now() - begin;
-        if (++m_cycle % cyclesPerPicture == 0) {
+        if (++m_cycle % cyclesPerFrame == 0) {
             m_runner.takeLatest();
             m_runner.takeEvents();
         }

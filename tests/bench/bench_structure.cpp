@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The structure editor with a project of 512 devices: how long it takes to open it, and from each edit, undo
-// and step of the wheel until it is painted. 60 pictures a second leave 16 ms.
+// and step of the wheel until it is painted. 60 frames a second leave 16 ms.
 #include "catalog/catalog.h"
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
@@ -25,7 +25,7 @@ using namespace codewheel;
 
 constexpr int terminals = 8;
 constexpr int localDevices = 63;
-constexpr double picture = 16; // ms
+constexpr double frame = 16; // ms
 constexpr int repetitions = 60;
 
 // As many as a ring may have: full local buses, inputs and outputs in turn.
@@ -63,7 +63,7 @@ void measure(const char *name, QWidget &seen, What what)
     }
     std::ranges::sort(times);
     std::printf("%-28s median %6.2f ms, worst %6.2f ms of %.0f ms\n", name, times[times.size() / 2],
-                times.back(), picture);
+                times.back(), frame);
 }
 
 } // namespace

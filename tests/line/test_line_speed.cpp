@@ -53,10 +53,10 @@ TEST_F(LineSpeed, WhatIsSetIsReadWhateverElseIsAsked)
 {
     setSpeed(60);
     readAfter(3s);
-    for (int picture = 0; picture < 300; ++picture) {
+    for (int frame = 0; frame < 300; ++frame) {
         const auto read = readAfter(33ms);
         ASSERT_TRUE(read);
-        ASSERT_NEAR(static_cast<double>(*read), 600, 1) << picture;
+        ASSERT_NEAR(static_cast<double>(*read), 600, 1) << frame;
     }
     setSpeed(-0.5);
     readAfter(5s);

@@ -124,11 +124,11 @@ protected:
         for (const Word word : planned.words) {
             bus.channel(planned.place)->stage(word);
             EXPECT_TRUE(bus.channel(planned.place)->write());
-            pictures(planned.fault == TrainingFault::slowConfirmation ? 330 : 700);
+            frames(planned.fault == TrainingFault::slowConfirmation ? 330 : 700);
         }
-        pictures(planned.fault == TrainingFault::slowConfirmation ? 0 : 700);
+        frames(planned.fault == TrainingFault::slowConfirmation ? 0 : 700);
     }
-    void pictures(int milliseconds) // as the window takes them
+    void frames(int milliseconds) // as the window takes them
     {
         for (int i = 0; i < milliseconds; i += 33)
             bus.advance(33);
@@ -184,7 +184,7 @@ TEST_F(FaultOfRing, WhatLiesBehindABreakIsCutOff)
     EXPECT_EQ(state("4.0"_ring).shown.word, QStringLiteral("cut off"));
     EXPECT_EQ(bus.outline().state().word, QStringLiteral("BUS FAIL"));
     bus.switchSegment(4, false);
-    pictures(100);
+    frames(100);
     EXPECT_EQ(state("4.0"_ring).shown.word, QStringLiteral("off"));
     EXPECT_FALSE(state("4.0"_ring).isBehindBreak);
 }
@@ -201,16 +201,16 @@ TEST_F(FaultOfRing, IsToldUntilTheBusRunsAgain)
     EXPECT_EQ(all.all().front().bus, firstRing);
     EXPECT_TRUE(all.all().front().fault.text.startsWith(QStringLiteral("The cable")));
     training.controls->setFault(broken.fault, broken.place.node, 0);
-    pictures(100);
+    frames(100);
     ASSERT_EQ(all.look(buses).size(), 1U);
     EXPECT_EQ(all.all().front().fault.text,
               QStringLiteral("The fault is not told any more, but the bus is stopped. Start it again."));
     EXPECT_EQ(all.all().front().fault.actions, std::vector{FaultAction::start});
     bus.setRunning(true);
-    pictures(100);
+    frames(100);
     EXPECT_TRUE(all.look(buses).empty());
     bus.setRunning(false);
-    pictures(100);
+    frames(100);
     EXPECT_TRUE(all.look(buses).empty()) << "whoever stopped it knows";
 }
 
@@ -236,11 +236,11 @@ TEST_F(FaultOfRing, AnEncoderThatIsSetToZeroIsNoneWithoutPower)
     const Place baumer = "2.0"_ring;
     training.controls->setSpeed(baumer.node, 0);
     training.controls->turnTo(baumer.node, 400'000);
-    pictures(100);
+    frames(100);
     EXPECT_NE(bus.channel(baumer)->in(), 0U);
     bus.channel(baumer)->stage(0x4000'0000);
     EXPECT_TRUE(bus.channel(baumer)->write());
-    pictures(300);
+    frames(300);
     EXPECT_EQ(bus.channel(baumer)->in(), 0U) << "the preset is 0";
     EXPECT_TRUE(faults().empty());
 }

@@ -467,7 +467,7 @@ TEST_F(BusSessionTest, AnEncoderThatLostItsParametersIsKnownNoMore)
     EXPECT_THAT(m_drivers[0]->known(), IsEmpty());
 }
 
-TEST_F(BusSessionTest, APictureIsToldOnceHoweverManyCyclesItTook)
+TEST_F(BusSessionTest, AFrameIsToldOnceHoweverManyCyclesItTook)
 {
     open(RingSession::Start::watching);
     int updates = 0;

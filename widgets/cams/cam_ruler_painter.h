@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// Draws a cam ruler, part by part. Made by CamRuler for one picture.
+// Draws a cam ruler, part by part. Made by CamRuler for one frame.
 class CamRulerPainter
 {
 public:

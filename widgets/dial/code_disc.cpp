@@ -51,10 +51,10 @@ std::optional<int> arcOf(const std::optional<double> &rpm)
     return rpm ? std::optional(qRound(arcDegrees(*rpm))) : std::nullopt;
 }
 
-// Nobody sees the edges of what moves that fast from picture to picture.
+// Nobody sees the edges of what moves that fast from frame to frame.
 bool isBlur(const DialState &state)
 {
-    constexpr double slowest = 20; // rpm: 4 degrees a picture
+    constexpr double slowest = 20; // rpm: 4 degrees a frame
     return std::abs(state.rpm.value_or(0)) > slowest;
 }
 
@@ -165,7 +165,7 @@ void CodeDisc::paintEvent(QPaintEvent *event)
         dial_note::paint(painter, *this, m_note, m_state.role, note());
 }
 
-// What does not turn with the disc, and so is the same in many pictures.
+// What does not turn with the disc, and so is the same in many frames.
 void CodeDisc::drawStill(QPainter &painter)
 {
     const QPointF center = QRectF(m_dial).center() - m_dial.topLeft();

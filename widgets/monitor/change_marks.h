@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// Which bits of a word changed in the last half second, as far as the pictures told. Used by WordView.
+// Which bits of a word changed in the last half second, as far as the frames told. Used by WordView.
 class ChangeMarks
 {
 public:

@@ -48,7 +48,7 @@ MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     m_scroll->setWidget(column);
     m_pages->addWidget(m_scroll);
 
-    connect(&buses, &Buses::updated, this, &MonitorArea::showPicture);
+    connect(&buses, &Buses::updated, this, &MonitorArea::showFrame);
     connect(&buses, &Buses::changed, this, [this] {
         followDevices();
         bringBack();
@@ -223,7 +223,7 @@ WordCard *MonitorArea::make(Place place)
     auto *card = new WordCard(*channel, encoder, encoder ? &encoder->device() : nullptr, m_scroll->widget());
     card->setDisplay(m_display);
     card->setStation(m_stationOf ? m_stationOf(place) : QString());
-    card->showPicture(m_buses.open(place.bus)->now());
+    card->showFrame(m_buses.open(place.bus)->now());
     connect(card, &WordCard::closeRequested, this, [this, card] { closed(card); });
     connect(card, &WordCard::pinToggled, this, [this, card](bool pinned) { setPinned(card, pinned); });
     connect(card, &WordCard::displayChosen, this, &MonitorArea::setDisplay);
@@ -275,12 +275,12 @@ void MonitorArea::setDisplay(const MonitorDisplay &display)
         card->setDisplay(display);
 }
 
-void MonitorArea::showPicture(BusId bus)
+void MonitorArea::showFrame(BusId bus)
 {
     const EncoderBus *shown = m_buses.open(bus);
     for (WordCard *card : m_cards)
         if (shown != nullptr && card->place().bus == bus)
-            card->showPicture(shown->now());
+            card->showFrame(shown->now());
 }
 
 // A device without words is said so above the monitors that are pinned, or in their place.

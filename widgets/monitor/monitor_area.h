@@ -67,7 +67,7 @@ private:
     void followDevices();
     void bringBack();
     void showFollowing();
-    void showPicture(BusId bus);
+    void showFrame(BusId bus);
     void showWhatThereIs();
 
     Buses &m_buses;

@@ -343,7 +343,7 @@ void WordCard::showProblem(const QString &sentence)
     m_cause = Cause::badInput;
 }
 
-void WordCard::showPicture(Instant now)
+void WordCard::showFrame(Instant now)
 {
     m_now = now;
     showWords(true);

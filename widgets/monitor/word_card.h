@@ -20,7 +20,7 @@ class InlineMessage;
 class WordView;
 
 // The words of one device: OUT over IN, bit under bit, each as numbers and in a sentence. An OUT word is
-// staged by clicking and typing, and sent by Write. Stands in the MonitorArea, which tells it of each picture
+// staged by clicking and typing, and sent by Write. Stands in the MonitorArea, which tells it of each frame
 // of the bus.
 //
 // Keys: Ctrl+Return writes, Esc discards, Ctrl+C copies the word that was chosen last, Ctrl+Shift+C as the
@@ -48,8 +48,8 @@ public:
     void setPinned(bool pinned);
     bool isPinned() const;
 
-    // A picture of the bus was taken at now.
-    void showPicture(Instant now);
+    // A frame of the bus was taken at now.
+    void showFrame(Instant now);
     // Watch, Operate, start or stop: what was refused before may not be now.
     void busStateChanged();
 

@@ -44,7 +44,7 @@ public:
     void setMatrix(bool matrix);
 
     // shown: with what is staged; onBus: as last sent or received; edges: bits that changed in any cycle
-    // since the last call. Call it for each picture, also where nothing changed: marks go by now.
+    // since the last call. Call it for each frame, also where nothing changed: marks go by now.
     void setWord(int word, Word shown, Word onBus, Word edges, Instant now);
     Word word(int word = 0) const { return at(word).shown; }
 

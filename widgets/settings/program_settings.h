@@ -16,7 +16,7 @@ struct ProgramSettings
     QString language{}; // "de", "en", or empty: the system's
     Appearance appearance{};
     DecimalSign decimalSign = DecimalSign::ofLanguage;
-    int picturesPerSecond = 30;
+    int framesPerSecond = 30;
     int eepromQuestionFrom = 75;    // percent of what the manual speaks of; never more
     int largestMessageFile = 200;   // MB
     int traceRows = 20'000;         // of one encoder
@@ -35,6 +35,6 @@ inline constexpr SettingRange eepromQuestionRange{10, 75};
 inline constexpr SettingRange messageFileRange{1, 10'000};
 inline constexpr SettingRange traceRowsRange{1'000, 200'000};
 inline constexpr SettingRange keepingRange{5, 600};
-inline constexpr int pictureRates[] = {10, 30, 60};
+inline constexpr int frameRates[] = {10, 30, 60};
 
 } // namespace codewheel

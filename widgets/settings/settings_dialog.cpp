@@ -134,13 +134,12 @@ void SettingsDialog::makeLook()
                                 tr("Bits and buttons are 1.5 times as large, for gloves."));
     m_lessMotion = addSwitch(form, "settingsLessMotion", tr("Less &motion"),
                              tr("Panels are not animated. Values always change at once."));
-    m_pictures =
-        addChoice(form, tr("&Frames a second"),
-                  tr("How often values are painted. Fewer spare the processor; the bus is not slower, "
-                     "and no change of a bit is lost."));
-    m_pictures->setObjectName(QStringLiteral("settingsFrames"));
-    for (const int rate : pictureRates)
-        m_pictures->addItem(QString::number(rate), rate);
+    m_frames = addChoice(form, tr("&Frames a second"),
+                         tr("How often values are painted. Fewer spare the processor; the bus is not slower, "
+                            "and no change of a bit is lost."));
+    m_frames->setObjectName(QStringLiteral("settingsFrames"));
+    for (const int rate : frameRates)
+        m_frames->addItem(QString::number(rate), rate);
 }
 
 void SettingsDialog::makeWarnings()
@@ -229,7 +228,7 @@ void SettingsDialog::showValues(const ProgramSettings &settings)
     choose(*m_scheme, static_cast<int>(settings.appearance.scheme));
     m_largeControls->setChecked(settings.appearance.largeControls);
     m_lessMotion->setChecked(settings.appearance.lessMotion);
-    choose(*m_pictures, settings.picturesPerSecond);
+    choose(*m_frames, settings.framesPerSecond);
     m_eeprom->setValue(settings.eepromQuestionFrom);
     m_messageFile->setValue(settings.largestMessageFile);
     m_traceRows->setValue(settings.traceRows);
@@ -246,7 +245,7 @@ void SettingsDialog::take()
                        .largeControls = m_largeControls->isChecked(),
                        .lessMotion = m_lessMotion->isChecked()},
         .decimalSign = static_cast<DecimalSign>(m_decimalSign->currentData().toInt()),
-        .picturesPerSecond = m_pictures->currentData().toInt(),
+        .framesPerSecond = m_frames->currentData().toInt(),
         .eepromQuestionFrom = m_eeprom->value(),
         .largestMessageFile = m_messageFile->value(),
         .traceRows = m_traceRows->value(),

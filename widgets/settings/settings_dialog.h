@@ -55,7 +55,7 @@ private:
     QCheckBox *m_largeControls = nullptr;
     QCheckBox *m_lessMotion = nullptr;
     QComboBox *m_decimalSign = nullptr;
-    QComboBox *m_pictures = nullptr;
+    QComboBox *m_frames = nullptr;
     QSpinBox *m_eeprom = nullptr;
     QSpinBox *m_messageFile = nullptr;
     QSpinBox *m_traceRows = nullptr;

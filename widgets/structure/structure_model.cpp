@@ -246,7 +246,7 @@ void StructureModel::showNames(BusBranch &branch, const std::vector<BusNode> &no
     refresh(branch.bus);
 }
 
-// Only what changed is told to the views: most pictures change no state at all.
+// Only what changed is told to the views: most frames change no state at all.
 void StructureModel::refresh(BusId bus)
 {
     BusBranch *branch = find(bus);

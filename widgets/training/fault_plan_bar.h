@@ -25,7 +25,7 @@ public:
 
     // Says on the spot what is wrong with it.
     bool load(const QString &path);
-    // With every picture. Steps carried out since the last one are told.
+    // With every frame. Steps carried out since the last one are told.
     void refresh();
 
 Q_SIGNALS:

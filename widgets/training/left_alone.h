@@ -7,16 +7,16 @@ namespace codewheel {
 class LeftAlone
 {
 public:
-    void moved() { m_picturesToRest = picturesOfRest; }
-    void forget() { m_picturesToRest = 0; }
-    bool isMoving() const { return m_picturesToRest > 0; }
-    // With each picture. True once after the last move.
-    bool picture() { return m_picturesToRest > 0 && --m_picturesToRest == 0; }
+    void moved() { m_framesToRest = framesOfRest; }
+    void forget() { m_framesToRest = 0; }
+    bool isMoving() const { return m_framesToRest > 0; }
+    // With each frame. True once after the last move.
+    bool frame() { return m_framesToRest > 0 && --m_framesToRest == 0; }
 
 private:
-    static constexpr int picturesOfRest = 15;
+    static constexpr int framesOfRest = 15;
 
-    int m_picturesToRest = 0;
+    int m_framesToRest = 0;
 };
 
 } // namespace codewheel

@@ -23,7 +23,7 @@ class LineEncoderBox : public QWidget
 public:
     explicit LineEncoderBox(QWidget *parent = nullptr);
 
-    // With every picture; the line outlives it, or another one is shown before. An address where no encoder
+    // With every frame; the line outlives it, or another one is shown before. An address where no encoder
     // is any more shows the last one.
     void showEncoder(SimulatedLine &line, LineAddress address);
 

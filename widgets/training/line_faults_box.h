@@ -23,7 +23,7 @@ class LineFaultsBox : public QWidget
 public:
     explicit LineFaultsBox(QWidget *parent = nullptr);
 
-    // With every picture; the line outlives it, or another one is shown before.
+    // With every frame; the line outlives it, or another one is shown before.
     void showLine(SimulatedLine &line);
 
 Q_SIGNALS:

@@ -101,7 +101,7 @@ void RodControls::showRod(const TrainingControls::Rod &rod)
     }
     if (isNew || rod.magnetInRange != before.magnetInRange)
         m_inRange->setChecked(rod.magnetInRange);
-    if (m_leftAlone.picture())
+    if (m_leftAlone.frame())
         tellOfMoving();
 }
 

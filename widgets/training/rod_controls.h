@@ -25,7 +25,7 @@ class RodControls : public QWidget
 public:
     explicit RodControls(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // With every picture. A field is changed only when the rod changed: what the user has just typed is not
+    // With every frame. A field is changed only when the rod changed: what the user has just typed is not
     // undone before the bus has come round.
     void showRod(const TrainingControls::Rod &rod);
     // The panel goes to another device.

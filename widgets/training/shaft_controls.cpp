@@ -89,7 +89,7 @@ void ShaftControls::showShaft(const TrainingControls::Shaft &shaft)
         const QSignalBlocker silent(m_speed);
         m_speed->setValue(shaft.revolutionsPerMinute);
     }
-    if (m_leftAlone.picture())
+    if (m_leftAlone.frame())
         tellOfTurning();
 }
 

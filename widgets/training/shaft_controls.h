@@ -25,7 +25,7 @@ class ShaftControls : public QWidget
 public:
     explicit ShaftControls(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // With every picture. A field is changed only when the shaft changed: what the user has just typed is not
+    // With every frame. A field is changed only when the shaft changed: what the user has just typed is not
     // undone before the bus has come round.
     void showShaft(const TrainingControls::Shaft &shaft);
     // The panel goes to another device.

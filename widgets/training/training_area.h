@@ -21,7 +21,7 @@ class TrainingArea : public ScrolledPanel
 public:
     // Chooses this device, if it has anything to train with.
     void setDevice(Place place);
-    // Shows how it stands; called by the window with every picture.
+    // Shows how it stands; called by the window with every frame.
     virtual void refresh() = 0;
 
 Q_SIGNALS:

@@ -28,7 +28,7 @@ TEST(CamDocumentTest, NobodyHasSetAnythingAtFirst)
         EXPECT_EQ(document.program(number), (CamProgram{.number = number}));
 }
 
-TEST(CamDocumentTest, AGestureIsOneStepHoweverManyPicturesItHas)
+TEST(CamDocumentTest, AGestureIsOneStepHoweverManyFramesItHas)
 {
     ProjectDocument project;
     CamDocument document(project, fraba);

@@ -182,7 +182,7 @@ TEST_F(DialPanelTest, ASpeedThatIsSetIsReadToTheTenth)
     ring.controls->setSpeed(test::multiTurn.node, 60);
     panel.setEncoder(&ring.encoder(test::multiTurn));
     advance(1000);
-    for (int picture = 0; picture < 100; ++picture) {
+    for (int frame = 0; frame < 100; ++frame) {
         advance(33);
         ASSERT_TRUE(shown().rpm);
         ASSERT_EQ(std::lround(*shown().rpm * 10), 600);
@@ -190,7 +190,7 @@ TEST_F(DialPanelTest, ASpeedThatIsSetIsReadToTheTenth)
     ring.controls->setSpeed(test::singleTurn.node, 6000);
     panel.setEncoder(&ring.encoder(test::singleTurn));
     advance(1000);
-    EXPECT_NEAR(shown().rpm.value_or(0), 6000, 0.05) << "three turns in each picture";
+    EXPECT_NEAR(shown().rpm.value_or(0), 6000, 0.05) << "three turns in each frame";
 }
 
 TEST_F(DialPanelTest, WhatIsOldHasNoSpeed)

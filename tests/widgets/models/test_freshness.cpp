@@ -194,7 +194,7 @@ TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
     card.setDisplay({.bar = true});
     const WordLine &in = *card.line(WordDirection::in);
     const WordLine &out = *card.line(WordDirection::out);
-    const auto show = [&] { card.showPicture(ring.bus.now()); };
+    const auto show = [&] { card.showFrame(ring.bus.now()); };
     const auto ink = [](const WordLine &line) {
         return line.findChild<NumberField *>()->palette().color(QPalette::Active, QPalette::Text);
     };

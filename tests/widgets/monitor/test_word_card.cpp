@@ -36,7 +36,7 @@ protected:
         auto *column = new QVBoxLayout(&window);
         column->addWidget(&card);
         QObject::connect(&ring.bus, &RingSession::updated, &window,
-                         [this] { card.showPicture(ring.bus.latest().at); });
+                         [this] { card.showFrame(ring.bus.latest().at); });
         QObject::connect(&ring.bus, &RingSession::stateChanged, &card, &WordCard::busStateChanged);
         window.show();
         window.activateWindow();

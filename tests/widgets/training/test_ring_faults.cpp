@@ -53,7 +53,7 @@ protected:
         box(text).setFocus();
         QTest::keyClick(&box(text), Qt::Key_Space);
     }
-    void picture(int cycles)
+    void frame(int cycles)
     {
         ring.bus.advance(cycles);
         panel.refresh();
@@ -78,12 +78,12 @@ TEST_F(RingFaultsTest, ABrokenWireStopsTheBusUntilItIsMended)
 {
     panel.setDevice("4.0"_ring);
     tick("Wire break before it");
-    picture(40);
+    frame(40);
     EXPECT_EQ(ring.bus.latest().state, MasterState::busFail);
     EXPECT_TRUE(box("Wire break before it").isChecked());
     EXPECT_EQ(acts.last(), QStringLiteral("4.0: Wire break before it"));
     tick("Wire break before it");
-    picture(5);
+    frame(5);
     EXPECT_EQ(ring.bus.latest().state, MasterState::ready);
 }
 
@@ -117,10 +117,10 @@ TEST_F(RingFaultsTest, AFaultPlanIsLoadedRunAndTold)
     for (QPushButton *button : bar->findChildren<QPushButton *>())
         if (button->text() == QStringLiteral("Run"))
             QTest::mouseClick(button, Qt::LeftButton);
-    picture(101);
+    frame(101);
     EXPECT_EQ(steps, QStringList{QStringLiteral("1.0: Peripheral fault")});
     EXPECT_EQ(next->text(), QStringLiteral("In 2.0 s: 4.0: Wire break before it"));
-    picture(2'040);
+    frame(2'040);
     EXPECT_EQ(steps.size(), 2);
     EXPECT_EQ(ring.bus.latest().state, MasterState::busFail);
     EXPECT_EQ(next->text(), QStringLiteral("Lesson 1: 2 steps"));

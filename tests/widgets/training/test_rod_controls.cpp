@@ -87,7 +87,7 @@ protected:
     }
     void rest()
     {
-        for (int picture = 0; picture < 15; ++picture)
+        for (int frame = 0; frame < 15; ++frame)
             panel.refresh();
     }
 

@@ -67,7 +67,7 @@ protected:
         auto &each = button<QAbstractButton>(text);
         QTest::mouseClick(&each, Qt::LeftButton, {}, QPoint(8, each.height() / 2));
     }
-    void picture(int cycles = 33)
+    void frame(int cycles = 33)
     {
         ring.bus.advance(cycles);
         panel.refresh();
@@ -121,12 +121,12 @@ TEST_F(TrainingPanelTest, TurnsByButtonsAndTellsOnceWhenTheShaftIsLeftAlone)
 {
     click("1 step clockwise");
     click("A quarter turn clockwise");
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).raw, 12345 + 1 + 2048);
     EXPECT_EQ(text("Raw position"), QLocale().toString(14394));
     EXPECT_TRUE(acts.empty());
     for (int i = 0; i < 20; ++i)
-        picture();
+        frame();
     ASSERT_EQ(acts.size(), 1U);
     EXPECT_EQ(acts[0].number, fraba);
     EXPECT_EQ(acts[0].what,
@@ -136,7 +136,7 @@ TEST_F(TrainingPanelTest, TurnsByButtonsAndTellsOnceWhenTheShaftIsLeftAlone)
 TEST_F(TrainingPanelTest, TellsOfTurningBeforeAnotherDeviceIsChosen)
 {
     click("1 step clockwise");
-    picture();
+    frame();
     panel.setDevice(baumer);
     ASSERT_EQ(acts.size(), 1U);
     EXPECT_EQ(acts[0].number, fraba);
@@ -149,7 +149,7 @@ TEST_F(TrainingPanelTest, ToWhatIsRefusedNothingTurns)
     target.selectAll();
     QTest::keyClicks(&target, QStringLiteral("2.5"));
     find<QToolButton>("Turn to the raw position").click();
-    picture();
+    frame();
     EXPECT_TRUE(acts.empty());
     EXPECT_EQ(target.text(), QStringLiteral("2.5")) << "to be corrected";
 }
@@ -161,10 +161,10 @@ TEST_F(TrainingPanelTest, TurnsToAnExactPosition)
     target.setFocus();
     target.selectAll();
     QTest::keyClicks(&target, QStringLiteral("16384"));
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).raw, 12345); // not before Enter
     QTest::keyClick(&target, Qt::Key_Return);
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).raw, 16384);
     EXPECT_EQ(text("Turn"), QStringLiteral("2"));
     ASSERT_EQ(acts.size(), 1U);
@@ -172,7 +172,7 @@ TEST_F(TrainingPanelTest, TurnsToAnExactPosition)
 
     target.setValue(5);
     click("Turn to the raw position");
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).raw, 5);
 }
 
@@ -183,12 +183,12 @@ TEST_F(TrainingPanelTest, SetsTheSpeedAndStops)
     speed.selectAll();
     QTest::keyClicks(&speed, QStringLiteral("-120"));
     QTest::keyClick(&speed, Qt::Key_Return);
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).revolutionsPerMinute, -120);
     EXPECT_LT(shaft(fraba).raw, 12345);
     EXPECT_EQ(acts.size(), 1U);
     click("Stop the shaft");
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).revolutionsPerMinute, 0);
     EXPECT_EQ(lastAct(), QStringLiteral("Shaft stopped."));
 }
@@ -196,7 +196,7 @@ TEST_F(TrainingPanelTest, SetsTheSpeedAndStops)
 TEST_F(TrainingPanelTest, ShowsASpeedSetElsewhereWithoutActing)
 {
     ring.controls->setSpeed(fraba.node, 33);
-    picture();
+    frame();
     EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 33);
     EXPECT_TRUE(acts.empty());
 }
@@ -208,28 +208,28 @@ TEST_F(TrainingPanelTest, KeepsWhatWasTypedUntilTheBusComesRound)
     panel.refresh(); // no cycle yet
     EXPECT_EQ(speed.value(), 10);
     speed.stepUp();
-    picture();
+    frame();
     EXPECT_EQ(shaft(fraba).revolutionsPerMinute, 20);
 }
 
 TEST_F(TrainingPanelTest, SwitchesThePower)
 {
     click("Power on");
-    picture();
+    frame();
     EXPECT_FALSE(shaft(fraba).powered);
     EXPECT_EQ(lastAct(), QStringLiteral("Power off."));
     button<QCheckBox>("Power on").setFocus();
     QTest::keyClick(&button<QCheckBox>("Power on"), Qt::Key_Space);
-    picture();
+    frame();
     EXPECT_TRUE(shaft(fraba).powered);
 }
 
 TEST_F(TrainingPanelTest, ShowsAPowerCycle)
 {
     click("Power off and on");
-    picture(10);
+    frame(10);
     EXPECT_FALSE(button<QCheckBox>("Power on").isChecked());
-    picture(100);
+    frame(100);
     EXPECT_TRUE(button<QCheckBox>("Power on").isChecked());
     EXPECT_EQ(acts.size(), 1U);
 }
@@ -237,16 +237,16 @@ TEST_F(TrainingPanelTest, ShowsAPowerCycle)
 TEST_F(TrainingPanelTest, CausesTroubles)
 {
     click("Slow confirmation");
-    picture();
+    frame();
     EXPECT_TRUE(shaft(fraba).slow);
     click("Lose parameters");
-    picture(200);
+    frame(200);
     EXPECT_EQ(ring.encoder(fraba).latest().state, EncoderState::error);
     EXPECT_EQ(lastAct(), QStringLiteral("Parameters lost."));
 
     panel.setDevice(baumer);
     click("Battery low");
-    picture();
+    frame();
     EXPECT_TRUE(shaft(baumer).batteryLow);
     EXPECT_EQ(acts.back().number, baumer);
 }
@@ -257,13 +257,13 @@ TEST_F(TrainingPanelTest, FaultsOnlyABaumerReportsAreOfferedThere)
     EXPECT_FALSE(button<QCheckBox>("Code disc faulty").isVisible());
     panel.setDevice(baumer);
     click("EEPROM worn out");
-    picture();
+    frame();
     EXPECT_TRUE(shaft(baumer).eepromWornOut);
     click("Code disc faulty");
-    picture(20);
+    frame(20);
     EXPECT_EQ(ring.encoder(baumer).latest().errorNumber, 15U);
     click("Code disc faulty");
-    picture();
+    frame();
     EXPECT_FALSE(shaft(baumer).codeDiscFaulty);
     EXPECT_EQ(lastAct(), QStringLiteral("Code disc in order; run ends the error."));
 }

@@ -234,7 +234,7 @@ TEST_F(TransferPageTest, GoingOnAfterCancelFinishesTheEncoderAndBeginsNoOther)
 }
 
 // The picture is up to one refresh old: the first word is in OUT, and the window has not heard of it.
-TEST_F(TransferPageTest, WhetherTheEncoderHasTakenSomethingIsNotDecidedByAnOldPicture)
+TEST_F(TransferPageTest, WhetherTheEncoderHasTakenSomethingIsNotDecidedByAnOldFrame)
 {
     toggle("1.0");
     bool cancelled = false;

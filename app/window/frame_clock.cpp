@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/picture_clock.h"
+#include "app/window/frame_clock.h"
 
 #include "app/window/main_window.h"
 
@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int usualRate = 30; // pictures a second
+constexpr int usualRate = 30; // frames a second
 constexpr int unseenRate = 5;
 
 // Not minimized, not on another desktop: as far as the desktop tells.
@@ -22,41 +22,41 @@ bool isAnythingSeen()
 
 } // namespace
 
-PictureClock::PictureClock(QObject *parent)
+FrameClock::FrameClock(QObject *parent)
     : QObject(parent)
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     setRate(usualRate);
-    connect(&m_timer, &QTimer::timeout, this, &PictureClock::tick);
+    connect(&m_timer, &QTimer::timeout, this, &FrameClock::tick);
     qApp->installEventFilter(this);
 }
 
-void PictureClock::setRate(int picturesPerSecond)
+void FrameClock::setRate(int framesPerSecond)
 {
-    m_timer.setInterval(1'000 / picturesPerSecond);
-    m_leftOutUnseen = picturesPerSecond / unseenRate - 1;
+    m_timer.setInterval(1'000 / framesPerSecond);
+    m_leftOutUnseen = framesPerSecond / unseenRate - 1;
     m_left = 0;
 }
 
-void PictureClock::tick()
+void FrameClock::tick()
 {
     if (isAnythingSeen() || m_window->hasJob() || m_left == m_leftOutUnseen)
-        takePicture();
+        takeFrame();
     else
         ++m_left;
 }
 
-void PictureClock::takePicture()
+void FrameClock::takeFrame()
 {
     m_left = 0;
-    m_window->showPicture();
+    m_window->showFrame();
 }
 
 // Before the window paints.
-bool PictureClock::eventFilter(QObject *watched, QEvent *event)
+bool FrameClock::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Expose && m_left > 0 && isAnythingSeen())
-        takePicture();
+        takeFrame();
     return QObject::eventFilter(watched, event);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/picture_clock.h"
+#include "app/window/frame_clock.h"
 #include "tests/app/window_test.h"
 #include "tests/support/events_seen.h"
 
@@ -14,28 +14,28 @@ using test::fraba;
 
 constexpr int atMost = 60'000; // ms
 
-class PictureClockTest : public test::WindowTest
+class FrameClockTest : public test::WindowTest
 {
 protected:
-    PictureClockTest()
+    FrameClockTest()
     {
         clock.setWindow(window());
         clock.start();
     }
-    ~PictureClockTest() override { clock.stop(); }
+    ~FrameClockTest() override { clock.stop(); }
 
-    // Pictures for each of the times at which there is one usually.
+    // Frames for each of the times at which there is one usually.
     double share()
     {
-        int pictures = 0;
+        int frames = 0;
         int ticks = 0;
         QTimer usual;
         usual.setTimerType(Qt::PreciseTimer);
         QObject::connect(&usual, &QTimer::timeout, &usual, [&] { ++ticks; });
-        QObject::connect(&bus(), &RingSession::updated, &usual, [&] { ++pictures; });
+        QObject::connect(&bus(), &RingSession::updated, &usual, [&] { ++frames; });
         usual.start(33ms);
         EXPECT_TRUE(QTest::qWaitFor([&] { return ticks >= 20; }, atMost));
-        return static_cast<double>(pictures) / ticks;
+        return static_cast<double>(frames) / ticks;
     }
     QString rawPosition()
     {
@@ -45,10 +45,10 @@ protected:
         return {};
     }
 
-    PictureClock clock;
+    FrameClock clock;
 };
 
-TEST_F(PictureClockTest, AWindowThatNobodySeesTakesFewPictures)
+TEST_F(FrameClockTest, AWindowThatNobodySeesTakesFewFrames)
 {
     bus().startThread(1ms);
     EXPECT_GT(share(), 0.5);
@@ -58,7 +58,7 @@ TEST_F(PictureClockTest, AWindowThatNobodySeesTakesFewPictures)
     EXPECT_GT(share(), 0.5);
 }
 
-TEST_F(PictureClockTest, AJobIsNotKeptWaiting)
+TEST_F(FrameClockTest, AJobIsNotKeptWaiting)
 {
     bus().startThread(1ms);
     window().hide();
@@ -69,7 +69,7 @@ TEST_F(PictureClockTest, AJobIsNotKeptWaiting)
     EXPECT_TRUE(QTest::qWaitFor([this] { return !window().hasJob(); }, atMost));
 }
 
-TEST_F(PictureClockTest, NewPositionsLayNothingOutAnew)
+TEST_F(FrameClockTest, NewPositionsLayNothingOutAnew)
 {
     clock.stop();
     shown->controls().setSpeed(fraba.node, 300);
@@ -79,10 +79,10 @@ TEST_F(PictureClockTest, NewPositionsLayNothingOutAnew)
     EXPECT_EQ(layouts.text(), QString());
 }
 
-TEST_F(PictureClockTest, WhatComesInSightIsOfNow)
+TEST_F(FrameClockTest, WhatComesInSightIsOfNow)
 {
     window().hide();
-    QTest::qWait(50); // a picture is left out
+    QTest::qWait(50); // a frame is left out
     shown->controls().turnTo(fraba.node, 1'234);
     advance(0);
     window().show();

@@ -8,15 +8,15 @@ namespace codewheel {
 
 class MainWindow;
 
-// Has a window take its pictures: 30 a second, or as many as are set, while any window of the program can be
+// Has a window take its frames: 30 a second, or as many as are set, while any window of the program can be
 // seen or a job runs, else 5, so that messages are kept. What comes in sight again is of now.
-class PictureClock : public QObject
+class FrameClock : public QObject
 {
 public:
-    explicit PictureClock(QObject *parent = nullptr);
+    explicit FrameClock(QObject *parent = nullptr);
 
     void setWindow(MainWindow &window) { m_window = &window; } // before start()
-    void setRate(int picturesPerSecond);                       // 5 or more
+    void setRate(int framesPerSecond);                         // 5 or more
     void start() { m_timer.start(); }
     void stop()
     {
@@ -28,12 +28,12 @@ public:
 
 private:
     void tick();
-    void takePicture();
+    void takeFrame();
 
     MainWindow *m_window = nullptr;
     QTimer m_timer;
     int m_leftOutUnseen = 0;
-    int m_left = 0; // pictures left out since the last one
+    int m_left = 0; // frames left out since the last one
 };
 
 } // namespace codewheel
