@@ -57,7 +57,7 @@ class SmallDisk:
     def leave(self, free):
         """How the next call has to be made so that this many bytes are left."""
         if not self._holder:
-            return {"prepare": at_most(free)}
+            return {"prepare": at_most(max(free, PAGE))}  # what it says goes to a file as well
         used = os.statvfs(self.seen(self.folder))
         fill = used.f_bavail * used.f_frsize - free
         with open(self.seen(self.folder / "filler"), "wb") as filler:
