@@ -6,8 +6,9 @@
 
 namespace codewheel {
 
-// The OUT word that IN of this row may answer. A read-out does not say to what: one that stood there already
-// before OUT changed may answer the word before, and then there is none. `before`: the row before, or null.
+// The OUT word that IN of this row may answer. A read-out does not say what it answers: one that was already
+// there before OUT changed may answer the previous word, and then there is none. `before`: the previous row,
+// or null.
 inline std::optional<Word> askedWord(const Exchange &row, const Exchange *before)
 {
     const bool isOldReadOut =

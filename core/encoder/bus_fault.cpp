@@ -17,7 +17,7 @@ QString translated(const char *text)
     return QCoreApplication::translate("BusFault", text);
 }
 
-// Nothing for a code that only the firmware's manual knows.
+// Empty for a code that only the firmware's manual explains.
 QString nameOf(std::uint16_t errorCode)
 {
     switch (errorCode) {

@@ -14,7 +14,7 @@ struct NamedBus
     QString name;
 };
 
-// The names that tell the same places of several buses apart: of all whose kind is there more than once.
+// The names that tell buses with the same places apart: of every bus whose kind is there more than once.
 std::map<BusId, QString> namesOfSeveral(const std::vector<NamedBus> &buses);
 
 std::map<BusId, QString> namesOf(const std::vector<NamedBus> &buses);

@@ -9,23 +9,23 @@
 
 namespace codewheel {
 
-// One cam: on from start to stop, both included, compared with the unsigned position; where the positions lie
-// in a circle, start > stop goes through zero (FRABA manual 5.4.4). Positions in steps, 0..total range - 1.
+// One cam: on from start to stop, both included, compared with the unsigned position; where the positions
+// form a circle, start > stop goes through zero (FRABA manual 5.4.4). Positions in steps, 0..total range - 1.
 struct Cam
 {
     std::int64_t start = 0; // the lower limit
     std::int64_t stop = 0;  // the upper one
     bool active = false;
-    std::int64_t hysteresis = 0; // steps behind an edge until it is passed back
-    bool isInverted = false;     // polarity: on outside
+    std::int64_t hysteresis = 0; // steps past an edge before the cam switches back
+    bool isInverted = false;     // polarity: on outside start..stop
 
     friend constexpr bool operator==(const Cam &, const Cam &) = default;
 };
 
-// A cam program: its cams, and what part of the position stands beside them in IN.
+// A cam program: its cams, and which part of the position is shown beside them in IN.
 struct CamProgram
 {
-    // Of any encoder; which of them an encoder has, CamAbilities tell.
+    // The most any encoder has; CamAbilities says how many of them an encoder has.
     static constexpr std::size_t cams = 8;  // 0..7
     static constexpr unsigned programs = 8; // 1..8
     static constexpr unsigned largestShift = 25;
@@ -37,14 +37,14 @@ struct CamProgram
     friend constexpr bool operator==(const CamProgram &, const CamProgram &) = default;
 };
 
-// What the cams of a kind of encoder have. Those of a K3 as they are here.
+// What cams a kind of encoder has. The defaults are those of a K3.
 struct CamAbilities
 {
     unsigned programs = CamProgram::programs;
     std::size_t cams = CamProgram::cams; // of each program
-    bool isCyclic = true;                // the positions lie in a circle: a cam may go through zero
-    bool hasMode = true;                 // its own: cams are told, and written, in no other
-    bool hasShift = true;                // a part of the position is told beside the cams
+    bool isCyclic = true;                // the positions form a circle: a cam may go through zero
+    bool hasMode = true;                 // a mode of its own: cams are shown and written in no other
+    bool hasShift = true;                // a part of the position is shown beside the cams
     bool hasHysteresis = false;
     bool hasPolarity = false;
 

@@ -13,17 +13,17 @@ struct Capabilities
     bool reads = false;                 // parameters can be read out
     bool writes = false;                // parameters can be written
     bool presets = false;               // the position can be set
-    std::optional<CamAbilities> cams{}; // nothing: none
+    std::optional<CamAbilities> cams{}; // empty: none
     bool velocity = false;              // shows revolutions per minute on request
     bool manufacturerPreset = false;  // 60000000h: sets the position to the programmed preset again and again
-    bool presetNeedsValue = false;    // the command that sets the position brings the value along
+    bool presetNeedsValue = false;    // the command that sets the position carries the value
     bool resets = false;              // to factory settings
     bool serialNumber = false;        // can be read
     bool readingHidesPosition = true; // reading sends words and takes the position away for some cycles
     bool presetIsStored = false;      // the initialised preset survives power-off without another write
     bool hasBattery = false;
-    std::optional<int> eepromBudget; // writes the manual states; nothing where it is silent
-    std::optional<int> eepromLimit;  // writes past which the manual guarantees nothing
+    std::optional<int> eepromBudget; // writes the manual states; empty where it states none
+    std::optional<int> eepromLimit;  // writes beyond which the manual guarantees nothing
 
     friend bool operator==(const Capabilities &, const Capabilities &) = default;
 };

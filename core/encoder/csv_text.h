@@ -5,9 +5,9 @@
 
 namespace codewheel {
 
-// A cell with text in a table of comma-separated values (RFC 4180), in quotation marks. A text that a
-// spreadsheet would take for a formula, since it begins with = + - @, a tab or a carriage return, gets an
-// apostrophe before it. Numbers and dates are no text: they are written as they are.
+// A text cell of a table of comma-separated values (RFC 4180), in quotation marks. Text that a spreadsheet
+// would take for a formula, because it begins with = + - @, a tab or a carriage return, gets an apostrophe in
+// front. Numbers and dates are not text: they are written as they are.
 QString csvText(QString text);
 
 } // namespace codewheel

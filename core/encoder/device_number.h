@@ -20,7 +20,7 @@ struct DeviceNumber
     NodeId node() const;      // "6.1"; none for 0.0
     // 0.0: there is none, or it is no place on INTERBUS.
     static DeviceNumber of(NodeId node);
-    // "1.0", "6.1"; nothing for anything else.
+    // "1.0", "6.1"; empty for anything else.
     static std::optional<DeviceNumber> parse(QStringView text);
 };
 

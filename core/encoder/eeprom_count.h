@@ -6,23 +6,23 @@
 
 namespace codewheel {
 
-// By what the writes of one encoder were told from those of others.
+// What distinguishes the writes of one encoder from those of others.
 enum class CountedBy : std::uint8_t {
-    session,           // nothing is kept: since the connection was made
-    serialNumber,      // as the encoder told it
-    labelSerialNumber, // typed from its label
-    place,             // in its project; whatever encoder stood there
+    session,           // nothing is kept: counted since the connection was made
+    serialNumber,      // as reported by the encoder
+    labelSerialNumber, // typed in from its label
+    place,             // its place in the project, whatever encoder was there
 };
 
-// How often this program has written to the EEPROM of an encoder. Never how often it was written at all.
+// How often this program has written to the EEPROM of an encoder, never how often it was written in total.
 struct EepromCount
 {
     int writes = 0;
-    // Begun, and the program ended before it saw whether they were carried out.
+    // Started, but the program ended before it saw whether they were carried out.
     int perhaps = 0;
-    QDateTime since{}; // of the first one; null: there is none, or the time is not kept
+    QDateTime since{}; // of the first one; null: none yet, or the time is not kept
     CountedBy by = CountedBy::session;
-    QString serialNumber{}; // where it is counted by one
+    QString serialNumber{}; // if counted by serial number
 
     int atMost() const { return writes + perhaps; }
 

@@ -15,7 +15,7 @@
 
 namespace codewheel {
 
-// What the values of an encoder leave open, and a setting tells.
+// What the values of an encoder leave open and a setting decides.
 struct ValueOptions
 {
     bool swapsWarningBytes = false;
@@ -24,9 +24,9 @@ struct ValueOptions
 
 struct DeviceDescription;
 
-// The meaning of one encoder, whatever bus it is on: what it can do, what is known of it, what it shows, and
-// the jobs it is given. Views talk to this and to nothing below. Lives in the thread of the window (or of the
-// command line).
+// One encoder in terms of its meaning, whatever bus it is on: what it can do, what is known of it, what it
+// shows, and the jobs it is given. Views talk to this and to nothing below it. Lives in the thread of the
+// window (or of the command line).
 class EncoderSession : public QObject
 {
     Q_OBJECT
@@ -39,32 +39,33 @@ public:
     virtual const Capabilities &can() const = 0;
 
     virtual const Reading &latest() const = 0;
-    // Whether the position it shows can be taken for the encoder's.
+    // Whether the position it shows can be taken as the encoder's.
     virtual bool showsPosition() const
     {
         const Reading &reading = latest();
         return reading.state == EncoderState::operation && reading.position && !reading.suspect;
     }
-    // Whether the outcomes of its jobs tell the positions before and after, which several reads agreed on: a
-    // single one may be damaged.
+    // Whether the outcomes of its jobs give the positions before and after, confirmed by several reads: a
+    // single read may be corrupted.
     virtual bool agreesOnPositions() const { return false; }
-    // By which valueText() tells its values; nothing: they follow from its description alone.
+    // For valueText(); empty: its values follow from its description alone.
     virtual std::optional<ValueOptions> valueOptions() const { return {}; }
-    // Whether that is how the encoder stands now.
+    // Whether that is still current.
     const Freshness &freshness() const { return m_freshness; }
     virtual std::optional<Known> known(Parameter parameter) const = 0;
     // A cam program the encoder is known to have, 1..8.
     virtual std::optional<KnownCams> cams(unsigned program) const = 0;
-    // What the encoder tells of its hardware and software version in words; empty: nothing.
+    // The encoder's hardware and software version, in words; empty: not reported.
     virtual QString version() const { return {}; }
     // The user says what the encoder has, e.g. from its papers.
     virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
 
-    // The steps of these jobs, one after the other, as far as they can be told beforehand: from what stands
-    // in OUT, the mode the encoder is in, and what is known of it. Refused like the jobs themselves where the
-    // input is bad.
+    // The steps of these jobs, one after the other, as far as they are known beforehand: from what is in OUT,
+    // the mode the encoder is in, and what is known of it. Refused like the jobs themselves if the input is
+    // bad.
     virtual Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const = 0;
-    // At most one job at a time. The answer is only whether it was taken; how it ended comes with finished().
+    // At most one job at a time. The result says only whether the job was accepted; finished() says how it
+    // ended.
     virtual Result<JobId> start(const Job &job, Pace pace = Pace::byItself) = 0;
     virtual std::optional<JobId> runningJob() const = 0;
     virtual void proceed() = 0;
@@ -86,15 +87,15 @@ public:
     virtual QDateTime dateTime(Instant at) const = 0;
 
 Q_SIGNALS:
-    void latestChanged();    // a newer reading, which may say the same; at most once a frame
-    void freshnessChanged(); // live, old or unknown, or why
+    void latestChanged();    // a newer reading, possibly with the same content; at most once a frame
+    void freshnessChanged(); // live, old or unknown, or the reason for it
     void knownChanged();
-    // The encoder stored to its EEPROM because of what this program sent, so many times.
+    // The encoder stored to its EEPROM this many times because of what this program sent.
     void eepromWritten(int writes);
     void eepromCountChanged();
-    void permissionChanged(); // Watch or Operate, started or stopped: what start() refused may be taken now
-    // Nothing of it has been sent: a job that was taken; the values from before, which the running job writes
-    // again, being cancelled; a word by hand, which was allowed. For the ledger of EEPROM writes.
+    void permissionChanged(); // Watch or Operate, started or stopped: start() may accept what it refused
+    // Before anything of it is sent, for the ledger of EEPROM writes: an accepted job; the previous values,
+    // which a cancelled job writes again; a word sent by hand that was allowed.
     void jobAboutToStart(const codewheel::Job &job);
     void restoreAboutToStart();
     void wordAboutToBeSent(codewheel::Word word);

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Whether the rows of a table stand in the order of the enumeration each has its value of in `id`: then the
+// Whether the rows of a table are in the order of the enumeration whose value each holds in `id`, so that the
 // value is the index of its row. Checked at compile time by the tables of keys and texts.
 template <typename Rows, typename Row, typename Id>
 constexpr bool areInOrder(const Rows &rows, Id Row::*id)

@@ -15,7 +15,7 @@
 
 namespace codewheel {
 
-// What one step of a job is about; decides its line in the wizard.
+// What one step of a job is about; determines its line in the wizard.
 enum class StepKind : std::uint8_t {
     toNormal,
     parameter,
@@ -39,20 +39,20 @@ struct Step
     Word out = 0;                       // the word this step puts into OUT
     std::optional<Parameter> parameter; // parameter and readOut steps, where the description names it
     QByteArray line{};                  // request: what is sent, "03GP00005200"
-    std::optional<std::int64_t> data{}; // request: the value it writes, as it is sent
+    std::optional<std::int64_t> data{}; // request: the value it writes, as sent
 
     friend bool operator==(const Step &, const Step &) = default;
 };
 
-// Sent when a step begins, is waited for, or is done.
+// Sent when a step begins, starts waiting, or is done.
 struct Progress
 {
     JobId job = 0;
     int index = 0;             // of the step, from 0
-    std::vector<Step> steps;   // all that is planned by now
+    std::vector<Step> steps;   // everything planned so far
     bool waitsForUser = false; // Pace::byHand: steps[index] will be sent by proceed()
     ParameterValues confirmed; // what the encoder has taken so far, not yet active
-    bool canRestore = false;   // the values from before are known for all that was confirmed
+    bool canRestore = false;   // the previous values are known for everything confirmed
     bool hasTaken = false;     // the encoder has taken something, or may have: cancel has to say how
 };
 
@@ -60,34 +60,34 @@ struct Outcome
 {
     JobId job = 0;
     Result<void> result;
-    int eepromWrites = 0; // counted as the device counts them
+    int eepromWrites = 0; // counted the way the device counts them
     EncoderState leftIn = EncoderState::notSeen;
     ParameterValues written;      // confirmed and activated by run
-    ParameterValues confirmed{};  // but not activated: valid only once run is sent
-    ParameterValues alreadyThere; // left out, because read and equal
-    ParameterValues setAlong{};   // changed by the encoder itself with what was written, and read
-    ParameterValues read;         // ReadParameters: what the encoder told
-    // IN was 00000000h from run to the end: position 0, or no power. Without read-out nothing tells them
-    // apart.
+    ParameterValues confirmed{};  // but not activated: takes effect only once run is sent
+    ParameterValues alreadyThere; // left out because read and equal
+    ParameterValues setAlong{};   // changed by the encoder itself along with what was written, and read back
+    ParameterValues read;         // ReadParameters: what the encoder reported
+    // IN was 00000000h from run to the end: position 0, or no power. Without a read-out the two cannot be
+    // told apart.
     bool onlyZeroSinceRun = false;
     std::vector<CamProgram> camsRead{};
-    std::vector<CamProgram> camsWritten{};      // read back, where the job could
-    std::optional<std::int64_t> positionBefore; // steps; SetPreset, on a serial line also writing
+    std::vector<CamProgram> camsWritten{};      // read back where the job could
+    std::optional<std::int64_t> positionBefore; // steps; SetPreset, on a serial line also for writing
     std::optional<std::int64_t> positionAfter;
-    // The values from before were given back: how it is known that the encoder has them again. They stand in
+    // The previous values were restored: how it is known that the encoder has them again. They are in
     // `written` and `camsWritten`.
     std::optional<Evidence> restored{};
 };
 
-// What is known of the encoder changed, by whatever was sent to it: a job, or words of the monitor.
+// What is known of the encoder changed, whatever caused it: a job, or words sent from the monitor.
 struct KnowledgeChanged
 {
     std::vector<Known> known;
     std::vector<Parameter> noLongerKnown;
     std::vector<KnownCams> cams{};
     std::vector<unsigned> camsNoLongerKnown{}; // cam programs
-    QString version{};                         // what a serial encoder told of its version; empty: nothing
-    int eepromWrites = 0;                      // since the last such event; jobs are included
+    QString version{};                         // the version a serial encoder reported; empty: none
+    int eepromWrites = 0;                      // since the last such event, jobs included
 };
 
 using Event = std::variant<Progress, Outcome, KnowledgeChanged>;

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// One row of a handshake trace: what stood in OUT and IN in one cycle. A row is kept when OUT changed, when
+// One row of a handshake trace: what OUT and IN held in one cycle. A row is kept when OUT changed, when
 // D31..D25 of IN changed, or when IN changed while it held anything but a position.
 struct Exchange
 {

@@ -6,7 +6,7 @@ namespace {
 
 using Reason = Freshness::Reason;
 
-// The nearest cause first: what is told is what can be done about it.
+// The nearest cause first, since that is the one something can be done about.
 Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
 {
     if (!bus.isConnected)

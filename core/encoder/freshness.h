@@ -5,44 +5,44 @@
 
 namespace codewheel {
 
-// Whether what an encoder showed last is how it stands now. It is decided here alone: whoever shows a
-// position, a word, a value or a cam asks for it (EncoderSession::freshness(), WordChannel::freshness()).
+// Whether what an encoder showed last is still current. Decided here alone: whatever shows a position, a
+// word, a value or a cam asks for it (EncoderSession::freshness(), WordChannel::freshness()).
 class Freshness
 {
 public:
     enum class State : std::uint8_t {
         unknown, // nothing was ever shown
         live,
-        old, // it was so once; what is now nobody knows
+        old, // it was so once; nobody knows what it is now
     };
     // Why it is not live.
     enum class Reason : std::uint8_t {
         none,         // it is
-        notSeen,      // nothing came yet
+        notSeen,      // nothing has come yet
         disconnected, // by the user
         linkLost,     // the port is gone
-        stopped,      // the bus does not run, or positions are not polled: ALARM STOP, a fault, by the user
+        stopped,      // the bus is not running, or positions are not polled: ALARM STOP, a fault, or the user
         notOnBus,     // the segment is off, or behind a fault
         silent,       // it does not answer
-        notAsked,     // not for `lateAfter`: something else keeps the line busy
-        slept,        // the computer slept since
+        notAsked,     // not for longer than `lateAfter`: something else keeps the line busy
+        slept,        // the computer has slept since
     };
 
-    // How the bus of an encoder stands.
+    // The state of the encoder's bus.
     struct Circumstances
     {
         bool isConnected = false;
         bool isLinkThere = true;
         bool isRunning = false;
         bool isOnBus = true;
-        Instant awakeSince{}; // what was shown before does not count: the computer slept until then
+        Instant awakeSince{}; // the computer slept until then, so what was shown before does not count
         Instant now{};
     };
 
     static constexpr std::chrono::seconds lateAfter{5};
 
     Freshness() = default;
-    // `seen`: when it was shown; nothing: never.
+    // `seen`: when it was shown; empty: never.
     Freshness(std::optional<Instant> seen, const Circumstances &bus);
     Freshness(const Reading &reading, const Circumstances &bus);
 
@@ -50,9 +50,9 @@ public:
     Reason reason() const { return m_reason; }
     bool isLive() const { return m_state == State::live; }
     bool isOld() const { return m_state == State::old; }
-    Instant seen() const { return m_seen; } // on the clock of the bus; unless unknown
+    Instant seen() const { return m_seen; } // on the clock of the bus; meaningless if unknown
 
-    // Whether both are to be shown alike: the time may differ.
+    // Whether both are shown alike: the time may differ.
     bool isSameStateAs(const Freshness &other) const
     {
         return m_state == other.m_state && m_reason == other.m_reason;

@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct FreshnessText
 {
     Q_DECLARE_TR_FUNCTIONS(Freshness)

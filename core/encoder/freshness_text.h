@@ -9,10 +9,10 @@ class QDateTime;
 
 namespace codewheel {
 
-// "20 s ago", "5 min ago", "2 h 5 min ago"; from a day on the date and time. A time to come is "0 s ago".
+// "20 s ago", "5 min ago", "2 h 5 min ago"; after a day the date and time. A time in the future is "0 s ago".
 QString agoText(const QDateTime &then, const QDateTime &now);
 
-// Why it is not live, as a sentence: "The bus does not run."; empty while it is.
+// Why it is not live, as a sentence: "The bus does not run."; empty while it is live.
 QString freshnessText(Freshness::Reason reason);
 
 } // namespace codewheel

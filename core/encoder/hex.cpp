@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// As many digits as a 64-bit number holds whatever they are.
+// The most digits that fit into 64 bits whatever they are.
 constexpr qsizetype longestDecimal = 18;
 constexpr qsizetype longestHexadecimal = 15;
 constexpr qsizetype digitsOfWord = 8;
@@ -19,7 +19,7 @@ struct HexText
     bool marked = false; // "0x.." or "..h"
 };
 
-// A prefix takes the suffix for a digit, and so "0x20h" is refused.
+// After a prefix the suffix counts as a digit, so "0x20h" is refused.
 HexText withoutHexMark(QStringView text)
 {
     if (text.startsWith(u"0x", Qt::CaseInsensitive))
@@ -31,7 +31,7 @@ HexText withoutHexMark(QStringView text)
     return {text, false};
 }
 
-// -1 for what is no digit. QChar::digitValue() would also take the digits of other scripts.
+// -1 for anything but a digit. QChar::digitValue() would also accept the digits of other scripts.
 int digitValue(QChar c)
 {
     const char16_t u = c.unicode();

@@ -13,14 +13,14 @@ namespace codewheel {
 QString hexWord(Word word);
 
 // "020000FF", "0x20000ff", "20000FFh", also with spaces, "16#0200_00FF", the words of a PLC "16#0200
-// 16#00FF"; 1 to 8 digits. Nothing for anything else: no sign, not both prefix and suffix.
+// 16#00FF"; 1 to 8 digits. Empty for anything else: no sign, not both prefix and suffix.
 std::optional<Word> parseHexWord(QStringView text);
 
-// Nothing but 1 to `longest` hexadecimal digits, at most 15. Nothing for anything else.
+// Exactly 1 to `longest` hexadecimal digits, at most 15. Empty for anything else.
 std::optional<std::int64_t> parseHexDigits(QStringView digits, qsizetype longest);
 
 // A whole number, 0 or more: decimal, or hexadecimal as "0x.." or "..h". Spaces around it are allowed, signs
-// are not. Nothing for anything else.
+// are not. Empty for anything else.
 std::optional<std::int64_t> parseNumber(QStringView text);
 
 } // namespace codewheel

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// A point in time, as the owner of the clock counts it. Time is always an argument here: nobody in core asks
-// a clock.
+// A point in time, as counted by whoever owns the clock. Time is always an argument here: nothing in core
+// asks a clock.
 using Instant = std::chrono::microseconds;
 
 } // namespace codewheel

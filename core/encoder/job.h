@@ -12,7 +12,7 @@ namespace codewheel {
 
 using JobId = std::uint64_t;
 
-// Read the named values. Takes the position away for some cycles each.
+// Read the named values. Each takes the position away for some cycles.
 struct ReadParameters
 {
     std::vector<Parameter> parameters;
@@ -22,10 +22,10 @@ struct ReadParameters
 struct WriteParameters
 {
     ParameterValues values;
-    // Read first and leave out what the encoder already has; where it cannot be read, what is known is left
-    // out by the caller.
+    // Read first and leave out what the encoder already has; where it cannot be read, the caller leaves out
+    // what is known.
     bool onlyWhatDiffers = false;
-    // Values from before, for "restore previous"; those read by the job itself are added to them.
+    // The previous values, for "restore previous"; those the job reads itself are added to them.
     ParameterValues previous;
     // Afterwards initialise the preset (40000000h).
     bool initialisePreset = false;
@@ -58,34 +58,33 @@ struct SwitchMode
 struct ResetToDefault
 {};
 
-// Read cam programs, each in the cam mode of its own (FRABA manual 5.4.4).
+// Read cam programs, each in its own cam mode (FRABA manual 5.4.4).
 struct ReadCams
 {
     std::vector<unsigned> programs;       // 1..8
-    std::optional<SwitchMode> afterwards; // nothing: stays in the last program
+    std::optional<SwitchMode> afterwards; // empty: stays in the last program
 };
 
 // Write cam programs. A program is stored in EEPROM when it is left.
 struct WriteCams
 {
     std::vector<CamProgram> programs;
-    bool onlyWhatDiffers = true; // read each first, and write only what is different
+    bool onlyWhatDiffers = true; // read each first, and write only what differs
     std::optional<SwitchMode> afterwards;
 };
 
-// Send words as they are, each until it is acknowledged, or for holdCycles where nothing acknowledges.
+// Send words as they are, each until it is acknowledged, or for holdCycles where it is not acknowledged.
 struct SendWords
 {
     enum class AfterError : std::uint8_t {
-        stop, // the encoder's error ends the job
-        goOn, // with the next word; the job fails if the last word is answered by an error, or the encoder is
-              // left in one
+        stop, // an error of the encoder ends the job
+        goOn, // with the next word; the job fails if the last one, or the encoder's final state, is an error
     };
 
     std::vector<Word> words;
     int holdCycles = 3;
     AfterError afterError = AfterError::stop;
-    // 40000000h stands, for holdCycles at least, until the position has jumped, or could have.
+    // 40000000h stays in OUT, for holdCycles at least, until the position has jumped, or could have.
     bool presetStandsUntilItActs = true;
 };
 
@@ -111,11 +110,11 @@ enum class Pace : std::uint8_t { byItself, byHand };
 
 // What to do with an encoder that has already confirmed something when the job is cancelled.
 enum class OnCancel : std::uint8_t {
-    restorePrevious,  // run, then write the values from before, then run
+    restorePrevious,  // run, then write the previous values, then run
     runWithWhatItHas, // run
     leaveAsIs,        // OUT back to 0, the encoder stays in parameterization
-    // OUT back to 0 if the encoder has taken nothing. Else the job goes on, and a Progress tells so
-    // (hasTaken): whoever cancels then asks how. The driver decides it, since a frame may be old.
+    // OUT back to 0 if the encoder has taken nothing. Otherwise the job goes on and a Progress says so
+    // (hasTaken): whoever cancels then asks how. The driver decides, since a snapshot may be out of date.
     ifNothingTaken,
 };
 

@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// How we came to know a value. Strongest first; a value without evidence is unknown and is never shown as a
-// default.
+// How a value came to be known, strongest first. A value without evidence is unknown; no default is ever
+// shown in its place.
 enum class Evidence : std::uint8_t {
-    read,   // the encoder told it (read-out)
-    echoed, // the handshake confirmed it and run was answered by undisturbed operation
-    told,   // the user, or the plan of the training bus, said so
+    read,   // the encoder reported it (read-out)
+    echoed, // the handshake confirmed it and after run the encoder returned undisturbed to operation
+    told,   // given by the user, or by the plan of the training bus
 };
 
 struct Known

@@ -14,7 +14,7 @@
 
 namespace codewheel {
 
-// The address of a device on a serial line with the Kübler ESC protocol: 1..31, and 0 for the master address,
+// The address of a device on a serial line with the Kübler ESC protocol: 1..31, or 0 for the master address,
 // which any device answers (manual, "Masteraddress: 00"). On the wire it is two hexadecimal digits.
 struct LineAddress
 {
@@ -29,17 +29,17 @@ struct LineAddress
     bool isMaster() const { return value == 0; }
     bool isDevice() const { return value >= 1 && value <= last; }
 
-    static constexpr std::string_view prefix = "esc:"; // of a place, and of a link
+    static constexpr std::string_view prefix = "esc:"; // of a place and of a link
 
     // The two digits on the wire: "12".
     QString onWire() const;
-    // Both readings, as the window shows it: "12h (18)".
+    // Both notations, as the window shows it: "12h (18)".
     QString shown() const;
-    // One or two hexadecimal digits, 0..1Fh; nothing for anything else.
+    // One or two hexadecimal digits, 0..1Fh; empty for anything else.
     static std::optional<LineAddress> fromWire(QStringView digits);
 
-    // Its place: as on the wire, with what tells it from a number: "esc:12" is 12h = 18. An encoder that is
-    // alone on its line may also stand at "esc:00".
+    // Its place: as on the wire, with a prefix that distinguishes it from a device number: "esc:12" is 12h =
+    // 18. An encoder that is alone on its line may also be at "esc:00".
     constexpr NodeId node() const
     {
         constexpr std::string_view digits = "0123456789ABCDEF";
@@ -49,10 +49,10 @@ struct LineAddress
         text.back() = digits.at(value % digits.size());
         return NodeId({text.data(), text.size()});
     }
-    static LineAddress of(NodeId node); // 0, too, where it is no place on a serial line
+    static LineAddress of(NodeId node); // also 0 if it is no place on a serial line
 };
 
-// "esc:12" and "12"; nothing for anything else.
+// "esc:12" and "12"; empty for anything else.
 std::optional<LineAddress> addressTyped(QStringView text);
 
 constexpr Place placeOnLine(LineAddress address)

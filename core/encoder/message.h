@@ -11,31 +11,31 @@ namespace codewheel {
 
 enum class Severity : std::uint8_t { information, attention, fault };
 
-// What is told to the user as it happens. Kept as code and arguments, so that the language can change; the
-// sentence is made by encoder/refusal_text.h. The arguments of each stand beside it.
+// What the user is told as it happens. Kept as a code and arguments, so that the language can change; the
+// sentence is made by encoder/refusal_text.h. The comment beside each lists its arguments.
 enum class MessageId : std::uint8_t {
-    refused,           // Message::refusal says it
+    refused,           // see Message::refusal
     busStarted,        //
     busStopped,        //
     alarmStop,         // all OUT words set to 0
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
-    computerSlept,     // seconds; writing is not allowed any more
+    computerSlept,     // seconds; writing is no longer allowed
     wordWritten,       // Word
     parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
-    restoredReadBack,  // values from before: their texts joined, EEPROM writes
+    restoredReadBack,  // previous values: their texts joined, EEPROM writes
     restoredConfirmed, // likewise, where nothing can be read
     parametersRead,    // number of parameters
-    presetDone,        // position before, position after (either may be missing as QString())
+    presetDone,        // position before, position after (either may be missing: QString())
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     leftInParameterization,
     leftInService,            // LA-66: IN still holds the answer to a service
-    onlyZeroSinceRun,         // success that an encoder without power would show as well
+    onlyZeroSinceRun,         // success that would look the same from an encoder without power
     deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
     deviceFaultGone,          //
-    valuesForgotten,          // the encoder lost its parameters: what is known does not hold any more
-    lateCycles,               // number since the last message; told by earlier versions, today a figure alone
+    valuesForgotten,          // the encoder lost its parameters: what was known no longer holds
+    lateCycles,               // number since the last message; from earlier versions, today only a figure
     modeSwitched,             // text of the mode
     resetWaitsForRun,         // the reset was confirmed, and run was not sent
     resetDone,                // EEPROM writes
@@ -66,34 +66,34 @@ enum class MessageId : std::uint8_t {
     eepromThreeQuarters,      // writes by this program, budget
     eepromBudgetUsed,         // writes by this program, budget
     valuesStored,             // encoders, values
-    transferDone,       // encoders, values written, values left out because they were there, EEPROM writes
-    encoderReplaced,    // serial number before, serial number now (either may be empty)
-    valuesRestored,     // time they were from, values
-    reportSaved,        // file
-    oldMessagesDropped, // messages
-    notKept,            // file, reason
-    keptBeside,         // ledger, reason, the file beside it
-    databasePutAside,   // file, its new name
-    lineOpened,         // port, baud rate
-    lineClosed,         // port
-    portLost,           // port
-    portBack,           // port
-    linkBack,           // of a ring
-    lowLatencyRefused,  // port
-    encoderSilent,      // tries without an answer
-    encoderAnswers,     //
-    suspectPosition,    // the position that jumped, the position before
-    lineAddressChanged, // address before, address now
-    baudRateChanged,    // baud rate before, baud rate now
-    encodersFound,      // encoders, requests
-    training,           // text of what the trainer did (QString)
+    transferDone,             // encoders, values written, values that were already there, EEPROM writes
+    encoderReplaced,          // serial number before, serial number now (either may be empty)
+    valuesRestored,           // the time they date from, values
+    reportSaved,              // file
+    oldMessagesDropped,       // messages
+    notKept,                  // file, reason
+    keptBeside,               // ledger, reason, the file kept beside it
+    databasePutAside,         // file, its new name
+    lineOpened,               // port, baud rate
+    lineClosed,               // port
+    portLost,                 // port
+    portBack,                 // port
+    linkBack,                 // of a ring
+    lowLatencyRefused,        // port
+    encoderSilent,            // tries without an answer
+    encoderAnswers,           //
+    suspectPosition,          // the position that jumped, the position before
+    lineAddressChanged,       // address before, address now
+    baudRateChanged,          // baud rate before, baud rate now
+    encodersFound,            // encoders, requests
+    training,                 // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;
 
 struct Message
 {
     Instant at{};
-    std::optional<Place> place{}; // whose it is, a device or the bus itself; nothing: the program's
+    std::optional<Place> place{}; // whom it concerns, a device or the bus itself; empty: the program
     Severity severity = Severity::information;
     MessageId id = MessageId::refused;
     std::vector<RefusalArgument> arguments{};

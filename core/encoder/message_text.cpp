@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-// %1, %2, ... are the arguments in the order told in encoder/message.h.
+// %1, %2, ... are the arguments in the order given in encoder/message.h.
 struct MessageRow
 {
     MessageId id;
@@ -220,7 +220,7 @@ QString presetText(const QStringList &parts)
     return sentence(messagePattern(messageRow(MessageId::presetDone).text), {before, after});
 }
 
-// Switched off, it took the place of a bus fault along.
+// When it was switched off, the place of a bus fault went with it.
 QString segmentWithFaultText(const Message &message)
 {
     const std::vector<RefusalArgument> fault(message.arguments.begin() + 1, message.arguments.end());

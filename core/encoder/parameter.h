@@ -10,8 +10,8 @@
 
 namespace codewheel {
 
-// The vocabulary of encoder parameters and read-only values, over all makes. Which of them a device has, with
-// what number, range and unit, is said by its description (catalog/).
+// The vocabulary of encoder parameters and read-only values, across all makes. Which of them a device has,
+// with what number, range and unit, is in its description (catalog/).
 enum class Parameter : std::uint8_t {
     steps,
     revolutions,
@@ -22,12 +22,12 @@ enum class Parameter : std::uint8_t {
     offset,
     measuringRange,
     measuringLength, // of a rod, in steps
-    externalPreset,  // taken by the preset input of the encoder
+    externalPreset,  // applied by the preset input of the encoder
     rodLength,       // on the label of a rod; never on the wire
     lowerLimit,      // of the limit switch, steps
     upperLimit,
     scaling,       // 1: on
-    scalingFactor, // the 32 bits as the encoder is told them
+    scalingFactor, // the 32 bits as sent to the encoder
     lineAddress,   // 1..31
     baudRate,      // Bd
     // read only
@@ -47,7 +47,7 @@ enum class Parameter : std::uint8_t {
     opcRegister15 = opcRegister0 + 15,
 };
 
-// The register of the INTERBUS chip, 0..15.
+// Register 0..15 of the INTERBUS chip.
 constexpr Parameter opcRegister(unsigned number)
 {
     return static_cast<Parameter>(static_cast<unsigned>(Parameter::opcRegister0) + number);
@@ -65,19 +65,19 @@ std::span<const Parameter> allParameters();
 
 // The name in the user's language: "Steps", "Zero offset".
 QString parameterName(Parameter parameter);
-// The same within a sentence: "steps", "zero offset".
+// The same in running text: "steps", "zero offset".
 QString parameterNameInText(Parameter parameter);
 
 struct ParameterValue
 {
     Parameter parameter = Parameter::steps;
-    std::int64_t value = 0; // as the encoder is told it, e.g. direction 3 = CW; steps never "minus 1"
+    std::int64_t value = 0; // as sent to the encoder, e.g. direction 3 = CW; steps never "minus 1"
 
     friend bool operator==(const ParameterValue &, const ParameterValue &) = default;
 };
 using ParameterValues = std::vector<ParameterValue>;
 
-// Adds the value, in place of one of the same parameter.
+// Adds the value, replacing any other of the same parameter.
 void replaceValue(ParameterValues &values, ParameterValue value);
 
 std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter);

@@ -4,7 +4,7 @@
 namespace codewheel {
 namespace {
 
-// The text up to the next "." or ":", which it takes away with it.
+// The text up to the next "." or ":", which is removed with it.
 std::string_view takePart(std::string_view &text)
 {
     const std::size_t end = text.find_first_of(".:");
@@ -32,7 +32,7 @@ QString NodeId::toString() const
     return QString::fromLatin1(text().data(), static_cast<qsizetype>(text().size()));
 }
 
-// Of two numbers with the same digits before them, the longer one is greater.
+// Without leading zeros, the number with more digits is the greater.
 std::strong_ordering operator<=>(const NodeId &one, const NodeId &other)
 {
     std::string_view left = one.text();

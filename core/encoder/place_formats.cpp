@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// A kind of bus without a row here has its places read with the number of their bus alone.
+// For a kind of bus without a row here, a place is read only with the number of its bus.
 std::span<const PlaceFormat> placeFormats()
 {
     const auto ofRing = [](QStringView text) -> std::optional<NodeId> {

@@ -13,13 +13,13 @@ constexpr Instant smoothedOver = 500ms;
 constexpr std::size_t enoughChanges = 8;
 constexpr Instant shortestSpan = 100ms;
 constexpr Instant longestSpan = 20s;
-constexpr Instant changeDistance = 10ms; // of those that are kept
-constexpr Instant notable = 50ms;        // that long without a change a shaft has become slower
+constexpr Instant changeDistance = 10ms; // between those that are kept
+constexpr Instant notable = 50ms;        // after that long without a change the shaft has slowed down
 
 // What a shaft can do, in turns.
 constexpr double topSpeed = 200;     // a second
 constexpr double hardest = 300;      // acceleration, per second squared
-constexpr double updateTime = 0.003; // seconds; an encoder may tell its position in bursts
+constexpr double updateTime = 0.003; // seconds; an encoder may update its position in bursts
 constexpr double briefly = 0.01;     // seconds
 
 double seconds(Instant duration)
@@ -79,7 +79,7 @@ std::optional<double> PositionSpeed::after(const std::optional<std::int64_t> &po
     return stepsPerSecond();
 }
 
-// Steps a second in the last milliseconds, by which the next position is expected.
+// Steps per second over the last milliseconds, from which the next position is predicted.
 std::optional<double> PositionSpeed::recently() const
 {
     if (m_last->at == m_older.at)
@@ -87,7 +87,7 @@ std::optional<double> PositionSpeed::recently() const
     return static_cast<double>(m_last->way - m_older.way) / seconds(m_last->at - m_older.at);
 }
 
-// From the last position; nothing where the shaft cannot have turned there, or may have turned there in more
+// From the last position; empty where the shaft cannot have turned that far, or may have got there in more
 // than one way.
 std::optional<std::int64_t> PositionSpeed::wayTo(std::int64_t position, double after) const
 {
@@ -132,7 +132,7 @@ void PositionSpeed::forgetOldChanges()
         m_changes.pop_front();
 }
 
-// Of the straight line that fits them best.
+// Of the best-fitting straight line.
 double PositionSpeed::slope() const
 {
     const auto count = static_cast<double>(m_changes.size());
@@ -152,7 +152,7 @@ double PositionSpeed::slope() const
     return divisor > 0 ? (count * timeWay - time * way) / divisor : 0;
 }
 
-// While nothing changes a step has not been done yet.
+// While nothing changes, less than one step has been covered.
 std::optional<double> PositionSpeed::stepsPerSecond() const
 {
     if (!m_last)

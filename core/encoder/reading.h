@@ -12,14 +12,14 @@ enum class EncoderState : std::uint8_t {
     notSeen, // no exchange yet
     operation,
     parameterization,
-    readOut, // a read-out value or the self test stands in IN
-    service, // LA-66: the answer to a service stands in IN
+    readOut, // a read-out value or the self test is in IN
+    service, // LA-66: the answer to a service is in IN
     error,
-    silent,  // a serial encoder that does not answer any more; what it showed last is still there
-    unknown, // IN means nothing that the manuals or the description know
+    silent,  // a serial encoder that no longer answers; what it showed last is still there
+    unknown, // IN has no meaning known to the manuals or the description
 };
 
-// What the encoder shows in one cycle. position is nothing while IN holds none, or while its coding is not
+// What the encoder shows in one cycle. position is empty while IN holds none, or while its coding is not
 // known. An LA-66 shows a position in error as well: the last one before the magnet left the measuring range.
 struct Reading
 {
@@ -36,12 +36,12 @@ struct Reading
     EncoderState state = EncoderState::notSeen;
     Word in = 0;
     std::optional<std::int64_t> position;   // steps, as parameterized
-    std::optional<double> stepsPerSecond{}; // of the position, from those before; nothing: not known (yet)
+    std::optional<double> stepsPerSecond{}; // of the position, from those before; empty: not known (yet)
     std::optional<std::int64_t> velocity{}; // revolutions per minute, in velocity mode
     std::optional<Cams> cams{};             // in cam mode
-    std::optional<Mode> mode;               // nothing: not known
-    std::optional<unsigned> camProgram{};   // in cam mode: 1..8; nothing: not known
-    std::optional<PositionCoding> coding;   // nothing: not known
+    std::optional<Mode> mode;               // empty: not known
+    std::optional<unsigned> camProgram{};   // in cam mode: 1..8; empty: not known
+    std::optional<PositionCoding> coding;   // empty: not known
     std::optional<unsigned> errorNumber;    // while state is error
     // Serial encoders only.
     bool suspect =

@@ -12,7 +12,7 @@
 
 namespace codewheel {
 
-// Who is to blame, coarsely: decides the icon in the window and the exit code at the command line.
+// Who is to blame, roughly: determines the icon in the window and the exit code at the command line.
 enum class RefusalKind : std::uint8_t {
     badInput,     // the user's input (exit 2)
     notSupported, // the encoder cannot do this (exit 1)
@@ -22,8 +22,8 @@ enum class RefusalKind : std::uint8_t {
     stopped,      // the user or ALARM STOP ended it (exit 1)
 };
 
-// Why something was refused. The sentence is made where it is shown (encoder/refusal_text.h). The arguments
-// of each stand beside it.
+// Why something was refused. The sentence is made where it is shown (encoder/refusal_text.h). The comment
+// beside each lists its arguments.
 enum class RefusalId : std::uint8_t {
     // badInput
     valueOutOfRange,       // Parameter, value, minimum, maximum
@@ -32,7 +32,7 @@ enum class RefusalId : std::uint8_t {
     parameterGivenTwice,   // Parameter
     parameterReadOnly,     // Parameter, device name
     nothingToDo,           //
-    unknownDevice,         // place, places there are
+    unknownDevice,         // place, the places there are
     totalRangeTooLarge,    // total range, largest
     tooManyStepsPerTurn,   // steps, revolutions, physical steps per turn
     valueAboveTotalRange,  // Parameter, value, largest
@@ -50,7 +50,7 @@ enum class RefusalId : std::uint8_t {
     labelKeyNotUnderstood, // the key, the part (empty: it ends too early), what may stand there (empty:
                            // nothing)
     deviceFileBroken,      // file with line and key, reason
-    deviceCodeDiffers,     // place, its device code, device name, that one's
+    deviceCodeDiffers,     // place, its device code, device name, device code of that device
     deviceOfOtherBus,      // place, device name
     fileNotReadable,       // file, reason of the system
     fileNotWritten,        // file, reason of the system
@@ -71,8 +71,8 @@ enum class RefusalId : std::uint8_t {
     readingNotSupported,            // device name
     writingNotSupported,            // device name
     presetNotSupported,             // device name
-    modeNotKnown,                   // Word OUT: the text tells what it would do in cam mode
-    inCamMode,                      // Word OUT: the text tells what it does there
+    modeNotKnown,                   // Word OUT: the text says what it would do in cam mode
+    inCamMode,                      // Word OUT: the text says what it does there
     camsNotSupported,               // device name
     velocityNotSupported,           // device name
     manufacturerPresetNotSupported, // device name
@@ -87,13 +87,13 @@ enum class RefusalId : std::uint8_t {
     wordHeldByJob,      // place
     watchOnly,          // place
     notRunning,         // place: the bus is stopped
-    inParameterization, // Word IN: found so, and not by this job
+    inParameterization, // Word IN: found that way, not caused by this job
     masterStateWrong,   // text of the service, text of the state
     noConfiguration,    //
     eepromBudgetUsed,   // place, writes by this program, budget
     eepromLimitPassed,  // place, writes by this program, limit
     // device
-    wrongParameterData,     // error 1: Parameter or number, Word IN; more than one where it came late
+    wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
     unknownParameterNumber, // error 2
     parametersLost,         // error 3
     eepromStoreError,       // Baumer 13
@@ -107,9 +107,9 @@ enum class RefusalId : std::uint8_t {
     verificationFailed,     // Parameter, wanted, read
     unknownState,           // Word IN
     restarted,              // Word IN: parameterization ended without run
-    camWordRefused,         // Word OUT, Word IN: the text tells what the word does
-    camsInParameterization, // Word OUT, Word IN: a parameterization that was there before the job
-    camPositionAboveRange,  // cam, Word IN; or Word IN alone, where it is not known which cam
+    camWordRefused,         // Word OUT, Word IN: the text says what the word does
+    camsInParameterization, // Word OUT, Word IN: a parameterization that was already open before the job
+    camPositionAboveRange,  // cam, Word IN; or Word IN alone if the cam is not known
     lostInCamMode,          // error 3 in cam mode: Word IN
     camVerificationFailed,  // program
     serviceRefused,         // service number, Word IN
@@ -119,11 +119,11 @@ enum class RefusalId : std::uint8_t {
     escOutOfRange,          // command with its data: the encoder answered 05
     escNoAnswer,            // command, tries
     escReadsDisagree,       // Parameter, one value, the other
-    escWriteUnknown,        // command: no answer, and what the encoder has could not be read
+    escWriteUnknown,        // command: no answer, and what the encoder has now could not be read
     escWriteNotDone,        // command: no answer, and the encoder has the old value
-    escPresetUnproven,      // command, preset: accepted, and neither S nor the position shows it
+    escPresetUnproven,      // command, preset: accepted, but neither S nor the position shows it
     escNotFoundAgain,       // where it was looked for
-    escFactorFitsNothing,   // factor, steps, measuring range, as the encoder told them
+    escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place
     // link
     linkFailed,     // text of the link
@@ -139,7 +139,7 @@ enum class RefusalId : std::uint8_t {
     lineClosed,     //
     notConnected,   // place
     deviceDiffers,  // place, planned, connected
-    serialDiffers,  // place, serial number on the label, serial number the encoder tells
+    serialDiffers,  // place, serial number on the label, serial number reported by the encoder
     // stopped
     cancelled,      //
     alarmStop,      //

@@ -14,13 +14,13 @@
 namespace codewheel {
 namespace {
 
-// %1, %2, ... are the arguments in the order told in encoder/refusal.h.
+// %1, %2, ... are the arguments in the order given in encoder/refusal.h.
 struct RefusalRow
 {
     RefusalId id;
     const char *key;
     const char *text;
-    const char *textWithoutArguments = nullptr; // where they, or one of them, may be left out
+    const char *textWithoutArguments = nullptr; // where some or all of them may be left out
 };
 
 constexpr std::array refusalRows{
@@ -474,7 +474,7 @@ QString effectInCamMode(Word word)
     return refusalPattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
 }
 
-// The word, what it does, and what else there is.
+// The word, what it does, and what to do instead.
 QString wordText(const Refusal &refusal)
 {
     QStringList parts = argumentTexts(refusal.arguments);
@@ -531,7 +531,7 @@ QString suspectsText(const Refusal &refusal)
                     {suspects.join(either), in});
 }
 
-// What is no JSON at all has no key.
+// A file that is no JSON at all has no key.
 QString brokenFileText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
@@ -539,7 +539,7 @@ QString brokenFileText(const Refusal &refusal)
     return sentence(refusalPattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
 }
 
-// What the system says ends without a full stop.
+// The system's message ends without a full stop.
 QString fileText(const Refusal &refusal)
 {
     QStringList parts = argumentTexts(refusal.arguments);

@@ -5,11 +5,11 @@
 
 namespace codewheel {
 
-// The length of a rod is kept in micrometres and shown in millimetres.
+// Rod lengths are stored in micrometres and shown in millimetres.
 double millimetresOf(std::int64_t micrometres);
 std::int64_t micrometresOf(double millimetres);
 
-// What makes millimetres of the position of a rod: its measuring length in steps and on its label (LA-66
+// Converts the position of a rod into millimetres: its measuring length in steps and as on its label (LA-66
 // manual 3.2: steps = length [mm] / resolution [mm]).
 struct RodScale
 {
@@ -17,13 +17,13 @@ struct RodScale
     std::int64_t micrometres = 0; // of the same length
 
     double millimetres(std::int64_t position) const;
-    // "123.45 mm", by locale; as many decimals as tell one step from the next, 3 at most.
+    // "123.45 mm", by locale; as many decimals as it takes to tell one step from the next, 3 at most.
     QString text(std::int64_t position) const;
 
     friend constexpr bool operator==(const RodScale &, const RodScale &) = default;
 };
 
-// Nothing where the measuring length or the length of the rod is not known.
+// Empty if the measuring length or the length of the rod is not known.
 std::optional<RodScale> rodScale(std::optional<std::int64_t> measuringLength,
                                  std::optional<std::int64_t> rodLength);
 std::optional<RodScale> rodScale(const EncoderSession &encoder);

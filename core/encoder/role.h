@@ -7,10 +7,10 @@
 
 namespace codewheel {
 
-// What a state means to who looks at it: views have a colour, an icon and a word for each.
+// What a state means to whoever looks at it: views have a colour, an icon and a word for each.
 enum class Role : std::uint8_t { running, attention, fault, setBit, inactive };
 
-// What is shown of a state, the same for buses, masters and devices.
+// How a state is shown, the same for buses, masters and devices.
 struct StateWord
 {
     Role role = Role::inactive;

@@ -15,7 +15,7 @@ std::chrono::nanoseconds timeOf(clockid_t clock)
 
 } // namespace
 
-// Linux: CLOCK_MONOTONIC stands still meanwhile, CLOCK_BOOTTIME does not (clock_gettime(2)).
+// Linux: CLOCK_MONOTONIC stands still during sleep, CLOCK_BOOTTIME does not (clock_gettime(2)).
 std::chrono::milliseconds SleepWatch::ofThisComputer()
 {
     return std::chrono::duration_cast<std::chrono::milliseconds>(timeOf(CLOCK_BOOTTIME) -

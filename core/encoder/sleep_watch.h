@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// Notices that the computer slept (suspended to memory or disk) since it was asked last. Used by the threads
-// of the buses, before anything is sent.
+// Notices that the computer slept (suspended to memory or disk) since it was last asked. Used by the threads
+// of the buses before anything is sent.
 class SleepWatch
 {
 public:
-    // How long the computer has slept since it was switched on.
+    // How long the computer has slept since it was booted.
     using Slept = std::function<std::chrono::milliseconds()>;
     static std::chrono::milliseconds ofThisComputer();
 
@@ -20,7 +20,7 @@ public:
         , m_known(m_slept())
     {}
 
-    // Since the last call, or since it was made; 0: not at all.
+    // Since the last call, or since construction; 0: not at all.
     std::chrono::milliseconds sleptSinceLast()
     {
         const auto slept = m_slept();
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    static constexpr std::chrono::milliseconds shortest{100}; // the two clocks are not read at one instant
+    static constexpr std::chrono::milliseconds shortest{100}; // the clocks are read one after the other
 
     Slept m_slept;
     std::chrono::milliseconds m_known;

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Which way something passed on a bus, and whether it is what was waited for.
+// Which way something passed on a bus, and whether it was what was being waited for.
 enum class TrafficKind : std::uint8_t { sent, answer, echo, garbage, late };
 
 } // namespace codewheel

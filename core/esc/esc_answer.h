@@ -19,7 +19,7 @@ struct Answer
 
     Kind kind = Kind::value;
     std::uint32_t value = 0; // Kind::value
-    QByteArray text;         // what stood between the line ends, as received
+    QByteArray text;         // what was between the line ends, as received
 
     friend bool operator==(const Answer &, const Answer &) = default;
 };

@@ -11,7 +11,7 @@
 namespace codewheel::esc {
 namespace {
 
-// Manual, "Examples: Read Operating Parameters", where the bits are counted over both bytes.
+// Manual, "Examples: Read Operating Parameters", which numbers the bits across both bytes.
 constexpr std::array operatingBits{
     BitRow{0, BitId::counterClockwise, "counterClockwise"},
     BitRow{1, BitId::diagnosticActive, "diagnosticActive"},
@@ -44,7 +44,7 @@ struct TextRow
 {
     BitId id;
     const char *set;
-    const char *clear; // empty: says nothing
+    const char *clear; // empty: a 0 says nothing
 };
 
 constexpr std::array texts{

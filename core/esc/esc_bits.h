@@ -33,7 +33,7 @@ enum class BitId : std::uint8_t {
     standstill,
 };
 
-// One described bit of an answer, used by views, JSON and the explanation.
+// One described bit of an answer, for views, JSON and the explanation.
 struct BitRow
 {
     int bit = 0; // 0..15
@@ -44,14 +44,14 @@ struct BitRow
 // Lowest bit first; empty for commands whose answer has no bits.
 std::span<const BitRow> bitsOf(Command command);
 
-// In words, translated: what the bit says when it is 1, and when it is 0. Empty where 0 says nothing.
+// In words, translated: what the bit means when it is 1, and when it is 0. Empty where 0 means nothing.
 QString bitText(BitId id, bool isSet);
 
-// The warnings of a device whose bytes come in the other order, put right (the manual's example of E).
+// The warnings of a device that sends the bytes in the other order, put right (the manual's example of E).
 std::uint16_t swappedBytes(std::uint16_t warnings);
 
 // What an answer to O, A or E says, highest bit first, as bitText(); a bit that is 1 and that no manual
-// describes is named by its number. Empty when nothing is to be said.
+// describes is given by its number. Empty if there is nothing to say.
 QStringList bitTexts(Command command, std::uint16_t value);
 
 } // namespace codewheel::esc

@@ -16,7 +16,7 @@ constexpr std::uint32_t disc = 33'554'432; // steps on the code disc over all tu
 constexpr std::uint32_t mostFactor = std::uint32_t{1} << mostFractionBits; // 1.0
 
 constexpr std::array commandShapes{
-    // The answers of reads. Bits, numbers of devices and times are whatever comes.
+    // The answers of reads. Bits, device numbers and times may be anything.
     CommandShape{Command::operatingParameters, "O", false, 4, 0, all16},
     CommandShape{Command::version, "V", false, 0, 0, 0},
     CommandShape{Command::measuringRange, "M", false, 8, 1, disc},
@@ -32,7 +32,7 @@ constexpr std::array commandShapes{
     CommandShape{Command::scalingFactor, "F", false, 8, 1, mostFactor},
     CommandShape{Command::deviceCode, "B", false, 4, 0x8000, 0xA000},
     CommandShape{Command::revolutions, "U", false, 4, 1, 4096},
-    // The table begins with 1; the SET input makes the position 0 (manual 1).
+    // The table starts at 1; the SET input makes the position 0 (manual 1).
     CommandShape{Command::position, "P", false, 8, 0, disc},
     // The data of writes.
     CommandShape{Command::writePreset, "GP", true, 8, 1, disc - 1},

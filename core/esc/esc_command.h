@@ -9,7 +9,7 @@
 #include <string_view>
 
 // The Kübler ESC protocol (manual "Multiturn Encoder versions with RS-422/485 Interface", ESC commands
-// overview). All numbers on the wire are hexadecimal. Pure: bytes and time come in as arguments.
+// overview). All numbers on the wire are hexadecimal. No I/O: bytes and time come in as arguments.
 namespace codewheel::esc {
 
 enum class Command : std::uint8_t {
@@ -42,15 +42,15 @@ enum class Command : std::uint8_t {
     writeBaudRate,       // Y: 0 = 19200, 1 = 9600, 2 = 4800
 };
 
-// One row of the two tables.
+// One row of the manual's two tables.
 struct CommandShape
 {
     Command command = Command::position;
     std::string_view letters; // "P", "GP"
     bool writes = false;
     int digits = 0; // of the data of a write, or of the answer of a read; 0: text of 4 to 40 characters
-    // Of the data of a write, or of the answer of a read as the table states it. Of the scaling factor the
-    // widest there can be: valueRange() of esc_scaling.h knows the format.
+    // Of the data of a write, or of the answer of a read, as the table states it. For the scaling factor the
+    // widest possible: valueRange() of esc_scaling.h knows the format.
     std::uint32_t minimum = 0;
     std::uint32_t maximum = 0;
 };

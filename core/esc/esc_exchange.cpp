@@ -9,9 +9,10 @@
 namespace codewheel::esc {
 namespace {
 
-// A line that is not quiet for so many times the quiet that is wanted is given up: somebody else talks.
+// A line that does not become quiet within this many times the required quiet is given up: somebody else is
+// talking.
 constexpr int drainingAtMost = 10;
-// So much garbage is no answer any more.
+// This much garbage can no longer be an answer.
 constexpr qsizetype mostBytes = 4'096;
 
 } // namespace
@@ -55,7 +56,8 @@ Instant Exchange::Private::quietAfterTimeOut() const
     return writes() ? std::max(quietTime, timing.quietAfterWrite) : quietTime;
 }
 
-// The answer has begun within the time-out; then it may go on for as long as an answer is, and settle.
+// The answer has to begin within the time-out; from then on it may take as long as an answer takes, and
+// settle.
 Instant Exchange::Private::deadline() const
 {
     const Instant begun = requestEnd + timing.answerTimeOut + timing.adapterDelay;
@@ -83,7 +85,7 @@ Exchange::Wait Exchange::Private::waitFor() const
     return {found ? std::min(settlesAt(*found), deadline()) : deadline()};
 }
 
-// What time alone brings about.
+// What happens through the passing of time alone.
 void Exchange::Private::pass(Instant now)
 {
     if (stage == Stage::listening) {
@@ -195,7 +197,7 @@ void Exchange::received(const QByteArray &bytes, Instant at)
         d->listen(bytes, at);
         return;
     }
-    // What lies there before a request goes out belongs to one before it, and more of it may come.
+    // Whatever is there before a request goes out belongs to an earlier one, and more of it may come.
     if (d->stage == Private::Stage::sending)
         d->drain(at, d->quietAfterTimeOut(), Private::Stage::sending);
     d->addLate(bytes, at);

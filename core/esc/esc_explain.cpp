@@ -64,7 +64,7 @@ QString Explain::bits(Command command, std::uint32_t value, const ExplainOptions
                                    said.isEmpty() ? tr("none") : said.join(QStringLiteral(", "))});
 }
 
-// What the only digit of a write stands for; empty where it has another meaning or none.
+// What the single digit of a write stands for; empty where it has another meaning or none.
 QString Explain::choice(Command command, std::uint32_t value)
 {
     constexpr int baudRates[] = {19'200, 9'600, 4'800};
@@ -77,7 +77,7 @@ QString Explain::choice(Command command, std::uint32_t value)
     return {};
 }
 
-// `text` of a value, with the range it is outside of.
+// `text` of a value, followed by the range it lies outside of.
 QString Explain::outside(const QString &text, Command command, ValueRange range)
 {
     QStringList parts{text, decimal(range.smallest), decimal(range.largest)};

@@ -12,7 +12,7 @@
 
 namespace codewheel::esc {
 
-// What is open in the manual and a setting of the device.
+// What the manual leaves open and a setting of the device decides.
 struct ExplainOptions
 {
     bool swapWarningBytes = false;          // of all devices
@@ -22,13 +22,14 @@ struct ExplainOptions
     bool swaps(LineAddress device) const { return swapWarningBytes || swapping.contains(device); }
 };
 
-// One line in words each, translated, values hexadecimal and decimal. Used by the terminal and by `explain`.
+// One line of the protocol in words, translated, values hexadecimal and decimal. Used by the terminal and by
+// `explain`.
 
 // "05: position?", "03: preset := 5200h = 20992"
 QString requestText(const Request &request, const ExplainOptions &options = {});
 // "1235h = 4661", "4000h: battery flat", "accepted", "command unknown (03)"
 QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
-// The digits of bits as they were sent, which are always shown: "4000h", "0098h, bytes swapped 9800h".
+// The digits of a bit field as sent, which are always shown: "4000h", "0098h, bytes swapped 9800h".
 QString bitDigits(std::uint16_t asSent, bool isSwapped);
 // "05: position? -> 1235h = 4661"
 QString exchangeText(const Request &request, const Answer &answer, const ExplainOptions &options = {});

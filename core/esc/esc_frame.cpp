@@ -8,7 +8,7 @@ namespace {
 
 using AnswerKind = Answer::Kind;
 
-// A read of text has no digits.
+// Text (the version) has no digits.
 std::optional<Answer> contentOf(QByteArrayView text, const CommandShape &shape)
 {
     if (shape.digits > 0) {

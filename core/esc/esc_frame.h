@@ -33,24 +33,24 @@ constexpr bool isPrintable(char c)
     return c >= ' ' && c <= '~';
 }
 
-// Of the longest answer that `shape` can get.
+// Size of the longest answer that `shape` can get.
 qsizetype answerSize(const CommandShape &shape);
 
-// An answer and where it stands.
+// An answer and its place among the bytes.
 struct Frame
 {
     qsizetype begin = 0;
-    qsizetype end = 0; // behind its last byte
+    qsizetype end = 0; // just past its last byte
     Answer answer;
 
     qsizetype size() const { return end - begin; }
 };
 
-// Every well-formed answer to a read with both its line ends, first one first. Two may share a line end.
-// Empty for a write.
+// Every well-formed answer to a read with both its line ends, in order. Two may share a line end. Empty for a
+// write.
 std::vector<Frame> valuesIn(QByteArrayView bytes, const CommandShape &shape);
 
-// What the whole of `bytes` says when it is an answer without a value: accepted (of a write alone), 03 or 05.
+// What the whole of `bytes` says if it is an answer without a value: accepted (to a write only), 03 or 05.
 std::optional<Answer> wordlessAnswer(QByteArrayView bytes, const CommandShape &shape);
 
 } // namespace codewheel::esc

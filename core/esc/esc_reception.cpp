@@ -8,8 +8,8 @@ namespace {
 
 using RowKind = LineRow::Kind;
 
-// A clock that is read after the bytes came in tells a time that is rather late; one that is told the baud
-// rate alone may be a little off.
+// A clock read after the bytes came in gives a rather late time; one derived from the baud rate alone may be
+// a little off.
 constexpr int toleratedCharacters = 2;
 
 } // namespace
@@ -69,7 +69,7 @@ Instant Reception::settlesAt(const Frame &frame) const
     return std::max(lastHeard(), earliestEnd(frame)) + m_clock.character * silentCharacters;
 }
 
-// What came before the echo was there before the request was.
+// Bytes before the echo were there before the request was.
 std::vector<Frame> Reception::frames() const
 {
     const qsizetype from = echoEnd();
@@ -81,8 +81,8 @@ std::vector<Frame> Reception::frames() const
     return frames;
 }
 
-// An answer that ended before a device could have told it is one to an earlier request, unless it is the only
-// one: a peer that is no device need not keep the line's time.
+// An answer that ended before a device could have sent it belongs to an earlier request, unless it is the
+// only one: a peer that is not a real device need not keep to the line's timing.
 std::optional<Frame> Reception::chosen() const
 {
     std::vector<Frame> candidates = frames();

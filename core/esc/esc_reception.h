@@ -6,15 +6,15 @@
 
 namespace codewheel::esc {
 
-// For as long nothing may follow an answer that could also be the beginning of another one.
+// How long nothing may follow an answer that could also be the beginning of another one.
 inline constexpr int silentCharacters = 2;
 
-// What came in since a request was sent, byte by byte with its time, and which of it is the answer. Used by
-// Exchange, for one sending each.
+// What came in since a request was sent, byte by byte with its time, and which part of it is the answer. Used
+// by Exchange, one for each sending.
 class Reception
 {
 public:
-    // When a sending ended, and what a character takes.
+    // When a sending ended, and how long a character takes.
     struct Clock
     {
         Instant requestEnd{};
@@ -25,23 +25,22 @@ public:
     {
         Frame frame;
         Instant end{};          // of the answer
-        Instant settlesAt{};    // then it counts, if nothing else comes in before
-        bool isCertain = false; // it counts at once
+        Instant settlesAt{};    // counts from then on, if nothing else comes in first
+        bool isCertain = false; // counts at once
     };
 
     // Nothing received, and nothing sent either.
     Reception() = default;
     Reception(const Request &request, Clock clock);
 
-    // `at`: when the last of them came in; those before it came a character's time apart.
+    // `at`: when the last of them came in; the others came one character time apart before it.
     void add(const QByteArray &bytes, Instant at);
     qsizetype size() const { return m_bytes.size(); }
-    Instant lastHeard() const { return m_times.back(); } // when there is something
-    // Whether anything else than complete echoes came in.
+    Instant lastHeard() const { return m_times.back(); } // only if something came in
+    // Whether anything but complete echoes came in.
     bool hasMoreThanEcho() const;
 
-    // The answer among what came in; nothing while there is none, or more than one that contradict each
-    // other.
+    // The answer among what came in; empty while there is none, or while several contradict each other.
     std::optional<Found> answer() const;
     bool hasBytesBehind(const Found &found) const { return m_bytes.size() > found.frame.end; }
     // All of it, in the order it came in: echo, answer (`taken`), late answers before it, and garbage.
@@ -49,9 +48,9 @@ public:
 
 private:
     std::vector<qsizetype> echoes() const; // where each begins
-    qsizetype echoEnd() const;             // behind the last one
+    qsizetype echoEnd() const;             // just past the last one
     Instant endOf(const Frame &frame) const;
-    // The end of an answer of this size that begins as soon as the request is out.
+    // When an answer of this size ends that begins as soon as the request is out.
     Instant earliestEnd(const Frame &frame) const;
     Instant settlesAt(const Frame &frame) const;
     bool isTooEarly(const Frame &frame) const;

@@ -14,7 +14,7 @@ struct Request
     Command command = Command::position;
     std::uint32_t data = 0; // of a write; within the digits of the command
 
-    // What stands between ESC and CR LF: "03GP00005200".
+    // What is between ESC and CR LF: "03GP00005200".
     QByteArray text() const;
     // As sent: ESC, text, CR LF.
     QByteArray bytes() const;
@@ -22,7 +22,7 @@ struct Request
     friend bool operator==(const Request &, const Request &) = default;
 };
 
-// What a user typed ("05P", "03gp5200"): data may be shorter than the command's digits. Nothing for anything
+// As typed by a user ("05P", "03gp5200"): data may be shorter than the command's digits. Empty for anything
 // else.
 std::optional<Request> parseRequest(QByteArrayView text);
 

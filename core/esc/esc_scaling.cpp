@@ -16,7 +16,7 @@ bool isFormat(int fractionBits)
     return fractionBits >= fewestFractionBits && fractionBits <= mostFractionBits;
 }
 
-// The device may have rounded either way, and so has the factor.
+// The device may have rounded either way, and so may the factor.
 bool showsAs(double factor, double discCount, std::uint32_t shown, int fractionBits)
 {
     const double roundedBy = 1 + std::ldexp(discCount, -fractionBits);

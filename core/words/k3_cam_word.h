@@ -24,7 +24,7 @@ inline constexpr Word camPositionPartMask = 0x1'FFFF; // D24..D8
 inline constexpr unsigned camConfigurationCode = 0x00;
 inline constexpr unsigned camStartCode = 0x10; // + cam
 inline constexpr unsigned camStopCode = 0x20;  // + cam
-// The manual's table has 30, its bit row and its example 40.
+// The manual's table says 30, its bit row and its example 40.
 inline constexpr unsigned camShiftCode = 0x40;
 inline constexpr unsigned camShiftCodeOfTable = 0x30;
 
@@ -57,7 +57,7 @@ constexpr Word readOutCams(unsigned code) noexcept
     return camReadOut | (code & 0xFFFF);
 }
 
-// IN in cam mode, and back.
+// IN in cam mode, and the parts of it.
 constexpr Word camWord(std::uint8_t on, Word positionPart) noexcept
 {
     return (positionPart & camPositionPartMask) << camCount | on;

@@ -16,11 +16,11 @@ enum class PositionCoding : std::uint8_t { binary, signedBinary, gray };
 
 namespace k3 {
 
-// The makes differ in what D29, the errors and the manufacturer's words mean. Whose make is not known may be
-// FRABA, and be in any of its modes.
+// The makes differ in what D29, the errors and the manufacturer's words mean. An encoder of unknown make may
+// be FRABA, and in any of its modes.
 enum class Dialect : std::uint8_t { generic, fraba, baumer };
 
-// What the reader of a word knows besides the word. What is not told widens the explanation to all
+// What the reader of a word knows besides the word. Whatever is not given widens the explanation to all
 // possibilities.
 struct ExplainContext
 {
@@ -28,7 +28,7 @@ struct ExplainContext
     Dialect dialect = Dialect::generic;
     std::optional<Mode> mode;             // fraba, generic
     std::optional<PositionCoding> coding; // position words
-    std::optional<Word> counterpart;      // the word the other way in the same cycle
+    std::optional<Word> counterpart;      // the word in the other direction in the same cycle
 };
 
 // Total: every one of the 2^32 words gets at least one meaning, undefined ones as undefinedOut / undefinedIn.

@@ -57,13 +57,13 @@ Meaning parameterConfirmation(Word word, const ExplainContext &context) noexcept
     const auto asked = parameterAskedFor(context);
     if (!asked || number(*asked) == number(word))
         return {MeaningId::confirmed, {number(word), data(word)}};
-    // A Baumer that processes shows the new data beside the previous number.
+    // A Baumer that is processing shows the new data beside the previous number.
     if (context.dialect == Dialect::baumer && data(*asked) == data(word))
         return {MeaningId::processing, {data(word)}};
     return {MeaningId::oldConfirmation, {number(word), data(word), number(*asked)}};
 }
 
-// D31 D30 = 11. Cam mode knows no parameter words, and the other modes no cam words: OUT may tell the mode.
+// D31 D30 = 11. Cam mode has no parameter words, and the other modes no cam words: OUT may reveal the mode.
 Explanation parameterization(Word word, const ExplainContext &context) noexcept
 {
     const bool askedForParameter = parameterAskedFor(context).has_value();
@@ -80,7 +80,7 @@ Explanation parameterization(Word word, const ExplainContext &context) noexcept
     return possible;
 }
 
-// D31 D30 D29 = 101 at FRABA: the answer does not say to what.
+// D31 D30 D29 = 101 with FRABA: the answer does not say what it answers.
 Meaning readOutAnswerOf(Word word, const ExplainContext &context) noexcept
 {
     if (number(word) == readOutUnknownNumber)

@@ -80,8 +80,8 @@ Explanation explainFraba(Word word, const ExplainContext &context) noexcept
     return byMode(word, frabaCommand(word), context);
 }
 
-// D31 = 0 and D30 or D29 = 1, make not known: it may be FRABA, which alone has other modes than position.
-// What is read out only the make tells.
+// D31 = 0 and D30 or D29 = 1, make not known: it may be FRABA, the only one with modes other than position.
+// What is being read out depends on the make.
 Explanation explainGeneric(Word word, const ExplainContext &context) noexcept
 {
     if (isReadOutRequest(word))

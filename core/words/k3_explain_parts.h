@@ -3,7 +3,7 @@
 
 #include "words/k3_explain.h"
 
-// The parts of explain(), one for each direction and for FRABA's cams.
+// The parts of explain(), one for each direction and one for FRABA's cams.
 namespace codewheel::k3 {
 
 Explanation explainOut(Word word, const ExplainContext &context) noexcept;
@@ -15,10 +15,10 @@ Meaning camParameter(Word word) noexcept;
 Meaning camReadOutRequest(Word word) noexcept;
 // The answer A0000000 + value beside 202000xx.
 Meaning camReadOutValue(Word request, Word value) noexcept;
-// An acknowledged cam word: IN shows OUT with D31 D30 = 11, and so D30 of OUT is lost.
+// An acknowledged cam word: IN shows OUT with D31 D30 = 11, so D30 of OUT is lost.
 Explanation camConfirmations(Word in, std::optional<Word> out) noexcept;
 
-// Whether the word may be one of this mode, as far as is known.
+// Whether the word may belong to this mode, as far as is known.
 constexpr bool mayBeIn(Mode mode, const ExplainContext &context) noexcept
 {
     return context.dialect == Dialect::baumer ? mode == Mode::position : context.mode.value_or(mode) == mode;

@@ -15,7 +15,7 @@ namespace codewheel {
 // A process-data word, D31 the most significant bit.
 using Word = std::uint32_t;
 
-// Seen from the bus: OUT = master to encoder, IN = encoder to master.
+// Seen from the bus master: OUT = master to encoder, IN = encoder to master.
 enum class WordDirection { in, out };
 
 namespace k3 {
@@ -78,7 +78,8 @@ constexpr Word readOutWord(unsigned code) noexcept
 // "Set encoder to default", a command of its own: 0E000000h.
 inline constexpr unsigned setToDefault = 7;
 
-// Whether any manual has a parameter, or a command, of this number: FRABA 1 to 5 and 7, Baumer 6 and 15 too.
+// Whether any manual has a parameter, or a command, with this number: FRABA 1 to 5 and 7, Baumer 6 and 15
+// too.
 constexpr bool isKnownNumber(unsigned number) noexcept
 {
     return (number >= 1 && number <= 7) || number == 15;
@@ -107,7 +108,7 @@ constexpr bool isErrorOrReadOut(Word in) noexcept
 {
     return (in & confirmation) == notValidBit;
 }
-// FRABA only: D31..D29 = 101. At Baumer D29 means nothing.
+// FRABA only: D31..D29 = 101. With Baumer D29 means nothing.
 constexpr bool isReadOutAnswer(Word in) noexcept
 {
     return (in & statusMask) == readOutAnswer;

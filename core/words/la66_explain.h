@@ -9,8 +9,8 @@
 namespace codewheel::la66 {
 
 // Total: every one of the 2^32 words gets one meaning, undefined ones as undefinedOut / undefinedIn.
-// `counterpart` is the word the other way in the same cycle, where it is known: beside it an answer to an
-// earlier service is told apart.
+// `counterpart` is the word in the other direction in the same cycle, where known: it shows whether an answer
+// belongs to an earlier service.
 Explanation explain(Word word, WordDirection direction, std::optional<Word> counterpart) noexcept;
 
 } // namespace codewheel::la66

@@ -23,10 +23,10 @@ inline constexpr Word reservedBit = 0x1000'0000;
 
 inline constexpr Word normalMode = 0x0000'0000;
 
-// Services (LA-66 manual 3). Those that both write and read are parameters of the encoder.
+// Services (LA-66 manual 3). Those that can be both written and read are parameters of the encoder.
 inline constexpr unsigned countingDirection = 1; // 0 increasing towards the end of the rod, 1 decreasing
 inline constexpr unsigned measuringLength = 2;   // in steps, 1..FFFFFFh
-inline constexpr unsigned externalPreset = 4;    // taken by the preset input
+inline constexpr unsigned externalPreset = 4;    // applied by the preset input
 inline constexpr unsigned presetAdjustment = 6;  // write only: the position becomes the data
 inline constexpr unsigned errorStatus = 8;       // read only
 
@@ -77,8 +77,8 @@ constexpr bool canBeWritten(unsigned service) noexcept
            service == presetAdjustment;
 }
 
-// A word whose D30 and D28..D24 ask for a service there is, whatever the service bit. D29 of OUT is no bit of
-// a service.
+// A word whose D30 and D28..D24 ask for an existing service, whatever the service bit. D29 of OUT does not
+// belong to a service.
 constexpr bool isService(Word word) noexcept
 {
     if ((word & (errorBit | reservedBit)) != 0)

@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // What a process-data word can mean. The sentence for it is made where it is shown (catalog/explain_word.h);
-// meaningKey() gives the language-neutral name that JSON uses.
+// meaningKey() gives the language-neutral name used in JSON.
 enum class MeaningId : std::uint8_t {
     // OUT, K3
     normalRunning,             // 00000000
@@ -51,7 +51,7 @@ enum class MeaningId : std::uint8_t {
     position,            // number[0] = value
     signedPosition,      // number[0] = value
     grayPosition,        // number[0] = decoded value, number[1] = Gray code
-    undescribedPosition, // K4, status bits among the position: number[0] = value
+    undescribedPosition, // K4, status bits within the position: number[0] = value
     rawPosition,         // coding not known: number[0] = raw D24..D0
     velocity,            // number[0] = revolutions per minute
     cams,                // number[0] = cams as bits, number[1] = position part D24..D8
@@ -94,7 +94,7 @@ struct Meaning
     friend constexpr bool operator==(const Meaning &, const Meaning &) = default;
 };
 
-// The meanings a word can have with what was told; never empty once explained. More than one where mode,
+// The meanings a word can have given what is known; never empty once explained. More than one where mode,
 // coding or counterpart are not known.
 class Explanation
 {

@@ -17,7 +17,7 @@ constexpr Word binaryFromGray(Word gray) noexcept
     return gray;
 }
 
-// Two's complement of so many bits.
+// Two's complement with the given number of bits.
 constexpr std::int64_t signedNumber(Word number, int bits) noexcept
 {
     const std::int64_t range = std::int64_t{1} << bits;
@@ -30,7 +30,7 @@ constexpr std::int64_t signedData(Word word) noexcept
     return signedNumber(data(word), dataBits);
 }
 
-// The position in steps that stands in D24..D0.
+// The position in steps that is in D24..D0.
 constexpr std::int64_t decodePosition(Word word, PositionCoding coding) noexcept
 {
     switch (coding) {
