@@ -7,8 +7,8 @@
 #include <bitset>
 #include <optional>
 
-// A cam program value by value, as a K3 takes and tells it: one word each (FRABA manual 10.5); and what cams
-// of other kinds have besides.
+// A cam program value by value, as a K3 takes and reports it: one word each (FRABA manual 10.5); plus what
+// cams of other kinds have in addition.
 namespace codewheel {
 
 enum class CamValue : std::uint8_t { start, stop, activeCams, shift, hysteresis, invertedCams };
@@ -21,7 +21,7 @@ struct CamField
     friend constexpr bool operator==(const CamField &, const CamField &) = default;
 };
 
-// All that a K3 has of a program, in the order in which they are written: start and stop cam by cam, the
+// Everything a K3 has of a program, in the order in which it is written: start and stop cam by cam, the
 // active cams, shift; then what has no word: the hysteresis cam by cam, the inverted cams.
 inline constexpr std::size_t camFieldCount = 2 * CamProgram::cams + 2;
 inline constexpr std::size_t allCamFieldCount = camFieldCount + CamProgram::cams + 1;
@@ -39,20 +39,20 @@ constexpr CamField camField(std::size_t index)
 }
 std::size_t indexOf(CamField field);
 
-// The word that sets the field, and the one that reads it out; of what a K3 has.
+// The word that sets the field, and the one that reads it out; only for fields a K3 has.
 Word settingWord(CamField field, std::int64_t data);
 Word readOutWord(CamField field);
-// The field that OUT sets in cam mode, or reads out. Nothing: none, or of a cam there is not.
+// The field that OUT sets in cam mode, or reads out. Empty: none, or of a cam that does not exist.
 std::optional<CamField> fieldSetBy(Word out);
 std::optional<CamField> fieldReadBy(Word out);
 // The data of a word that sets a field.
 std::int64_t dataOf(CamField field, Word out);
 
-// Active and inverted cams as bits; those of 16 bits that belong to no cam are dropped.
+// Active and inverted cams as bits; bits of the 16 that belong to no cam are dropped.
 std::int64_t valueOf(const CamProgram &program, CamField field);
 void setValue(CamProgram &program, CamField field, std::int64_t data);
 
-// Of what a K3 has.
+// Only in fields a K3 has.
 CamFieldSet differences(const CamProgram &a, const CamProgram &b);
 
 } // namespace codewheel

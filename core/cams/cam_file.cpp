@@ -27,7 +27,7 @@ public:
         : m_largestPosition(largestPosition.value_or(largestCamPosition))
     {}
 
-    // Before anything else: what is of another kind has other keys.
+    // Before anything else: a file of another kind has other keys.
     static void checkFormat(const Json::Value &root, FaultKeeper &faults);
     CamFile read(const JsonObject &json) const;
 

@@ -10,14 +10,14 @@ namespace codewheel {
 
 class JsonWriter;
 
-// Cam programs as cam files and projects hold them: objects with the keys "program", "shift" and "cams".
-// Used for one list of them, in which each number stands once.
+// Cam programs as cam files and projects hold them: objects with the keys "program", "shift" and "cams". Used
+// for one list of them, in which each number may occur once.
 class CamProgramReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::CamFileReader)
 
 public:
-    // No start or stop is above `largestPosition`.
+    // No start or stop may be above `largestPosition`.
     explicit CamProgramReader(std::int64_t largestPosition)
         : m_largestPosition(largestPosition)
     {}

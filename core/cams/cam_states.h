@@ -17,10 +17,10 @@ constexpr bool covers(const Cam &cam, std::int64_t position) noexcept
     return cam.start <= cam.stop ? afterStart && beforeStop : afterStart || beforeStop;
 }
 
-// The same of all positions first..last; nothing: some are covered and some are not.
+// The same for all positions first..last; empty: some are covered and some are not.
 constexpr std::optional<bool> covers(const Cam &cam, std::int64_t first, std::int64_t last) noexcept
 {
-    // What lies between the edges, without zero: covered, or left out by a cam that goes through zero.
+    // What lies between the edges without passing zero: covered, or left out by a cam that goes through zero.
     const bool throughZero = cam.start > cam.stop;
     const std::int64_t from = throughZero ? cam.stop + 1 : cam.start;
     const std::int64_t to = throughZero ? cam.start - 1 : cam.stop;
@@ -36,8 +36,8 @@ constexpr bool isOn(const Cam &cam, std::int64_t position) noexcept
     return cam.active && covers(cam, position) != cam.isInverted;
 }
 
-// Whether the cam is on at whichever of the positions first..last the shaft is; nothing: it depends, also on
-// which way it came, within the hysteresis.
+// Whether the cam is on wherever in first..last the shaft is; empty: it depends, within the hysteresis also
+// on the direction it came from.
 constexpr std::optional<bool> isOn(const Cam &cam, std::int64_t first, std::int64_t last) noexcept
 {
     if (!cam.active)
@@ -73,7 +73,7 @@ constexpr std::uint8_t invertedCams(const CamProgram &program) noexcept
     return static_cast<std::uint8_t>(inverted);
 }
 
-// What IN will hold: the cams in D7..D0, (position >> shift) & 1FFFFh in D24..D8.
+// What IN will show: the cams in D7..D0, (position >> shift) & 1FFFFh in D24..D8.
 constexpr Word camWord(const CamProgram &program, std::int64_t position) noexcept
 {
     const Word shifted = (static_cast<Word>(position) & k3::dataMask) >> program.shift;

@@ -12,13 +12,13 @@ namespace codewheel {
 // The largest position 25 bits hold: the limit where the total range is not known.
 inline constexpr std::int64_t largestCamPosition = k3::largestTotalRange - 1;
 
-// Of all programs: 1 and up.
+// All programs: 1 and up.
 std::vector<unsigned> programNumbers(const CamAbilities &abilities);
 
 // Whether there is such a program (camProgramOutOfRange).
 Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities = {});
 
-// Whether an encoder with such cams and positions 0..largestPosition can take the program or the cam, active
+// Whether an encoder with these cams and positions 0..largestPosition can take the program or the cam, active
 // or not (camProgramOutOfRange, camShiftOutOfRange, camHasNoShift, camOutOfRange, camPositionTooLarge,
 // camThroughZero, camHasMore).
 Result<void> check(const CamProgram &program, const CamAbilities &abilities,

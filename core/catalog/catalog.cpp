@@ -26,7 +26,7 @@ QStringList Catalog::inReadingOrder(QStringList files)
     return files;
 }
 
-// The files are part of the program: they are read once.
+// The files are part of the program, so they are read only once.
 Catalog Catalog::builtIn()
 {
     static const Catalog catalog = readBuiltIn();

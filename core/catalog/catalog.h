@@ -31,17 +31,16 @@ public:
     // The descriptions that come with the program. A broken one is a defect of the program.
     static Catalog builtIn();
 
-    // Adds the description in `json`, or says what is wrong with it and adds nothing.
+    // Adds the description in `json`, or returns what is wrong with it and adds nothing.
     tl::expected<void, Fault> add(const QByteArray &json, const QString &file);
 
     std::span<const DeviceDescription> devices() const { return m_devices; }
     const DeviceDescription *find(QStringView key) const;
-    // For a participant whose make is not known: the generic description of its ID code and width, if there
-    // is one.
+    // For a participant of unknown make: the generic description for its ID code and width, if there is one.
     const DeviceDescription *generic(unsigned deviceCode) const;
-    // By its name; without one, or with one that no description has, the make is not known.
+    // By its name; without one, or with one that no description has, the make is unknown.
     const DeviceDescription *find(QStringView key, unsigned deviceCode) const;
-    // Likewise, where the name is that of a device of another code.
+    // Likewise if the name belongs to a device with another code.
     const DeviceDescription *findFitting(QStringView key, unsigned deviceCode) const;
 
 private:

@@ -43,7 +43,7 @@ constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
 constexpr std::int64_t mostWrites = 1'000'000'000;
 
-// The rules of a description, part by part. One object a file.
+// The rules of a description, part by part. One object per file.
 class DescriptionReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::DescriptionReader)
@@ -77,7 +77,7 @@ bool isKey(QStringView text)
     });
 }
 
-// A K3 has the dialect of its vendor. What all other profiles say on the bus does not depend on the vendor.
+// A K3 has the dialect of its vendor. For all other profiles the words do not depend on the vendor.
 void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &device)
 {
     if (device.profile == Profile::k3) {
@@ -274,7 +274,7 @@ std::optional<int> readWrites(const JsonObject &json, const char *key)
     return writes ? std::optional(static_cast<int>(*writes)) : std::nullopt;
 }
 
-// What is not told is as the cams of a K3 have it.
+// What is not given is as with the cams of a K3.
 CamAbilities DescriptionReader::readCams(const JsonObject &json)
 {
     CamAbilities cams;
@@ -323,7 +323,7 @@ Quirks DescriptionReader::readQuirks(const JsonObject &json)
     return quirks;
 }
 
-// Each table of its own goes before that of the description it shares tables with.
+// A table of its own takes precedence over that of the description it shares tables with.
 void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalog, DeviceDescription &device)
 {
     const DeviceDescription none;
@@ -342,7 +342,7 @@ void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalo
     device.orderingKey = json.has("orderingKey") ? readOrderingKey(json) : shared->orderingKey;
 }
 
-// What follows from the parameters is not asked for a second time.
+// What follows from the parameters need not be given a second time.
 void completeCapabilities(DeviceDescription &device)
 {
     const auto &parameters = device.parameters;

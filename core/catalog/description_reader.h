@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Reads a whole description (docs/device-descriptions.md) from its root. What it returns is of use only if
-// `faults` has none afterwards. Another of `catalog` may be named to share its tables.
+// Reads a whole description (docs/device-descriptions.md) from its root. The result is only usable if
+// `faults` holds none afterwards. The description may name another one in `catalog` to share its tables.
 DeviceDescription readDescription(const Json::Value &root, const Catalog &catalog, FaultKeeper &faults);
 
 } // namespace codewheel

@@ -72,7 +72,7 @@ public:
                 tr("An encoder of the profile %1 cannot do this. Write false.").arg(profileName(profile)));
     }
 
-    // For what FRABA's words alone are known.
+    // For what is known only of FRABA's words.
     static void refuseBesideFraba(const JsonObject &json, const char *key, bool value,
                                   const DeviceDescription &device)
     {
@@ -81,7 +81,7 @@ public:
             json.report(key, tr("Only with the dialect fraba are the words for it known. Write false."));
     }
 
-    // What the words of a K3, which alone has cams as yet, say of them (FRABA manual 5.4.4).
+    // What the words of a K3, so far the only kind with cams, can express of them (FRABA manual 5.4.4).
     static void checkCams(const JsonObject &json, const DeviceDescription &device)
     {
         const auto &cams = device.capabilities.cams;
@@ -102,7 +102,7 @@ public:
             told.report("polarity", tr("A K3 has no word for the polarity of a cam. Write false."));
     }
 
-    // Where the position that is set comes from: at a K3 the parameter, else the command itself.
+    // Where the new position comes from: with a K3 from the parameter, otherwise from the command itself.
     static void checkPresets(const JsonObject &json, const DeviceDescription &device)
     {
         const ProtocolRules &rules = protocolRules(device.profile);
@@ -143,7 +143,7 @@ public:
                                                     "steps. Let the minimum of steps be 1 or more."));
     }
 
-    // Where modes exist, it is asked which one the encoder is in before a word that depends on it is sent.
+    // Where modes exist, the encoder is asked which one it is in before a word is sent that depends on it.
     static void checkModes(const JsonObject &json, const DeviceDescription &device)
     {
         const Capabilities &can = device.capabilities;

@@ -6,15 +6,15 @@
 
 namespace codewheel {
 
-// What the parts of a description must have in common so that the words sent to the encoder are right
-// (docs/device-descriptions.md, "What belongs together"). Each reports what breaks a rule to its object; used
-// by the description reader once the values are read.
+// How the parts of a description must fit together so that the words sent to the encoder are right
+// (docs/device-descriptions.md, "What belongs together"). Each reports violations to its object; used by the
+// description reader once the values are read.
 
 // Codes and words of the profile (FRABA manual 2.2).
 void checkPlaceOnBus(const JsonObject &json, const DeviceDescription &device);
-// What only some profiles and makes can do. Needs the parameters.
+// What only some profiles and makes can do. Parameters must have been read.
 void checkCapabilities(const JsonObject &json, const DeviceDescription &device);
-// Needs the parameters and the capabilities.
+// Parameters and capabilities must have been read.
 void checkQuirks(const JsonObject &json, const DeviceDescription &device);
 
 } // namespace codewheel

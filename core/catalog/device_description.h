@@ -18,7 +18,7 @@
 
 namespace codewheel {
 
-// A value with a name of its own: direction 3 = "cw".
+// A named value: direction 3 = "cw".
 struct Choice
 {
     std::int64_t value = 0;
@@ -39,41 +39,41 @@ enum class Unit : std::uint8_t {
 
 struct ValueOptions;
 
-// Values that are no plain numbers, as the manual of their protocol writes them.
+// Values that are not plain numbers, as the manual of their protocol writes them.
 struct ValueForm
 {
     using Range = std::pair<std::int64_t, std::int64_t>;
 
     QString (*text)(std::int64_t value, const std::optional<ValueOptions> &options) = nullptr;
-    // Where it follows from the options what the value may be.
+    // Set if the range of the value depends on the options.
     Range (*range)(const ValueOptions &options) = nullptr;
-    QString (*rangeText)() = nullptr; // where they are not known
+    QString (*rangeText)() = nullptr; // if the options are not known
     bool isTypedAsHex = false;
 };
 
 struct ParameterDescription
 {
     Parameter parameter = Parameter::steps;
-    std::optional<unsigned> number;  // D28..D25 of the word that writes it; nothing: read only
-    std::optional<unsigned> readOut; // code of 2021000nh; nothing: cannot be read
+    std::optional<unsigned> number;  // D28..D25 of the word that writes it; empty: read only
+    std::optional<unsigned> readOut; // code of 2021000nh; empty: cannot be read
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
     std::optional<std::int64_t> factory;
     Unit unit = Unit::none;
     bool stored = true;          // in EEPROM
-    bool onLabel = false;        // told by the label and by the user; neither written nor read
-    std::vector<Choice> choices; // empty: any value of the range
+    bool onLabel = false;        // from the label, entered by the user; neither written nor read
+    std::vector<Choice> choices; // empty: any value within the range
     LocalText chapter{};         // of the manual; may be empty
-    // Of an encoder without words: the letters of the commands that tell and set it. Direction and scaling
+    // For an encoder without words: the letters of the commands that read and set it. Direction and scaling
     // are one bit of an answer.
     QByteArray readCommand{};
-    std::optional<unsigned> readBit{}; // of the answer; nothing: all of it
+    std::optional<unsigned> readBit{}; // of the answer; empty: all of it
     QByteArray writeCommand{};
     const ValueForm *form = nullptr; // null: a number
 
     bool canBeRead() const { return readOut || !readCommand.isEmpty(); }
     bool canBeWritten() const { return number || !writeCommand.isEmpty(); }
-    // One of the choices where it has some, else within the range.
+    // One of the choices if there are any, otherwise any value within the range.
     bool takes(std::int64_t value) const;
     const Choice *findChoice(std::int64_t value) const;
     const Choice *findChoice(QStringView key) const;
@@ -81,12 +81,12 @@ struct ParameterDescription
     friend bool operator==(const ParameterDescription &, const ParameterDescription &) = default;
 };
 
-// An error number of IN (D28..D25) and what it is.
+// An error number in IN (D28..D25) and what it means.
 struct DeviceError
 {
     unsigned number = 0;
     RefusalId meaning = RefusalId::otherDeviceError;
-    bool warning = false; // run is answered although the cause stays (Baumer 14)
+    bool warning = false; // run is answered although the cause remains (Baumer 14)
     LocalText text{};     // as the manual puts it; may be empty
 
     friend bool operator==(const DeviceError &, const DeviceError &) = default;
@@ -119,7 +119,7 @@ struct DeviceDescription
     int outWords = 2;
     int physicalStepsPerTurn = 0; // 0: not known
     int physicalTurns = 0;        // 0: not known
-    // Of the position of a K1 or K2. At a K3 its make or a parameter tells.
+    // For the position of a K1 or K2. With a K3 it depends on the make or on a parameter.
     PositionCoding coding = PositionCoding::binary;
     std::vector<ParameterDescription> parameters;
     std::vector<DeviceError> errors;
@@ -137,18 +137,18 @@ struct DeviceDescription
     const ParameterDescription *findNumber(unsigned number) const;
     // By the code of its read-out word, 2021000nh.
     const ParameterDescription *findReadOut(unsigned code) const;
-    // All that can be read out but the registers of the INTERBUS chip, which are asked for by name.
+    // All that can be read out except the registers of the INTERBUS chip, which have to be asked for by name.
     std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;
     bool isGeneric() const { return vendor.isEmpty(); }
-    // In the process image of its bus; one without is asked by requests.
+    // It is in the process image of its bus; an encoder without words is asked by requests.
     bool hasWords() const { return inWords > 0; }
-    // FRABA has velocity and cam mode, and a K3 whose make is not known may be a FRABA: then the mode is to
-    // be known before a word is sent that means something else in cam mode.
+    // FRABA has velocity and cam mode, and a K3 of unknown make may be a FRABA: then the mode has to be known
+    // before sending a word that means something else in cam mode.
     bool mayHaveModes() const { return quirks.hasModes || (isGeneric() && profile == Profile::k3); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
-    // What a label tells of the resolution goes before the description; 0: it does not.
+    // The resolution on a label takes precedence over the description; 0: not on the label.
     DeviceDescription labelled(int turns, int stepsPerTurn) const;
     QString notesText() const { return notes.toString(); }
 

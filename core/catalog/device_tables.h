@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// The tables a manual has beside its protocol, for the device panel and the command line. Each tells the
+// The tables a manual has besides its protocol, for the device panel and the command line. Each names the
 // manual's chapter.
 
 struct Pin
@@ -39,7 +39,7 @@ struct Led
     friend bool operator==(const Led &, const Led &) = default;
 };
 
-// Which LEDs are on or blink together, and what that says.
+// Which LEDs are on or blink together, and what that means.
 struct LedState
 {
     QStringList on; // names of LEDs

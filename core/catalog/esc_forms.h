@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// How a value of an encoder on a serial line is told where it is no plain number: "C000h (standstill,
-// position warning)" bit by bit, "0012D503" of a serial number, "05h (5)" of its address; where the options
-// are given, the scaling factor as a fraction too: "1F400000h (0.9765625)", and warnings also as they were
-// sent. Null: a number.
+// How a value of an encoder on a serial line is written if it is not a plain number: "C000h (standstill,
+// position warning)" bit by bit, "0012D503" for a serial number, "05h (5)" for its address; with the options
+// given, the scaling factor also as a fraction: "1F400000h (0.9765625)", and warnings also as they were sent.
+// Null: a number.
 const ValueForm *escForm(Parameter parameter);
 
 } // namespace codewheel

@@ -13,7 +13,7 @@ namespace {
 
 using esc::Command;
 
-// What the protocol has for a parameter.
+// What the protocol offers for a parameter.
 struct Row
 {
     Parameter parameter;
@@ -93,7 +93,7 @@ std::optional<Command> EscRules::commandOf(const JsonObject &row, const char *ke
     return command;
 }
 
-// The command has no digits for others. A baud rate is told by its number.
+// The command has no digits for others. A baud rate is given by its number.
 void EscRules::checkCommandRange(const JsonObject &row, const ParameterDescription &parameter,
                                  Command command)
 {

@@ -5,7 +5,7 @@ namespace codewheel {
 
 class ProtocolRules;
 
-// Of encoders with the serial protocol of Kübler (ESC commands overview).
+// For encoders with the serial protocol of Kübler (ESC commands overview).
 const ProtocolRules &escRules();
 
 } // namespace codewheel

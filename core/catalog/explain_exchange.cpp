@@ -26,7 +26,7 @@ ExplainedExchange explainExchange(const DeviceDescription &device, const Exchang
     return {explainWord(device, row.out, context), in};
 }
 
-// As the manuals tell a handshake: what the master asks for, and how far the encoder is.
+// A handshake as the manuals describe it: what the master asks for, and how far the encoder has got.
 QString exchangeText(const DeviceDescription &device, const Exchange &row, std::optional<Word> asked)
 {
     const auto [out, in] = explainExchange(device, row, asked);

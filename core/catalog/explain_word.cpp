@@ -12,8 +12,8 @@
 namespace codewheel {
 namespace {
 
-// A value that is asked for, as this device has it: it may have no such parameter, or not take the value. The
-// words alone do not tell.
+// A request for a value, as it applies to this device: it may have no such parameter, or not accept the
+// value. The words alone do not tell.
 Meaning forDevice(const DeviceDescription &device, Meaning meaning)
 {
     const auto number = static_cast<unsigned>(meaning.number[0]);
@@ -52,7 +52,7 @@ Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainC
     context.dialect = device.dialect;
     if (!device.mayHaveModes())
         context.mode = Mode::position;
-    // A FRABA has one coding; at a Baumer it is a parameter.
+    // A FRABA has a single coding; with a Baumer it is a parameter.
     if (device.dialect == k3::Dialect::fraba && !context.coding)
         context.coding = PositionCoding::binary;
     return forDevice(device, k3::explain(word, context));

@@ -14,7 +14,7 @@ Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainC
 // "Running, position 76 367". Several meanings are joined with "or".
 QString explanationText(const DeviceDescription &device, const Explanation &explanation);
 
-// What a single bit means, for tooltips: "D28..D25: parameter number". Empty for no bit of 0..31.
+// What a single bit means, for tooltips: "D28..D25: parameter number". Empty for a bit outside 0..31.
 QString bitText(const DeviceDescription &device, WordDirection direction, int bit);
 
 } // namespace codewheel

@@ -14,7 +14,7 @@
 
 namespace codewheel {
 
-// Keeps the first thing found wrong in a description file. Reading goes on with harmless values, so that the
+// Keeps the first fault found in a description file. Reading goes on with harmless values, so that the
 // readers need no error paths of their own.
 class FaultKeeper
 {
@@ -39,46 +39,46 @@ struct NamedValue
     Enum value;
 };
 
-// One object of a description file: gives its members with the type asked for and reports what is missing, of
-// the wrong type, out of range or unknown.
+// One object of a description file: returns its members with the type asked for and reports what is missing,
+// of the wrong type, out of range or unknown.
 class JsonObject
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::JsonObject)
 
 public:
-    // `allowed` are all the keys the object may have; `path` is how its place is told: "parameters[2]".
+    // `allowed` are all the keys the object may have; `path` names its place: "parameters[2]".
     JsonObject(const Json::Value &value, QString path, std::initializer_list<const char *> allowed,
                FaultKeeper &faults);
-    // Of any keys: allowOnly() tells them once it is known what it is.
+    // With any keys: allowOnly() restricts them once it is known what the object is.
     JsonObject(const Json::Value &value, QString path, FaultKeeper &faults);
     void allowOnly(std::initializer_list<const char *> allowed) const;
 
     bool has(const char *key) const;
-    bool hasObject(const char *key) const; // where other values are taken, too
+    bool hasObject(const char *key) const; // where other types are accepted too
     QString text(const char *key) const;   // not empty
     QString textOr(const char *key, const QString &otherwise) const;
-    QString freeText(const char *key) const;  // any text; empty where the key is not there
+    QString freeText(const char *key) const;  // any text; empty if the key is missing
     QStringList texts(const char *key) const; // a list of texts
-    // "DO1", the same in every language, or {"en": "...", "de": "..."}, of which English must be there.
+    // "DO1", the same in every language, or {"en": "...", "de": "..."}, where English is required.
     LocalText localText(const char *key) const;
     LocalText localTextOr(const char *key, const LocalText &otherwise) const;
     bool flag(const char *key) const;
     bool flagOr(const char *key, bool otherwise) const;
     std::int64_t number(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                         std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
-    // Nothing where the key is not there.
+    // Empty if the key is missing.
     std::optional<std::int64_t>
     optionalNumber(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                    std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
-    // A small whole number; `otherwise` where the key is not there.
+    // A small whole number; `otherwise` if the key is missing.
     int numberOr(const char *key, int otherwise, int minimum, int maximum) const;
-    // Any number; `otherwise` where the key is not there.
+    // Any number; `otherwise` if the key is missing.
     double decimalOr(const char *key, double otherwise, double minimum, double maximum) const;
-    // Text as the field writes it: "37h".
+    // Text as used in the field: "37h".
     unsigned hexNumber(const char *key) const;
     // A list of process-data words: "020000FF".
     std::vector<Word> words(const char *key, std::size_t most) const;
-    // An object with any keys, each with a text; empty where the key is not there.
+    // An object with any keys, each with a text; empty if the key is missing.
     std::map<QString, QString> textsByKey(const char *key) const;
 
     template <typename Enum, std::size_t size>
@@ -103,12 +103,12 @@ public:
     std::vector<JsonObject> arrayOfAny(const char *key,
                                        std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
-    // A fault of the member `key`, for rules that go beyond one value.
+    // Reports a fault of the member `key`, for rules that go beyond one value.
     void report(const char *key, const QString &reason) const;
     void reportUnknownName(const char *key, const QString &name, const QStringList &known) const;
 
 private:
-    const Json::Value &member(const char *key) const; // reports a missing one
+    const Json::Value &member(const char *key) const; // reports it if missing
     bool isListOfAtMost(const char *key, std::size_t most) const;
     QString pathOf(const QString &key) const;
 

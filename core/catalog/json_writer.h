@@ -11,7 +11,7 @@
 namespace codewheel {
 
 // Writes the JSON of our files so that the same content always gives the same bytes and two files can be
-// compared line by line: one member a line, small objects of a list in one line each. Text is UTF-8.
+// compared line by line: one member per line, small objects of a list in one line each. Text is UTF-8.
 class JsonWriter
 {
 public:
@@ -25,7 +25,7 @@ public:
     {
         raw(key, QByteArray::number(static_cast<qlonglong>(number)));
     }
-    void flag(const char *key, bool on); // of its own, since a pointer would pass for one
+    void flag(const char *key, bool on); // a function of its own, since a pointer would convert to bool
 
     // Calls fill() to write the members of an object.
     template <typename Fill>
@@ -47,9 +47,9 @@ public:
     {
         listOfForm(key, rows, fill, Form::oneLine);
     }
-    void texts(const char *key, const QStringList &texts); // each in a line
+    void texts(const char *key, const QStringList &texts); // each on its own line
 
-    // Closes the file; the writer is used up.
+    // Finishes the file; the writer cannot be used afterwards.
     QByteArray finish();
 
 private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int k3PositionBits = 25;
 
-// What was typed, reduced to capital letters and digits, with the way back to how it was typed.
+// What was typed, reduced to capital letters and digits, with a mapping back to the text as typed.
 class TypedKey
 {
 public:
@@ -72,7 +72,7 @@ const OrderingKey::Code *codeAt(const OrderingKey::Part &part, QStringView lette
     return found == part.codes.end() ? nullptr : &*found;
 }
 
-// K1 and K2 have all bits of IN for the position, a K3 has 25 (FRABA manual 2.1).
+// A K1 or K2 uses all bits of IN for the position, a K3 25 of them (FRABA manual 2.1).
 bool holdsItsPositions(const LabelMatch &match)
 {
     const DeviceDescription &device = *match.device;

@@ -6,14 +6,14 @@
 
 namespace codewheel {
 
-// A text of a device description, by language ("en", "de"). A text that is the same in every language
-// ("DO1", "10 ... 30 V DC") stands under "" alone; any other has English.
+// A text of a device description, by language ("en", "de"). A text that is the same in every language ("DO1",
+// "10 ... 30 V DC") is under "" alone; any other has at least English.
 struct LocalText
 {
     QMap<QString, QString> byLanguage;
 
     bool isEmpty() const { return byLanguage.isEmpty(); }
-    // In the language of all texts, or in English.
+    // In the language of the user interface, or in English.
     QString toString() const;
 
     friend bool operator==(const LocalText &, const LocalText &) = default;

@@ -14,14 +14,14 @@
 namespace codewheel {
 namespace {
 
-// One step, told by an encoder that counts steps minus 1 (FRABA manual 10.2).
+// One step, as reported by an encoder that counts steps minus 1 (FRABA manual 10.2).
 bool isStepsMinusOne(const DeviceDescription &device, const ParameterDescription &parameter,
                      std::int64_t value)
 {
     return device.quirks.mayCountStepsMinusOne && parameter.parameter == Parameter::steps && value == 0;
 }
 
-// Makes texts of a meaning's numbers.
+// Turns the numbers of a meaning into texts.
 class MeaningParts
 {
     Q_DECLARE_TR_FUNCTIONS(Meaning)
@@ -187,7 +187,7 @@ QString MeaningParts::serviceLabel(std::int64_t service) const
     return QStringLiteral("%1 %2").arg(number(service), name).trimmed();
 }
 
-// number[1] as the service number[0] has it: "1 (decreasing)"
+// number[1] as the value of service number[0]: "1 (decreasing)"
 QString MeaningParts::serviceData(const Meaning &meaning) const
 {
     const ParameterDescription *parameter =

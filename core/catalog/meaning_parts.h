@@ -7,11 +7,11 @@
 
 namespace codewheel {
 
-// Whether the device, a K3, may have a parameter of this number (D28..D25): of one whose make is not known,
-// any that some manual has.
+// Whether the device, a K3, may have a parameter with this number (D28..D25): if its make is unknown, any
+// that some manual has.
 bool hasNumber(const DeviceDescription &device, unsigned number);
-// Whether the parameter of this number, or the service, takes the value as the word has it; yes, where it is
-// not described.
+// Whether the parameter with this number, or the service, accepts the value in the word; true if it is not
+// described.
 bool takesValue(const DeviceDescription &device, unsigned number, std::int64_t value);
 
 // The parts of a meaning's sentence (encoder/meaning_text.h) as this device calls them.

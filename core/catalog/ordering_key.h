@@ -8,15 +8,15 @@
 
 namespace codewheel {
 
-// The key on the label of a device, part by part, as the manual's ordering description tells it. Letters and
-// digits count; spaces, dots and dashes are for the eye.
+// The key on the label of a device, part by part, as the manual's ordering description gives it. Letters and
+// digits count; spaces, dots and dashes are only for readability.
 struct OrderingKey
 {
     struct Code
     {
-        QString code; // capital letters and digits; no code of a part begins with another
+        QString code; // capital letters and digits; no code of a part is the beginning of another
         LocalText meaning;
-        std::optional<int> turns; // where this part tells them
+        std::optional<int> turns; // if this part gives them
         std::optional<int> stepsPerTurn;
 
         friend bool operator==(const Code &, const Code &) = default;
@@ -25,7 +25,7 @@ struct OrderingKey
     struct Part
     {
         LocalText name;
-        std::vector<Code> codes; // empty: any letters and digits, so many
+        std::vector<Code> codes; // empty: any letters and digits, this many
         int any = 0;
         bool optional = false; // the last part only
 

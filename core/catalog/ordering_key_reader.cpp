@@ -33,7 +33,7 @@ std::optional<int> asInt(std::optional<std::int64_t> number)
     return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
-// Where one code begins another, what is typed could be either.
+// If one code were the beginning of another, what is typed could be either.
 OrderingKey::Code OrderingKeyReader::readCode(const JsonObject &row, const OrderingKey::Part &part)
 {
     OrderingKey::Code code{row.text("code"), row.localText("meaning"),

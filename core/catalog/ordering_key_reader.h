@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// The member "orderingKey" of a description (docs/device-descriptions.md). Its example must be understood.
+// The member "orderingKey" of a description (docs/device-descriptions.md). Its example must itself be valid.
 OrderingKey readOrderingKey(const JsonObject &json);
 
 } // namespace codewheel

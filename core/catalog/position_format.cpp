@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// 13 bits of a turn and 12 of turns (FRABA manual 8), the most that a K2 is known to have.
+// 13 bits for the turn and 12 for the turns (FRABA manual 8), the most any K2 is known to have.
 constexpr int mostK2Bits = 25;
 
 } // namespace

@@ -6,10 +6,10 @@
 
 namespace codewheel {
 
-// K1, K2 and K4: encoders of which a word tells the position and nothing else that a source describes.
+// K1, K2 and K4: encoders whose word holds the position and nothing else that any source describes.
 bool onlyTellsPosition(Profile profile);
 
-// How such an encoder puts its position into IN.
+// How such an encoder places its position in IN.
 PositionWord positionFormat(const DeviceDescription &device);
 
 } // namespace codewheel

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Whether the word or command that sets the position may write to the EEPROM. A K3 whose make is not known
-// may be a FRABA, which stores the zero offset.
+// Whether the word or command that sets the position may write to the EEPROM. A K3 of unknown make may be a
+// FRABA, which stores the zero offset.
 bool mayStorePreset(const DeviceDescription &device);
 
 } // namespace codewheel

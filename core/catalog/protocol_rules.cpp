@@ -16,7 +16,7 @@ struct DescriptionRules
     Q_DECLARE_TR_FUNCTIONS(codewheel::DescriptionRules)
 };
 
-// Words have no letters, and the commands of a description are letters.
+// Words have no letters, while the commands of a description are letters.
 void refuseCommands(const JsonObject &row)
 {
     for (const char *key : {"read", "write", "bit"})
@@ -25,7 +25,7 @@ void refuseCommands(const JsonObject &row)
                        DescriptionRules::tr("Only an encoder on a serial line has commands. Leave it out."));
 }
 
-// Of encoders that are told values in words.
+// For encoders that receive values in words.
 class WordRules : public ProtocolRules
 {
 public:
@@ -76,7 +76,7 @@ private:
     // The number of the word that sets a K3 to default (FRABA manual 5.3, Baumer manual 5).
     static constexpr unsigned resetNumber = 7;
 
-    // The word 2021000n is known of FRABA alone, and 0E000000 is none that writes a value.
+    // The word 2021000n is known only of FRABA, and 0E000000 does not write a value.
     void checkWords(const JsonObject &row, const ParameterDescription &parameter,
                     const DeviceDescription &device) const override
     {

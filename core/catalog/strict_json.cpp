@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-// Deeper than any file of ours; keeps a hostile file from exhausting the stack.
+// Deeper than any of our files; keeps a hostile file from exhausting the stack.
 constexpr int deepestNesting = 16;
 
 std::unique_ptr<Json::CharReader> strictReader()
@@ -32,7 +32,7 @@ bool isUtf8(QByteArrayView text)
     return !decoder.hasError();
 }
 
-// The first line that is no UTF-8 text, counted from 1; nothing where all is.
+// The first line that is not UTF-8 text, counted from 1; empty if all are.
 std::optional<int> firstLineNotUtf8(const QByteArray &text)
 {
     if (isUtf8(text))
@@ -47,7 +47,7 @@ int lineOf(const QByteArray &text, qsizetype place)
     return static_cast<int>(std::count(text.begin(), text.begin() + place, '\n')) + 1;
 }
 
-// jsoncpp takes a NUL for the end of the file, and skips the mark.
+// jsoncpp takes a NUL for the end of the file, and skips the byte order mark.
 bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
 {
     if (json.startsWith("\xEF\xBB\xBF"))
@@ -63,8 +63,8 @@ bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
     return faults.first().has_value();
 }
 
-// jsoncpp reports "* Line 3, Column 5\n  Duplicate key: 'name'\n", in English whatever the language is. Only
-// what the user cannot see by looking at the line is taken over: the key that stands there twice.
+// jsoncpp reports "* Line 3, Column 5\n  Duplicate key: 'name'\n", in English whatever the language. Only
+// what the user cannot see by looking at the line is kept: the key that is there twice.
 void reportSyntaxError(const std::string &report, FaultKeeper &faults)
 {
     static const QRegularExpression form(

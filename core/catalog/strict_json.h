@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// The JSON text of a file of ours: no comments, no key twice, nothing behind the closing brace, no byte
-// order mark and no NUL. What is wrong with it is reported to `faults`.
+// The JSON text of one of our files: no comments, no duplicate keys, nothing after the closing brace, no byte
+// order mark and no NUL. Errors are reported to `faults`.
 Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults);
 
 } // namespace codewheel

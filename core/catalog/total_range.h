@@ -11,11 +11,12 @@ constexpr std::int64_t totalRange(std::int64_t steps, std::int64_t turns, std::i
     return steps < 1 || turns < 1 || revolutions < 1 ? 0 : steps * turns / revolutions;
 }
 
-// Whether the measuring range of the encoder is in steps, and so its total range; else it is in revolutions.
+// Whether the measuring range of the encoder is in steps, making it the total range; otherwise it is in
+// revolutions.
 bool tellsItsRange(const DeviceDescription &device);
 
 // How many positions the encoder has with these values, where turns is the measuring range, or the physical
-// turns where the encoder has none. Nothing where one of them is not known.
+// turns if the encoder has none. Empty if one of them is not known.
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values);
 
 } // namespace codewheel

@@ -51,7 +51,7 @@ QString camProgramName(QStringView key)
     return QCoreApplication::translate("Choice", "cam program %1").arg(key.sliced(4));
 }
 
-// How many of the unit of the wire make one of the unit shown.
+// How many wire units make one displayed unit.
 double divisorOf(Unit unit)
 {
     switch (unit) {
@@ -104,7 +104,7 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
     QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)
                                  : QLocale().toString(qlonglong{value});
     const QString name = choiceName(parameter, value);
-    if (name == QString::number(value)) // a baud rate has no other name than its number
+    if (name == QString::number(value)) // a baud rate has no name other than its number
         return number;
     return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
 }

@@ -6,19 +6,20 @@
 
 namespace codewheel {
 
-// The description with the range that these options leave a value whose range follows from them, as that of a
-// scaling factor; all others as they are.
+// The description with the range these options give a value that depends on them, such as a scaling factor;
+// all others unchanged.
 ParameterDescription withOptions(ParameterDescription parameter, const std::optional<ValueOptions> &options);
 
 // The name of a value in the user's language: "CW", "unsigned, CW". Empty where the value has none.
 QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 
-// A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree; what is no
-// plain number by its form (ValueForm): "0012D503".
+// A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree; what is not a
+// plain number in its form (ValueForm): "0012D503".
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
                   const std::optional<ValueOptions> &options = {});
 
-// The unit that goes with valueText(): "steps", "°C"; empty for none. `of` this number: "1 revolution".
+// The unit that goes with valueText(): "steps", "°C"; empty if there is none. `of` this number: "1
+// revolution".
 QString unitText(Unit unit, std::optional<std::int64_t> of = {});
 
 } // namespace codewheel
