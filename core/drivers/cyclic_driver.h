@@ -16,23 +16,23 @@ public:
     virtual const Reading &reading() const = 0;
     virtual bool busy() const = 0;
 
-    // What is known of the encoder from elsewhere (told, or known from before), so that positions can be
+    // What is known of the encoder from elsewhere (told, or known from earlier), so that positions can be
     // decoded.
     virtual void setKnown(const std::vector<Known> &known) = 0;
 
-    // Takes the job or says why not; nothing is sent before the next cycle. `in` and `out` are the words of
+    // Accepts the job or says why not; nothing is sent before the next cycle. `in` and `out` are the words of
     // the last one.
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) = 0;
     virtual void proceed() = 0; // Pace::byHand: send the next word
     virtual void cancel(OnCancel how, Instant now) = 0;
     virtual void stop(RefusalId why,
-                      Instant now) = 0; // ALARM STOP, bus stopped: the job ends where it stands
+                      Instant now) = 0; // ALARM STOP, bus stopped: the job ends where it is
 
-    // Once per bus cycle: `in` came in while `out` stood on the bus. Answers what OUT shall be in the next
-    // cycle, equal to `out` when no job wants it otherwise.
+    // Once per bus cycle: `in` came in while `out` was on the bus. Returns what OUT shall be in the next
+    // cycle: `out` itself unless a job wants something else.
     virtual Word cycle(Word in, Word out, Instant now) = 0;
 
-    // False: the encoder acts on this word anew in every cycle, so that it must not go on standing in OUT.
+    // False: the encoder acts on this word anew in every cycle, so it must not stay in OUT.
     virtual bool mayStand(Word /*out*/) const { return true; }
 
     // What happened since the last call, oldest first.

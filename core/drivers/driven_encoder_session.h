@@ -11,14 +11,14 @@
 namespace codewheel {
 
 // What every encoder session with a driver behind it has in common, whatever the bus: it keeps what is known
-// of the encoder, the job that runs and the count of EEPROM writes, and turns the driver's events into
-// signals. The bus it is on carries its wishes to the driver.
+// of the encoder, the running job and the count of EEPROM writes, and turns the driver's events into signals.
+// The bus it is on carries its requests to the driver.
 class DrivenEncoderSession : public EncoderSession
 {
     Q_OBJECT
 
 public:
-    // `device` is its place in the runner of the bus. `description` must outlive the session.
+    // `device` is its index in the runner of the bus. `description` must outlive the session.
     DrivenEncoderSession(std::size_t device, Place place, const DeviceDescription &description);
 
     Place place() const override { return m_place; }
@@ -43,7 +43,7 @@ public:
     void take(const Event &event, Instant at);
 
 protected:
-    // Whether the bus lets the job out now.
+    // Whether the bus allows the job now.
     virtual Result<void> mayStart(const Job &job) const = 0;
     virtual void post(JobCommand command) = 0;
     // Message without time and place.
@@ -69,7 +69,7 @@ private:
     Reading m_reading;
     QString m_version;
     std::map<Parameter, Known> m_known;
-    std::map<unsigned, KnownCams> m_cams; // by program
+    std::map<unsigned, KnownCams> m_cams; // by program number
     JobId m_lastJob = 0;
     std::optional<JobId> m_runningJob;
     Job m_job;

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// The reads of one value, two by two: it is taken when the two of one try agree, since the protocol has no
-// checksum. A try that failed counts for nothing, so that one damaged answer never decides against another.
+// The reads of one value, in pairs: it is accepted when the two reads of one try agree, since the protocol
+// has no checksum. A failed try counts for nothing, so that one corrupted answer never outvotes another.
 class EscAgreement
 {
 public:
@@ -28,7 +28,7 @@ public:
         return static_cast<int>(m_reads.size() / 2) < m_tries ? State::wantsMore : State::disagreed;
     }
 
-    // Of the last try; after add() said agreed or disagreed.
+    // Of the last try; valid once add() returned agreed or disagreed.
     const esc::Answer &first() const { return m_reads[m_reads.size() - 2]; }
     const esc::Answer &last() const { return m_reads.back(); }
 

@@ -62,7 +62,7 @@ void EscDriver::stop(const Refusal &why, Instant)
     endJob();
 }
 
-// An answer that is still awaited is nobody's then.
+// After that, an answer still awaited belongs to nobody.
 void EscDriver::endJob()
 {
     m_job.reset();
@@ -143,7 +143,7 @@ void EscDriver::answered(const esc::Request &request, const esc::ExchangeResult 
     m_encoder.flushKnowledge();
 }
 
-// Silence and its end. What is asked at another place than the encoder's says nothing about it.
+// Silence and its end. A request to another place than the encoder's says nothing about the encoder.
 void EscDriver::count(const esc::ExchangeResult &result, Instant now)
 {
     if (m_job && m_job->isSearching())
@@ -167,7 +167,7 @@ void EscDriver::count(const esc::ExchangeResult &result, Instant now)
     m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{m_tries}});
 }
 
-// Neither silence nor its end: what there is to tell is told of the line.
+// Neither silence nor its end: it is the line that has something to report.
 void EscDriver::lineLost(Instant now)
 {
     m_encoder.reading.state = EncoderState::notSeen;
@@ -183,7 +183,7 @@ void EscDriver::contact(Instant now)
     m_encoder.reading.state = EncoderState::operation;
     m_between = EscAgreement(m_encoder.settings.readTries);
     m_polls.contact(now);
-    m_encoder.values.forget(Parameter::serialNumber); // until it tells it: it may be another encoder
+    m_encoder.values.forget(Parameter::serialNumber); // until it is read again: it may be another encoder
     if (m_encoder.address.isDevice())
         m_encoder.values.learn({Parameter::lineAddress, m_encoder.address.value, Evidence::read, now});
     const auto baudRate = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
@@ -197,7 +197,7 @@ void EscDriver::positionAnswered(const esc::ExchangeResult &result, Instant now)
         m_polls.askPositionAgain();
 }
 
-// Warnings and alarms that say what they said before need no second read.
+// Warnings and alarms that have not changed need no second read.
 void EscDriver::betweenAnswered(esc::Command command, const esc::ExchangeResult &result, Instant now)
 {
     if (!m_polls.isInContact() || m_polls.between(now) != command)
@@ -225,7 +225,7 @@ void EscDriver::betweenAnswered(esc::Command command, const esc::ExchangeResult 
     m_between = EscAgreement(m_encoder.settings.readTries);
 }
 
-// Another serial number than before: whatever was known was known of another encoder.
+// A serial number other than before: everything known was about another encoder.
 void EscDriver::betweenAgreed(esc::Command command, const esc::Answer &answer, Instant now)
 {
     if (command == esc::Command::serialNumber) {

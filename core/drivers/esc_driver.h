@@ -12,8 +12,8 @@
 namespace codewheel {
 
 // Drives a Kübler encoder with the ESC protocol: asks for its position again and again, for warnings and
-// alarms now and then, for its identity at first contact and after a silence, and carries out jobs between
-// two positions. A position is never more than one request late.
+// alarms now and then, for its identity on first contact and after a silence, and carries out jobs between
+// two positions. A position is never delayed by more than one request.
 class EscDriver final : public RequestDriver
 {
 public:
@@ -39,12 +39,12 @@ public:
 
     void setSettings(const EscSettings &settings);
     const EscSettings &settings() const { return m_encoder.settings; }
-    // The rate at which the line speaks to this encoder, in Bd.
+    // The rate used for this encoder, in Bd.
     void setLineBaudRate(int baudRate) override;
-    // The other encoders of the line by a name for the user: no job takes an encoder to one of their
+    // The other encoders of the line, with a name for the user: no job may move an encoder to one of their
     // addresses.
     void setTaken(const EscPlan::Taken &taken) override { m_encoder.taken = taken; }
-    // What somebody else asked this encoder, at a terminal.
+    // What somebody else asked this encoder, e.g. at a terminal.
     void observe(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
 
     void lineLost(Instant now) override;
@@ -68,13 +68,13 @@ private:
 
     EscEncoder m_encoder;
     EscPollPlan m_polls;
-    EscAgreement m_between; // the reads of what is asked between two positions
+    EscAgreement m_between; // the reads of whatever is asked between two positions
     std::optional<EscJob> m_job;
-    Asks m_asks = Asks::nobody;                 // what is under way
-    bool m_wasPosition = false;                 // the last request
+    Asks m_asks = Asks::nobody;                 // whose request is under way
+    bool m_wasPosition = false;                 // the last request was for the position
     int m_unanswered = 0;                       // requests in a row
-    int m_tries = 0;                            // sendings of them
-    std::optional<std::int64_t> m_serialNumber; // of the encoder there now
+    int m_tries = 0;                            // how often these were sent
+    std::optional<std::int64_t> m_serialNumber; // of the encoder currently there
     Instant m_now{};
 };
 

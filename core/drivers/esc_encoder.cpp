@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// What another scaling changes beside itself. The manual does not tell, so all of it counts as not known.
+// What a new scaling changes apart from itself. The manual does not say, so all of it counts as unknown.
 constexpr std::array followsScaling{Parameter::steps,          Parameter::revolutions,
                                     Parameter::measuringRange, Parameter::scalingFactor,
                                     Parameter::offset,         Parameter::operatingParameters};
@@ -72,7 +72,7 @@ EscEncoder::EscEncoder(const DeviceDescription &description, LineAddress place, 
     reading.coding = PositionCoding::binary;
 }
 
-// D holds while the scaling is on; else the position has the physical steps, which are never fewer.
+// D applies while scaling is on; otherwise the position is in physical steps, which are at least as many.
 void EscEncoder::updateScale()
 {
     EscPositionGuard::Scale scale{.topSpeed = settings.topSpeed, .stepsPerTurn = device.physicalStepsPerTurn};
@@ -116,7 +116,7 @@ void EscEncoder::tellSuspect(std::int64_t position, Instant now)
     tell(now, Severity::attention, MessageId::suspectPosition, {std::int64_t{position}, before});
 }
 
-// What was taken in the other order was something else: it is asked for again.
+// What was read in the other byte order meant something else: it is asked for again.
 void EscEncoder::setSwapsWarningBytes(bool on)
 {
     if (settings.swapWarningBytes == on)

@@ -15,8 +15,8 @@
 
 namespace codewheel {
 
-// One encoder on a serial line as it is known by now: where it is, what it shows, what it has. Shared by the
-// driver, which asks it again and again, and by the job on its way.
+// One encoder on a serial line as currently known: where it is, what it shows, what it has. Shared by the
+// driver, which polls it, and by the job in progress.
 class EscEncoder
 {
 public:
@@ -26,9 +26,9 @@ public:
     const DeviceDescription &device;
     EscSettings settings;
     LineAddress address;
-    std::optional<int> baudRate;       // of the line, as told; nothing: not known
-    std::optional<int> wantedBaudRate; // while the encoder needs another
-    EscPlan::Taken taken;              // other encoders of the line
+    std::optional<int> baudRate;       // of the line, as told; empty: not known
+    std::optional<int> wantedBaudRate; // while the encoder needs a different one
+    EscPlan::Taken taken;              // by other encoders of the line
     Reading reading;
     KnownValues values;
     EscPositionGuard guard;
@@ -38,16 +38,16 @@ public:
 
     EscPlan plan() const { return {device, address, settings, values.values(), taken}; }
 
-    // The position may be any now: what came before tells nothing of what comes.
+    // The position may be anything now: earlier ones do not predict later ones.
     void forgetPosition();
-    // An answer to P. False: it is suspect, and must be asked for again.
+    // An answer to P. False: it is suspect and must be asked for again.
     bool takePosition(std::uint32_t position, Instant now);
-    // Warnings or alarms that are as they were.
+    // Warnings or alarms that have not changed.
     bool saysTheSame(esc::Command command, const esc::Answer &answer) const;
-    // What two reads agreed on.
+    // A value that two reads agreed on.
     void take(esc::Command command, const esc::Answer &answer, Instant now);
     void setSwapsWarningBytes(bool on); // from now on
-    // A write was executed, or may have been: what depends on it is not known any more.
+    // A write was carried out, or may have been: what depends on it is no longer known.
     void mayHaveChanged(esc::Command command);
 
     void tell(Instant now, Severity severity, MessageId id, std::vector<RefusalArgument> arguments = {});
@@ -63,7 +63,7 @@ private:
     std::optional<Instant> m_suspectTold;
 };
 
-// Digits or text came: an answer that says more than 03, 05 or a bare line end.
+// It has digits or text: an answer that says more than 03, 05 or a bare line end.
 bool hasValue(const std::optional<esc::Answer> &answer);
 
 } // namespace codewheel

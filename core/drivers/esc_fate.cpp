@@ -10,10 +10,10 @@
 namespace codewheel {
 namespace {
 
-// Whether it says of a write that was sent last that its outcome is not known.
+// Whether it leaves open if the last write sent was carried out.
 bool leavesItOpen(const Refusal &why)
 {
-    return why.kind == RefusalKind::link || why.kind == RefusalKind::stopped || // ended where it stood
+    return why.kind == RefusalKind::link || why.kind == RefusalKind::stopped || // ended midway
            why.id == RefusalId::escWriteUnknown || why.id == RefusalId::escNoAnswer ||
            why.id == RefusalId::escReadsDisagree;
 }
@@ -34,10 +34,11 @@ bool isFateUnknownOnEsc(const EncoderSession &encoder, std::optional<Parameter> 
 {
     if (outcome.result || !leavesItOpen(outcome.result.error()) || !wasSentOnEsc(job, parameter))
         return false;
-    // Steps and range that are read do not tell whether new ones wait for their factor.
+    // Reading steps and range back does not tell whether new ones are still waiting for their factor.
     const bool isUntold = parameter && outcome.result.error().id == RefusalId::escWriteUnknown &&
                           isBoundToEscFactor(*parameter);
-    return isUntold || !encoder.known(parameter.value_or(Parameter::preset)); // which the position is
+    // The position is known as the preset.
+    return isUntold || !encoder.known(parameter.value_or(Parameter::preset));
 }
 
 } // namespace codewheel

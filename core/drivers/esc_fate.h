@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// Whether a job on a serial line that came this far has sent this value; without one, the position.
+// Whether a job on a serial line that got this far has sent this value; without a parameter, the position.
 bool wasSentOnEsc(const Progress &job, std::optional<Parameter> parameter);
-// Whether nobody knows if the encoder has a value that this job sent, and that it did not tell as written:
-// the job ended before that was looked at.
+// Whether nobody knows if the encoder has a value that this job sent but did not report as written: the job
+// ended before that was checked.
 bool isFateUnknownOnEsc(const EncoderSession &encoder, std::optional<Parameter> parameter,
                         const Outcome &outcome, const Progress &job);
 

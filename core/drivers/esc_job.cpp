@@ -28,7 +28,7 @@ std::optional<esc::Request> EscJob::next(Instant now)
     return m_search ? m_search->request() : m_steps.current().request;
 }
 
-// What follows from the steps that are done: others, or the end.
+// What follows once steps are done: further steps, or the end.
 void EscJob::settle()
 {
     if (isDone())
@@ -58,7 +58,7 @@ void EscJob::begin(Instant now)
     m_reads = EscAgreement(tries);
     m_positions = EscPositionAgreement(2 * tries);
     EscStep &step = m_steps.current();
-    step.request.to = m_encoder.address; // another, where the job has changed it
+    step.request.to = m_encoder.address; // a different one once the job has changed it
     if (step.task == EscStep::Task::search)
         beginSearch();
     step.line = (m_search ? m_search->request() : step.request).text();
@@ -155,7 +155,7 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
     m_steps.goOn();
 }
 
-// Steps that were written have set the revolutions, unless these were written too (escSetAlong).
+// Writing the steps sets the revolutions, unless these were written too (escSetAlong).
 void EscJob::noteWhatWasSetAlong()
 {
     const Parameter parameter = m_steps.current().parameter.value_or(Parameter::preset);
@@ -167,7 +167,8 @@ void EscJob::noteWhatWasSetAlong()
         replaceValue(m_account.outcome.setAlong, {parameter, *now});
 }
 
-// What is there already is neither written nor read back, unless it must go along with what is not.
+// What is already there is neither written nor read back, unless it has to be sent along with something that
+// is not.
 void EscJob::leaveOutWhatIsThere()
 {
     m_isCompared = true;
@@ -194,7 +195,7 @@ void EscJob::leaveOutWhatIsThere()
     m_steps.append(m_encoder.plan().writes(left));
 }
 
-// What has been read before it is known now.
+// The values read before are known now.
 void EscJob::checkPreset()
 {
     const bool isNext =
@@ -212,7 +213,7 @@ void EscJob::complete(Outcome &outcome)
     m_encoder.flushKnowledge();
     m_search.reset();
     if (hasRestored())
-        outcome.restored = Evidence::read; // as all that is written
+        outcome.restored = Evidence::read; // like everything that is written
     if (const auto &before = m_proof.positionBefore)
         outcome.positionBefore = before->sample.position;
     if (const auto &after = m_proof.positionAfter)

@@ -12,26 +12,26 @@
 
 namespace codewheel {
 
-// A job of an encoder on a serial line on its way: its requests one after the other, and what their answers
+// A job of an encoder on a serial line in progress: its requests one after the other, and what their answers
 // mean. Nothing is written twice: after a write without an answer the encoder is read, and the outcome says
-// whether it was done. Used by EscDriver, which sends what this wants.
+// whether it was done. Used by EscDriver, which sends what the job wants.
 class EscJob final : public JobRun<EscStep>
 {
 public:
     // The job has been checked (EscPlan). The encoder must outlive this.
     EscJob(JobId id, Job job, Pace pace, EscEncoder &encoder);
 
-    // The next request; nothing while it waits for the user, and when it is done.
+    // The next request; empty while it waits for the user, and when it is done.
     std::optional<esc::Request> next(Instant now);
     void answered(const esc::ExchangeResult &result, Instant now);
 
-    // The encoder is looked for: nothing else may be asked of it meanwhile.
+    // The encoder is being searched for: nothing else may be asked of it meanwhile.
     bool isSearching() const { return !m_steps.atEnd() && m_steps.current().task == EscStep::Task::search; }
     void stop(const Refusal &why);
 
 private:
     using Said = EscPresetProof::Said;
-    // What the reads of a step have told by now.
+    // What the reads of a step have yielded so far.
     enum class Heard : std::uint8_t { nothing, tooLittle, value, error, contradiction };
 
     // esc_job.cpp
@@ -88,9 +88,9 @@ private:
     bool m_isCompared = false;
     EscAgreement m_reads;
     EscPositionAgreement m_positions;
-    std::optional<EscStep> m_unanswered; // the write of which nothing is known yet
+    std::optional<EscStep> m_unanswered; // the write whose outcome is not known yet
     std::optional<EscSearch> m_search;
-    std::optional<int> m_rateBefore; // the search for another baud rate
+    std::optional<int> m_rateBefore; // the baud rate before the search for another one
     EscPresetProof m_proof;
 };
 

@@ -37,7 +37,7 @@ bool wasPresetSent(Sent sent)
         sent, [](const EscStep &step) { return step.request.command == esc::Command::writePreset; });
 }
 
-// Whether it tells what the encoder has of what was sent.
+// Whether reading this tells what the encoder took of what was sent.
 bool tellsOf(Sent sent, const EscStep &step)
 {
     switch (step.task) {
@@ -68,15 +68,15 @@ void EscJob::leaveOffAt(Instant /*now*/)
     settle();
 }
 
-// A write that was sent is carried out, whether it was answered or not.
+// A write that was sent counts as carried out, whether it was answered or not.
 bool EscJob::hasTaken() const
 {
     return !m_account.outcome.written.empty() || wasAnythingWritten(m_steps.sent());
 }
 
-// A write that waits for its answer may be carried out, so the outcome counts it; of the encoder it is
-// counted by who hears the answer, or hears that there is none. One without an answer, which was still to be
-// looked for in the encoder, is counted here.
+// A write that waits for its answer may have been carried out, so the outcome counts it; for the encoder it
+// is counted by whoever gets the answer, or learns that there is none. A write without an answer that was
+// still to be looked for in the encoder is counted here.
 void EscJob::stop(const Refusal &why)
 {
     if (isDone())
@@ -95,7 +95,7 @@ void EscJob::stop(const Refusal &why)
         finish(tl::unexpected(why));
 }
 
-// What was not written, or was refused, is as it was. Of the scaling it is read all the same: one value of it
+// What was not written, or was refused, is unchanged. Scaling values are read all the same: one of them
 // changes the others.
 void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
 {
@@ -112,7 +112,7 @@ void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
     m_steps.all = std::move(left);
 }
 
-// The old steps would set the revolutions as the new ones did.
+// Writing the old steps would set the revolutions, as writing the new ones did.
 void EscJob::giveBack()
 {
     m_restores = true;

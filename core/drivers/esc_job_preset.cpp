@@ -18,7 +18,7 @@ void EscJob::positionAnswered(const esc::ExchangeResult &result, Instant now)
     case EscPositionAgreement::State::agreed:
         positionAgreed();
         break;
-    case EscPositionAgreement::State::disagreed: // every time something else: it is not told
+    case EscPositionAgreement::State::disagreed: // every read differed: none is reported
         positionStepDone();
         break;
     }
@@ -29,12 +29,12 @@ void EscJob::positionAgreed()
     const EscPresetProof::Position agreed{m_positions.last(), m_positions.speed()};
     if (m_steps.current().task == EscStep::Task::positionAfter)
         m_proof.positionAfter = agreed;
-    else if (!m_proof.positionBefore) // giving values back, it was there before the first of them
+    else if (!m_proof.positionBefore) // when restoring, it was read before the first write
         m_proof.positionBefore = agreed;
     positionStepDone();
 }
 
-// Beside values that are written the position only stands in the account.
+// When values are written, the position is only part of the account.
 void EscJob::positionNotRead(const Refusal &why)
 {
     if (job<SetPreset>() != nullptr)
@@ -63,9 +63,9 @@ void EscJob::presetDone()
         judgeAccepted(position, value);
 }
 
-// The encoder said that it took the command. Its preset value decides whether it did, and the position must
-// not speak against it. Where that value was there before, the position must be the preset give or take what
-// the shaft turned since; where nobody knows it, the position alone must tell.
+// The encoder says that it accepted the command. Its preset value decides whether it did, and the position
+// must not contradict it. If that value was already there, the position must be the preset, give or take what
+// the shaft has turned since; if the earlier value is not known, the position alone decides.
 void EscJob::judgeAccepted(Said position, Said value)
 {
     const EscStep step = m_steps.current();

@@ -10,7 +10,7 @@ namespace {
 
 using Places = std::vector<EscSearch::Place>;
 
-// Both readings of the two digits, then where it was; at the master address every encoder answers.
+// Both readings of the two digits, then the address it had; at the master address every encoder answers.
 Places placesOfAddress(LineAddress wanted, LineAddress before, std::optional<int> baudRate)
 {
     Places places;
@@ -22,7 +22,7 @@ Places placesOfAddress(LineAddress wanted, LineAddress before, std::optional<int
     return places;
 }
 
-// The answer was awaited at the old rate; the encoder is looked for at the new one first.
+// The answer was expected at the old rate, so the search starts at the new one.
 Places placesOfBaudRate(int wanted, std::optional<int> before, LineAddress address)
 {
     Places places{{address, wanted}};

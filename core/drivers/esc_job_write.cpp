@@ -31,7 +31,7 @@ void EscJob::accepted(Instant now)
     m_steps.goOn();
 }
 
-// It is never sent again by itself: the encoder is read instead, and at once.
+// It is never sent again automatically: the encoder is read instead, and at once.
 void EscJob::notAnswered()
 {
     const EscStep step = m_steps.current();
@@ -69,7 +69,7 @@ void EscJob::readBackAgreed(Instant now)
     m_steps.goOn();
 }
 
-// What was written was seen in the encoder: a write without an answer was carried out.
+// What was written was found in the encoder: a write without an answer was carried out.
 void EscJob::isThere(const ParameterValue &value)
 {
     if (m_unanswered)
@@ -83,7 +83,7 @@ void EscJob::isNotThere(std::int64_t has)
     const EscStep step = m_steps.current();
     m_account.notWritten(*step.parameter);
     if (m_unanswered && isBoundToEscFactor(*step.parameter))
-        failAsUnknown(); // carried out it would show as soon as the factor is sent, and not before
+        failAsUnknown(); // if carried out, it would show once the factor is sent, and not before
     else if (m_unanswered)
         fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
     else
@@ -108,7 +108,7 @@ void EscJob::failAsUnknown()
     fail({RefusalKind::device, RefusalId::escWriteUnknown, {QString::fromLatin1(m_unanswered->line)}});
 }
 
-// The first failure is told. What was accepted before is still read back, save of an encoder that is silent.
+// The first failure is reported. What was accepted before is still read back, unless the encoder is silent.
 void EscJob::fail(Refusal why)
 {
     const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotFoundAgain;

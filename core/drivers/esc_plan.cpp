@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// In the order of their commands in the manual; the factor, which makes the others act, last.
+// In the order of their commands in the manual; the factor, which makes the others take effect, last.
 constexpr std::array scalingValues{Parameter::steps, Parameter::revolutions, Parameter::measuringRange,
                                    Parameter::scalingFactor};
 
@@ -60,8 +60,9 @@ EscSteps EscPlan::stepsFor(const Job &job) const
     return steps;
 }
 
-// Scaling and measuring range are read first, for they narrow what may be set (esc_job.cpp). The preset value
-// is read before and after, so that a command without an answer can be told from one that never arrived.
+// Scaling and measuring range are read first, since they narrow what may be set (esc_job.cpp). The preset
+// value is read before and after, so that a command that was carried out without an answer can be told from
+// one that never arrived.
 EscSteps EscPlan::preset(std::int64_t position) const
 {
     using enum EscStep::Task;
@@ -121,7 +122,7 @@ EscSteps EscPlan::writes(const ParameterValues &values) const
     return steps;
 }
 
-// What is not written of it changes all the same, so it is read.
+// The parts of it that are not written change all the same, so they are read.
 void EscPlan::appendScaling(EscSteps &steps, const ParameterValues &values) const
 {
     EscSteps after;

@@ -9,12 +9,12 @@
 
 namespace codewheel {
 
-// What a job means in requests, step by step (Kübler manual, ESC commands). Pure; what is read on the way
+// What a job means in requests, step by step (Kübler manual, ESC commands). No I/O; what is read on the way
 // refines it (esc_job.cpp).
 class EscPlan
 {
 public:
-    // What answers at the other addresses of the line, by a name for the user.
+    // What answers at the other addresses of the line, with a name for the user.
     using Taken = std::map<LineAddress, QString>;
 
     EscPlan(const DeviceDescription &device, LineAddress address, const EscSettings &settings,
@@ -26,14 +26,14 @@ public:
         , m_taken(taken)
     {}
 
-    // Whether the job is one for this encoder: parameters it has, values in the range it tells itself, an
-    // address that is free. Bad input is refused here.
+    // Whether the job suits this encoder: parameters it has, values within its own limits, an address that is
+    // free. Bad input is refused here.
     Result<void> check(const Job &job) const;
     EscSteps stepsFor(const Job &job) const;
 
     // Between the positions before and after, in the order they are carried out: address and baud rate last,
-    // since all else goes to where the encoder still is; the scaling factor after the values it is computed
-    // from.
+    // since everything else is sent to where the encoder still is; the scaling factor after the values it is
+    // computed from.
     EscSteps writes(const ParameterValues &values) const;
     EscStep readBack(const EscStep &write) const;
 
@@ -57,13 +57,14 @@ private:
     Taken m_taken;
 };
 
-// Whether the parameter belongs to the scaling, whose commands act together (manual, note on GR, GT and GF).
+// Whether the parameter belongs to the scaling, whose commands take effect together (manual, note on GR, GT
+// and GF).
 bool isEscScaling(Parameter parameter);
-// Whether a job that wrote these needs the scaling factor to be sent.
+// Whether a job that wrote these has to send the scaling factor.
 bool isBoundToEscFactor(Parameter parameter);
-// Whether a value must be sent with those that are written even where the encoder has it already: a scaling
-// factor, for without it one would be computed and sent; revolutions and measuring range with the steps,
-// which change them (manual, GR).
+// Whether a value must be sent along with those written even if the encoder already has it: a scaling factor,
+// since otherwise one would be computed and sent; revolutions and measuring range with the steps, which
+// change them (manual, GR).
 bool goesAlongOnEsc(Parameter parameter, const ParameterValues &written);
 
 } // namespace codewheel

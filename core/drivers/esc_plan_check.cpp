@@ -13,8 +13,8 @@
 namespace codewheel {
 namespace {
 
-// What the encoder will have once the job is done, as far as it can be told: a new scaling changes a
-// measuring range that is not given.
+// What the encoder will have once the job is done, as far as can be told: a new scaling changes a measuring
+// range that is not given.
 ParameterValues afterwards(ParameterValues known, const ParameterValues &wanted)
 {
     const bool rescales = std::ranges::any_of(
@@ -27,7 +27,7 @@ ParameterValues afterwards(ParameterValues known, const ParameterValues &wanted)
     return known;
 }
 
-// Steps and measuring range act through the one factor that is computed for them.
+// Steps and measuring range take effect through the one factor computed for them.
 Result<void> checkScaling(const ParameterValues &wanted, const ParameterValues &known)
 {
     const auto steps = valueOf(wanted, Parameter::steps);
@@ -86,7 +86,7 @@ Result<void> EscPlan::checkPreset(const SetPreset &job) const
     return checkRange(escNarrowed(m_device, Parameter::preset, m_known), *job.value);
 }
 
-// The encoder may go to either reading of the two digits, and whoever is there would answer with it.
+// The encoder may move to either reading of the two digits, and whoever is there would answer along with it.
 Result<void> EscPlan::checkAddress(LineAddress wanted) const
 {
     for (const LineAddress reading : escReadingsOf(wanted))

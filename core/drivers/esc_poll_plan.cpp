@@ -64,7 +64,7 @@ void EscPollPlan::putOff()
     if (m_between.empty())
         return;
     const esc::Command command = m_between.front();
-    if (command != esc::Command::warnings && command != esc::Command::alarms) // these come again anyway
+    if (command != esc::Command::warnings && command != esc::Command::alarms) // these come round again anyway
         m_putOff.push_back(command);
     m_between.pop_front();
 }

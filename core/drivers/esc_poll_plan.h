@@ -9,8 +9,9 @@
 
 namespace codewheel {
 
-// What is asked of an encoder on a serial line while no job wants anything, and when: the position again and
-// again; once it answers its identity, and now and then warnings and alarms. A silent one is asked seldom.
+// What is asked of an encoder on a serial line while no job wants anything, and when: the position
+// continually; once it answers, its identity; and warnings and alarms now and then. A silent one is asked
+// seldom.
 class EscPollPlan
 {
 public:
@@ -22,7 +23,7 @@ public:
     void positionAsked(Instant now);
     void askPositionAgain(); // as soon as the encoder allows
 
-    // The encoder answers, and it may be another than before: its identity is asked for.
+    // The encoder answers, but may not be the same one: its identity is asked for.
     void contact(Instant now);
     void silence(Instant now);
     bool isInContact() const { return m_status.has_value(); }
@@ -30,15 +31,15 @@ public:
     // What goes between two positions; the same until it is done or put off.
     std::optional<esc::Command> between(Instant now);
     void betweenDone();
-    void putOff(); // asked for again with the next warnings and alarms
+    void putOff(); // to be asked for again with the next warnings and alarms
 
     Instant wakesAt(Instant now) const;
 
 private:
     EscSettings m_settings;
     std::optional<Instant> m_lastPosition; // asked for
-    std::optional<Instant> m_position;     // due; nothing: at once
-    std::optional<Instant> m_status;       // due; nothing: no contact
+    std::optional<Instant> m_position;     // due; empty: at once
+    std::optional<Instant> m_status;       // due; empty: no contact
     bool m_isSilent = false;
     std::deque<esc::Command> m_between;
     std::deque<esc::Command> m_putOff;

@@ -10,9 +10,9 @@ namespace {
 
 using Sample = EscPositionAgreement::Sample;
 
-// Beside what the shaft turned: a position at the edge of a step may show either.
+// On top of what the shaft turned: a position at the edge of a step may show as either.
 constexpr double edgeSteps = 2;
-// By how much the speed may differ from one read to the next (assumed).
+// How much the speed may differ from one read to the next (assumed).
 constexpr double speedChange = 0.5;
 
 double elapsed(const Sample &from, const Sample &to)
@@ -22,7 +22,7 @@ double elapsed(const Sample &from, const Sample &to)
 
 } // namespace
 
-// Whether the last three lie on one movement.
+// Whether the last three fit one movement.
 bool EscPositionAgreement::isSteady(const EscPositionGuard &guard) const
 {
     if (m_samples.size() < 3)

@@ -8,10 +8,10 @@
 
 namespace codewheel {
 
-// The reads of one position that goes into an account. The protocol has no checksum, and a shaft may turn
-// between two reads; so a position is taken when two reads in a row are equal, or when three in a row agree
-// within what the shaft turned between them. A single damaged digit is further off than that, unless it is
-// one that the shaft could have turned to all the same. Used by the jobs of encoders on a serial line.
+// The reads of one position that goes into an account. The protocol has no checksum, and the shaft may turn
+// between two reads; so a position is accepted when two reads in a row are equal, or when three in a row
+// agree within what the shaft turned between them. A single corrupted digit is further off than that, unless
+// the shaft could have turned to that position too. Used by the jobs of encoders on a serial line.
 class EscPositionAgreement
 {
 public:
@@ -34,7 +34,7 @@ public:
 
     // After add() said agreed.
     const Sample &last() const { return m_samples.back(); }
-    double speed() const { return m_speed; } // steps per us, as the last two reads tell
+    double speed() const { return m_speed; } // steps per us, from the last two reads
 
 private:
     bool isSteady(const EscPositionGuard &guard) const;

@@ -8,9 +8,9 @@
 
 namespace codewheel {
 
-// Tells a position that can be true from one that cannot. The protocol has no checksum: a digit that became
-// another looks right. What lies further from the position before than the encoder can turn in between is
-// suspect until the next answer confirms or refutes it. Used by the driver of encoders on a serial line.
+// Tells a position that can be true from one that cannot. The protocol has no checksum: a corrupted digit
+// looks valid. A position further from the previous one than the encoder can turn in between is suspect until
+// the next answer confirms or refutes it. Used by the driver of encoders on a serial line.
 class EscPositionGuard
 {
 public:
@@ -20,7 +20,7 @@ public:
     {
         int suspect = 0;   // each was asked for again
         int confirmed = 0; // of them: the encoder had really moved
-        int refuted = 0;   // of them: the next answer fits the position before
+        int refuted = 0;   // of them: the next answer fits the previous position
 
         friend bool operator==(const Figures &, const Figures &) = default;
     };
@@ -36,12 +36,12 @@ public:
 
     void setScale(const Scale &scale) { m_scale = scale; }
     Verdict judge(std::int64_t position, Instant at);
-    // The position may be any now: after a preset, another scaling, another direction.
+    // The position may be anything now: after a preset, another scaling, another direction.
     void forget();
 
     // Whether the encoder can have turned from one to the other in this time.
     bool canReach(std::int64_t from, std::int64_t to, Instant within) const;
-    // From one to the other the shorter way, in steps.
+    // The shorter way from one to the other, in steps.
     std::int64_t turned(std::int64_t from, std::int64_t to) const;
     const Figures &figures() const { return m_figures; }
 

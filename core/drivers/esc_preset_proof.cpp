@@ -7,12 +7,12 @@
 namespace codewheel {
 namespace {
 
-// Between a position and the answer that told of it, or a command and its being carried out, lies what the
-// line and the adapter take (assumed).
+// Between a position and the answer that reports it, or a command and its execution, the line and the adapter
+// take this long (assumed).
 constexpr double longestDelay = 50'000; // us
 constexpr double edgeOfStep = 2;        // steps
 
-// Whether a shaft that was at the one place has turned to the other.
+// Whether a shaft that was at one place has turned to the other.
 bool hasTurned(const EscPresetProof::Position &before, const EscPresetProof::Position &after,
                const EscPositionGuard &guard)
 {
@@ -26,8 +26,8 @@ bool hasTurned(const EscPresetProof::Position &before, const EscPresetProof::Pos
 
 } // namespace
 
-// What no shaft can have turned to decides; else what this one turned, by the speed at which it was seen to
-// turn before and after.
+// A position that no shaft can have turned to decides; otherwise what this one turned, by the speed seen
+// before and after.
 EscPresetProof::Said EscPresetProof::positionSays(std::int64_t preset, const EscPositionGuard &guard) const
 {
     if (!positionAfter)
@@ -57,8 +57,8 @@ bool EscPresetProof::hasTurnedFromPreset(std::int64_t preset, const EscPositionG
     return hasTurned({{preset, *sentAt}, speed}, *positionAfter, guard);
 }
 
-// That it is the preset proves something only where it was another before. Where that is not known, a command
-// with an answer is believed.
+// That it equals the preset proves something only if it was different before. If that is not known, a command
+// that was answered is believed.
 EscPresetProof::Said EscPresetProof::valueSays(std::int64_t preset, bool isAnswered) const
 {
     if (!valueAfter)

@@ -9,13 +9,13 @@
 
 namespace codewheel {
 
-// What was read before and after a preset was sent, and what that says of whether it was done: the protocol
-// has no checksum, and a CR LF alone proves nothing. Part of EscJob.
+// What was read before and after a preset was sent, and whether that shows it was done: the protocol has no
+// checksum, and a CR LF alone proves nothing. Part of EscJob.
 struct EscPresetProof
 {
     enum class Said : std::uint8_t { done, notDone, nothing };
 
-    // A position that reads agreed on.
+    // A position that the reads agreed on.
     struct Position
     {
         EscPositionAgreement::Sample sample;
@@ -32,7 +32,7 @@ struct EscPresetProof
     // `preset` in steps; the guard knows how far the shaft can turn.
     Said positionSays(std::int64_t preset, const EscPositionGuard &guard) const;
     Said valueSays(std::int64_t preset, bool isAnswered) const;
-    // The position is where a shaft that stood at the preset as it was sent has turned to.
+    // The position is where a shaft that was at the preset when it was sent has turned to.
     bool hasTurnedFromPreset(std::int64_t preset, const EscPositionGuard &guard) const;
 };
 

@@ -60,7 +60,8 @@ private:
     }
 };
 
-// The encoder is where it is known to be, else where it is asked for; without a place, at the master address.
+// The encoder is where it is known to be, otherwise where it is asked for; without a place, at the master
+// address.
 Result<std::vector<Step>> EscProtocol::planned(const DeviceDescription &device, const Job &job,
                                                const PlanBasis &basis) const
 {
@@ -79,7 +80,7 @@ QString EscProtocol::requestText(const QByteArray &line) const
     return request ? esc::requestText(*request) : Protocol::requestText(line);
 }
 
-// The scaling factor is sent along with what acts through it.
+// The scaling factor is sent along with what takes effect through it.
 int EscProtocol::writtenBesides(const ParameterValues &written) const
 {
     const bool isBound = std::ranges::any_of(
@@ -107,8 +108,8 @@ std::optional<PositionScale> EscProtocol::scaleOf(const DeviceDescription &devic
     return scale;
 }
 
-// Steps per turn set its revolutions, and they and the revolutions make the measuring range; a measuring
-// range that is written itself comes last (manual, GR, GM, GT).
+// Steps per turn set the revolutions, and the two of them the measuring range; a measuring range that is
+// written itself comes last (manual, GR, GM, GT).
 std::optional<std::int64_t> EscProtocol::valueAfter(Parameter parameter, const ParameterValues &written,
                                                     const ParameterValues &known) const
 {

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Of encoders with the serial protocol of Kübler.
+// For encoders with the serial protocol of Kübler.
 const Protocol &escProtocol();
 
 } // namespace codewheel

@@ -14,8 +14,8 @@
 namespace codewheel {
 
 // How one kind of device on a serial line is driven: a state machine from jobs to requests and from answers
-// to readings. Does no I/O and asks no clock. The line asks its drivers in turn what they want to have asked
-// next, and has one request under way at a time. Line thread only.
+// to readings. Does no I/O and asks no clock. The line asks its drivers in turn what they want to ask next,
+// and has one request under way at a time. Line thread only.
 class RequestDriver
 {
 public:
@@ -27,40 +27,40 @@ public:
     // What is known of the encoder from elsewhere.
     virtual void setKnown(const std::vector<Known> &known) = 0;
 
-    // Takes the job or says why not.
+    // Accepts the job or says why not.
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) = 0;
     virtual void proceed() = 0; // Pace::byHand: send the next request of the job
     virtual void cancel(OnCancel how, Instant now) = 0;
-    // The job ends where it stands. An answer that is still awaited comes to answered() all the same, or to
-    // observe() where the line is gone.
+    // The job ends where it is. An answer still awaited goes to answered() all the same, or to observe() if
+    // the line is gone.
     virtual void stop(const Refusal &why, Instant now) = 0;
 
-    // When next() will want something; nothing while it waits for the user.
+    // When next() will want something; empty while it waits for the user.
     virtual std::optional<Instant> wakesAt() const = 0;
-    // The request wanted at `now`, once; nothing: none. It is answered by answered() before next() is called
-    // again.
+    // The request wanted at `now`, given once; empty: none. answered() follows before next() is called again.
     virtual std::optional<esc::Request> next(Instant now) = 0;
     virtual void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) = 0;
 
-    // What else its line knows: the rate it speaks at, in Bd, the devices at its other addresses by a name
-    // for the user, and what somebody else asked this device, as at the terminal.
+    // What else the line knows: the rate it uses, in Bd, the devices at its other addresses with a name for
+    // the user, and what somebody else asked this device, e.g. at the terminal.
     virtual void setLineBaudRate(int /*baudRate*/) {}
     virtual void setTaken(const std::map<LineAddress, QString> & /*others*/) {}
     virtual void observe(const esc::Request & /*request*/, const esc::ExchangeResult & /*result*/,
                          Instant /*now*/)
     {}
 
-    // The line is gone, and what answers when it is back may be another device. Its job was stopped.
+    // The line is gone, and what answers when it is back may be another device. Its job has already been
+    // stopped.
     virtual void lineLost(Instant /*now*/) {}
-    // Of the scaling factor, from now on.
+    // For the scaling factor, from now on.
     virtual void setFractionBits(int /*bits*/) {}
     // Whether its warnings come with their two bytes in the other order, from now on.
     virtual void setSwapsWarningBytes(bool /*on*/) {}
 
-    // The address at which the device is asked now; another after the job that changed it.
+    // The address at which the device is asked now; a different one after the job that changed it.
     virtual LineAddress address() const = 0;
-    // The baud rate that the next request of this device needs, while it is looked for or was told another
-    // one.
+    // The baud rate that the next request to this device needs, while it is being searched for or was given
+    // another one.
     virtual std::optional<int> wantedBaudRate() const { return std::nullopt; }
 
     // What happened since the last call, oldest first.
@@ -68,7 +68,7 @@ public:
     virtual std::vector<Message> takeMessages() = 0;
 };
 
-// The driver for a device of this description; null where it is none for a serial line. The description must
+// The driver for a device of this description; null if it is not for a serial line. The description must
 // outlive the driver.
 std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address);
 

@@ -10,15 +10,15 @@
 
 namespace codewheel {
 
-// Looks for an encoder whose address or baud rate was changed: asks for the serial number at each place where
-// it may be now, several times round. Where its serial number is known, no other encoder is taken for it.
+// Searches for an encoder whose address or baud rate was changed: asks for the serial number at each place
+// where it may be now, several times over. If its serial number is known, no other encoder is taken for it.
 class EscSearch
 {
 public:
     struct Place
     {
         LineAddress address;
-        std::optional<int> baudRate; // nothing: as the line has it
+        std::optional<int> baudRate; // empty: that of the line
 
         friend bool operator==(const Place &, const Place &) = default;
     };

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// How an encoder on a serial line is asked. All of it is settable: the manual states the shortest interval
-// alone, the rest is assumed.
+// How an encoder on a serial line is asked. All of it can be set: the manual states only the shortest
+// interval, the rest is assumed.
 struct EscSettings
 {
     // Manual, terminal assignment, note 1: not faster than every 10 ms.
@@ -15,14 +15,14 @@ struct EscSettings
     Instant positionInterval = shortestInterval;        // from request to request; never below the shortest
     Instant statusInterval = std::chrono::seconds(1);   // warnings and alarms
     int silentAfter = 3;                                // requests in a row without an answer
-    Instant silentInterval = std::chrono::seconds(1);   // between position requests then
+    Instant silentInterval = std::chrono::seconds(1);   // between position requests once silent
     double topSpeed = 6000;                             // revolutions per minute
     Instant suspectMessages = std::chrono::seconds(10); // at most one message in this time
-    int readTries = 3;                                  // of two reads each, for one value
+    int readTries = 3;                                  // of two reads each, per value
     int searchRounds = 2;                               // through all places, after the address has changed
     int fractionBits = 29;                              // of the scaling factor
     bool swapWarningBytes =
-        false; // the example of E reads 0098 as 9800h; the tables have the high digit first
+        false; // the example of E reads 0098 as 9800h; the tables put the high digit first
 
     friend bool operator==(const EscSettings &, const EscSettings &) = default;
 };

@@ -8,17 +8,17 @@
 
 namespace codewheel {
 
-// A step of a job as the driver of serial encoders carries it out. Step::line is the request it is about.
+// A step of a job as carried out by the driver of serial encoders. Step::line is its request.
 struct EscStep : Step
 {
     enum class Task : std::uint8_t {
-        read,           // until two reads agree; the value is told by the outcome
-        refresh,        // the same; only what is known is brought up to date, and a failure is none
+        read,           // until two reads agree; the value is part of the outcome
+        refresh,        // the same, but it only updates what is known, and may fail
         write,          // sent once
-        readBack,       // what was written must be there
+        readBack,       // what was written must be found
         positionBefore, // before the first write
         positionAfter,  // after the last
-        search,         // of the encoder whose address or baud rate was changed
+        search,         // for the encoder whose address or baud rate was changed
     };
 
     Task task = Task::read;

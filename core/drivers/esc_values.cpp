@@ -101,7 +101,7 @@ ParameterValues escSetAlong(const ParameterValues &values, const ParameterValues
     return {{Parameter::revolutions, turns}};
 }
 
-// The measuring range tells it to a part of a step per turn.
+// The measuring range gives it more precisely than steps per turn.
 std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
                                                 int fractionBits)
 {

@@ -7,41 +7,41 @@
 
 namespace codewheel {
 
-// The values of an encoder on a serial line: how they stand on the wire, and what they may be. Used by its
+// The values of an encoder on a serial line: how they are put on the wire, and what they may be. Used by its
 // driver, and by views that show ranges.
 
-// The commands that tell and set it; nothing: none.
+// The commands that read and set it; empty: none.
 std::optional<esc::Command> escReadCommand(const ParameterDescription &parameter);
 std::optional<esc::Command> escWriteCommand(const ParameterDescription &parameter);
 
-// What is sent for a value: the number of a baud rate, else the value itself.
+// What is sent for a value: the number of a baud rate, otherwise the value itself.
 std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value);
-// What an answer says of a value: a bit of it, or all. `swapWarningBytes`: EscSettings.
+// What an answer says about a value: one bit of it, or all. `swapWarningBytes`: EscSettings.
 std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answer, bool swapWarningBytes);
 
-// The description with the range that the encoder's own values leave: what it told by U, M and O, or will be
-// told in the same job (`known`). While the scaling is on, preset and limits lie within the measuring range,
-// which holds then; that lies within the physical steps of the revolutions, so far that there is a scaling
-// factor for it, which is 0.00001 to 1.0.
+// The description with its range narrowed by the encoder's own values: what it reported for U, M and O, or
+// will be sent in the same job (`known`). While scaling is on, preset and limits lie within the measuring
+// range, which applies then; that lies within the physical steps of the revolutions, as far as there is a
+// scaling factor for it, which is 0.00001 to 1.0.
 ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
                                  const ParameterValues &known, int fractionBits = esc::defaultFractionBits);
 
-// What the encoder sets by itself as `values` are written: with the steps per turn, its revolutions become
-// all it has (manual, GR: "Number of revolutions is 4096"). Empty where the revolutions are among the values,
-// or known to be so.
+// What the encoder sets by itself when `values` are written: with the steps per turn, its revolutions become
+// the maximum (manual, GR: "Number of revolutions is 4096"). Empty if the revolutions are among the values,
+// or known to be that already.
 ParameterValues escSetAlong(const ParameterValues &values, const ParameterValues &known);
 
-// The revolutions once `values` are written: among them, else set along with them, else those known, else
-// those of the disc.
+// The revolutions once `values` are written: those among them, those set along with them, those known, or
+// those of the disc, in this order.
 std::int64_t escTurnsOf(const ParameterValues &values, const ParameterValues &known);
 
 // The scaling factor that goes with the measuring range or the steps per turn among `values` (manual, note on
-// GR, GT and GF), in whatever order they are. Nothing where neither is there.
+// GR, GT and GF), in whatever order they are. Empty if neither is there.
 std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
                                                 int fractionBits);
 
-// What an encoder may have as its address after X was sent with two digits that the manual gives two
-// readings: hexadecimal first, then, where it is another address, decimal.
+// The addresses an encoder may have after X was sent with two digits that the manual reads in two ways:
+// hexadecimal first, then, if it differs, decimal.
 std::vector<LineAddress> escReadingsOf(LineAddress sent);
 
 } // namespace codewheel

@@ -5,22 +5,22 @@
 
 namespace codewheel {
 
-// What a job has read and written by now, as its outcome will tell it, and what the encoder had before. Kept
-// by JobRun.
+// What a job has read and written so far, as its outcome will report it, and what the encoder had before.
+// Kept by JobRun.
 struct JobAccount
 {
-    // `known`: what the encoder has as far as it is known, and the count of its EEPROM writes. The values the
-    // job itself tells from before go over them.
+    // `known`: what the encoder is known to have, and the count of its EEPROM writes. Previous values given
+    // by the job itself take precedence.
     JobAccount(JobId id, const Job &job, const KnownValues &known);
 
-    // The encoder told the value; what is written later changes it.
+    // The value was read from the encoder; what is written later changes it.
     void read(ParameterValue value);
     void written(ParameterValue value) { replaceValue(outcome.written, value); }
     void notWritten(Parameter parameter); // after all
 
-    // Whether it is known what the encoder had in place of all of these values, and what that was.
+    // Whether it is known what the encoder had in place of all these values, and what that was.
     bool knowsBefore(const ParameterValues &taken) const;
-    ParameterValues valuesBefore(const ParameterValues &taken) const; // knowsBefore()
+    ParameterValues valuesBefore(const ParameterValues &taken) const; // requires knowsBefore()
 
     Outcome outcome;
     ParameterValues before;

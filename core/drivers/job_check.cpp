@@ -20,7 +20,7 @@ QString allowedTexts(const ParameterDescription &parameter)
     return keys.join(QStringLiteral(", "));
 }
 
-// Why the device cannot do it, whatever it is told; nothing: it can.
+// Why the device cannot do it, whatever the input; empty: it can.
 struct WhyNot
 {
     const DeviceDescription &device;
@@ -67,7 +67,7 @@ struct WhyNot
     }
 };
 
-// Whether what it is asked for or told makes sense.
+// Whether the input makes sense.
 struct Input
 {
     const DeviceDescription &device;
@@ -162,7 +162,7 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
     } else if (auto checked = checkRange(withOptions(*parameter, options), value.value); !checked) {
         return checked;
     }
-    // Whatever the description says: the word would carry another value.
+    // Whatever the description says: the word would carry a different value.
     const std::int64_t largest = protocolRules(device.profile).largestData();
     if (value.value < 0 || value.value > largest)
         return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,

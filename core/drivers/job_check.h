@@ -6,9 +6,9 @@
 
 namespace codewheel {
 
-// Whether a device can do the job by its capabilities, and whether what it is asked for or told makes sense:
-// parameters it has (some at least), values in range, each once. `options`: of its line, for a scaling
-// factor. What its protocol alone refuses is checked by the plan of its driver, which asks this first.
+// Whether a device can do the job by its capabilities, and whether the input makes sense: parameters it has
+// (at least one), values in range, each once. `options`: of its line, for a scaling factor. What only its
+// protocol refuses is checked by the plan of its driver, which calls this first.
 Result<void> checkJob(const DeviceDescription &device, const Job &job,
                       const std::optional<ValueOptions> &options = {});
 

@@ -8,8 +8,8 @@
 
 namespace codewheel {
 
-// What a session asks the driver of its device, whatever the bus; the runner of the bus carries it there. The
-// device is given by its place in that runner.
+// What a session asks of the driver of its device, whatever the bus; the runner of the bus carries it there.
+// The device is given by its index in that runner.
 namespace command {
 struct StartJob
 {
@@ -35,7 +35,7 @@ struct SetKnown
 } // namespace command
 using JobCommand = std::variant<command::StartJob, command::Proceed, command::Cancel, command::SetKnown>;
 
-// How a job ended that was not taken.
+// The outcome of a job that was not accepted.
 inline Outcome notTaken(JobId job, const Refusal &why, EncoderState leftIn)
 {
     Outcome outcome;

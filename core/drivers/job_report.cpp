@@ -72,7 +72,7 @@ QString programs(const std::vector<CamProgram> &cams)
     return numbers.join(QStringLiteral(", "));
 }
 
-// The values from before, and the evidence for them.
+// The previous values, and the evidence for them.
 Message restored(const Outcome &outcome, const DeviceDescription &device)
 {
     QStringList texts;
@@ -86,7 +86,7 @@ Message restored(const Outcome &outcome, const DeviceDescription &device)
             .arguments = {texts.join(QStringLiteral(", ")), std::int64_t{outcome.eepromWrites}}};
 }
 
-// What a job says of itself when it has succeeded.
+// What is reported of a job that succeeded.
 struct Success
 {
     const Outcome &outcome;
@@ -135,7 +135,7 @@ struct Success
     }
     std::vector<Message> operator()(const WriteCams &job) const
     {
-        if (outcome.camsWritten.empty()) // the encoder had it all
+        if (outcome.camsWritten.empty()) // the encoder already had everything
             return (*this)(ReadCams{.programs = {}, .afterwards = job.afterwards});
         return whatWasWritten();
     }

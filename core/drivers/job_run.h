@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// The life of a job, whatever the encoder: taken, step after step, waiting for the user, cancelled, given
-// back, ended, with the account of what it read and wrote. A driver derives the run of its jobs from it and
-// adds what its steps are, how they are sent, and what their answers mean.
+// The life of a job, whatever the encoder: accepted, step after step, waiting for the user, cancelled,
+// restored, ended, with the account of what it read and wrote. A driver derives the run of its jobs from it
+// and adds what its steps are, how they are sent, and what their answers mean.
 template <typename OneStep>
 class JobRun
 {
@@ -22,7 +22,7 @@ public:
     bool waits() const { return m_hasAsked && !m_mayBegin; } // for the user: Pace::byHand
     void proceed() { m_mayBegin = m_hasAsked; }
 
-    // A job that has failed already ends by itself.
+    // A job that has already failed ends by itself.
     void cancel(OnCancel how, Instant now)
     {
         if (m_isDone || m_cancelled || m_failure)
@@ -36,7 +36,8 @@ public:
     }
 
 protected:
-    // Of the encoder, which outlives the job: what it is known to have, what it shows, where its events go.
+    // `known`, `reading` and `events` are the encoder's, which outlives the job: what it is known to have,
+    // what it shows, where its events go.
     JobRun(JobId id, Job job, Pace pace, const KnownValues &known, const Reading &reading,
            std::vector<Event> &events)
         : m_job(std::move(job))
@@ -49,10 +50,10 @@ protected:
 
     // The encoder has taken something, or may have.
     virtual bool hasTaken() const = 0;
-    // What it has taken, as Progress::confirmed tells it; and whether that can go back.
+    // What it has taken, as reported by Progress::confirmed; and whether that can be undone.
     virtual const ParameterValues &confirmed() const { return m_account.outcome.written; }
     virtual bool canRestore() const { return m_account.knowsBefore(m_account.outcome.written); }
-    // The job was cancelled: its steps from now on are those that leave nothing half done.
+    // The job was cancelled: its remaining steps are those that leave nothing half done.
     virtual void leaveOffAt(Instant now) = 0;
     // Adds to the outcome what only the driver knows.
     virtual void complete(Outcome &outcome) = 0;
@@ -63,9 +64,9 @@ protected:
         return std::get_if<OneJob>(&m_job);
     }
 
-    // By hand, a step waits for proceed(). What follows a failure or a cancel waits for nobody.
+    // By hand, a step waits for proceed(). What follows a failure or a cancel does not wait.
     bool goesByItself() const { return m_pace == Pace::byItself || m_failure || m_cancelled || m_mayBegin; }
-    // Tells that the current step waits for the user. False: that was told before.
+    // Reports that the current step waits for the user. False: already reported.
     bool ask()
     {
         if (std::exchange(m_hasAsked, true))
@@ -79,7 +80,7 @@ protected:
         m_mayBegin = m_hasAsked = false;
     }
 
-    // The first failure is told; the remaining steps are dropped. True: it was the first.
+    // The first failure is reported; the remaining steps are dropped. True: it was the first.
     bool noteFailure(Refusal why)
     {
         m_steps.dropRest();
@@ -89,15 +90,16 @@ protected:
         return true;
     }
 
-    // True, once: the job was cancelled, and what was left to do then is done. What the user chose follows.
+    // True, once: the job was cancelled, and what still had to be done then is done. What the user chose
+    // comes next.
     bool hasLeftOffNow() { return m_cancelled && m_steps.atEnd() && !std::exchange(m_hasLeftOff, true); }
-    bool leavesOff() const { return m_cancelled && !m_hasLeftOff; } // cancelled, and not yet there
-    // What was written goes back where that was asked for and the values from before are known.
+    bool leavesOff() const { return m_cancelled && !m_hasLeftOff; } // cancelled, and not done with that
+    // What was written is undone if that was asked for and the previous values are known.
     bool givesBack() const
     {
         return m_cancelled == OnCancel::restorePrevious && !m_account.outcome.written.empty() && canRestore();
     }
-    // The values from before were given back, to the last one.
+    // All previous values have been restored.
     bool hasRestored() const { return m_restores && m_steps.atEnd() && !m_failure; }
 
     Result<void> result() const
@@ -133,9 +135,9 @@ protected:
     const Job m_job;
     JobAccount m_account;
     JobSteps<OneStep> m_steps;
-    std::optional<Refusal> m_failure; // the remaining steps only leave the encoder well
+    std::optional<Refusal> m_failure; // set: the remaining steps only leave the encoder in good order
     std::optional<OnCancel> m_cancelled;
-    bool m_restores = false; // the last steps give the values from before back
+    bool m_restores = false; // the last steps restore the previous values
     const Reading &m_reading;
 
 private:
@@ -143,7 +145,7 @@ private:
     const KnownValues &m_known;
     std::vector<Event> &m_events;
     bool m_hasAsked = false; // by hand: the user was told that the current step waits
-    bool m_mayBegin = false; // and said that it may begin
+    bool m_mayBegin = false; // and has said that it may begin
     bool m_hasLeftOff = false;
     bool m_isDone = false;
 };

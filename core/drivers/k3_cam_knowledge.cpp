@@ -52,8 +52,8 @@ void K3CamKnowledge::observeOut(Word out, bool mayBeCamMode)
     }
 }
 
-// IN = OUT with D31 D30 = 11, also where the word has left OUT meanwhile. C0000000h that nobody asked for:
-// the encoder starts anew.
+// IN = OUT with D31 D30 = 11, even if the word has left OUT meanwhile. C0000000h that nobody asked for: the
+// encoder is restarting.
 void K3CamKnowledge::observeAnswer(Word in)
 {
     if (!m_asked || in != (*m_asked | k3::confirmation)) {
@@ -65,7 +65,7 @@ void K3CamKnowledge::observeAnswer(Word in)
     m_asked.reset();
     m_isParameterized = true;
     if (!m_program) {
-        forgetAll(); // it was in cam mode, and nobody knows in which program
+        forgetAll(); // it was in cam mode, in an unknown program
         m_changed = true;
         return;
     }
@@ -74,8 +74,8 @@ void K3CamKnowledge::observeAnswer(Word in)
     learn(*m_program, field, {dataOf(field, asked), Evidence::echoed});
 }
 
-// Only run and a change of the program end a cam parameterization: else the encoder has lost its power. So it
-// may have where IN becomes 00000000h, which it did not show in operation before.
+// Only run and a change of program end a cam parameterization: otherwise the encoder has lost power. That may
+// also be so if IN becomes 00000000h, which it did not show in operation before.
 void K3CamKnowledge::observeOperation(Word in)
 {
     if (m_isParameterized && !m_mayEnd)
@@ -94,7 +94,7 @@ void K3CamKnowledge::observeReadOut(Word in, Word out)
         learn(*m_program, *field, {k3::data(in), Evidence::read});
 }
 
-// In place of the acknowledgement: the old value is kept.
+// Instead of the acknowledgement: the old value is kept.
 void K3CamKnowledge::observeError(Word in)
 {
     constexpr unsigned parametersLost = 3;
@@ -125,7 +125,7 @@ void K3CamKnowledge::doubtAsked()
     m_isDirty = true;
 }
 
-// Power-off brings the program back as it was saved; where it is not certain, what differs is not known.
+// Power-off brings the program back as it was saved; if it is not certain, what differs is unknown.
 void K3CamKnowledge::loseChange(bool certainly)
 {
     if (certainly)

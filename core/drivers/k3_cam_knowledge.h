@@ -10,21 +10,22 @@
 namespace codewheel {
 
 // What is known of a FRABA encoder's cam programs, learned from the words that pass, whoever sent them: a
-// read-out tells a value, an acknowledgement sets it. A changed program is saved when it is left, and lost at
-// power-off before. Part of K3Knowledge.
+// read-out reports a value, an acknowledgement sets it. A changed program is saved on leaving it, and lost if
+// power goes off before that. Part of K3Knowledge.
 class K3CamKnowledge
 {
 public:
     void set(const std::vector<KnownCams> &known);
-    // One bus cycle. `mode` and `program` (of cam mode) as far as they are known.
+    // One bus cycle. `mode` and `program` (in cam mode) as far as they are known.
     void observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program, Instant now);
-    // A word that leaves the program was taken. True: it was changed, which costs an EEPROM write.
+    // A word that leaves the program was taken. True: the program had been changed, which costs an EEPROM
+    // write.
     bool leave();
     void forgetAll();
 
-    // The program as the encoder has it now; nothing while one of its values is not known.
+    // The program as the encoder has it now; empty while one of its values is not known.
     std::optional<KnownCams> known(unsigned program) const;
-    // Adds what has changed since the last call; whether anything has.
+    // Adds what has changed since the last call; returns whether anything has.
     bool takeChanges(KnowledgeChanged &changes);
 
 private:
@@ -51,13 +52,13 @@ private:
 
     std::array<Program, CamProgram::programs + 1> m_programs; // by number
     std::array<std::optional<KnownCams>, CamProgram::programs + 1> m_told;
-    std::optional<unsigned> m_program; // that is worked with
-    bool m_changed = false;            // since it was entered, and not saved yet
-    Program m_saved;                   // it, before the first change
-    std::optional<Word> m_asked;       // a cam word that was not answered yet, be it in OUT or not
-    bool m_isParameterized = false;    // an acknowledgement stood in IN, and no end of it was seen
-    bool m_mayEnd = false;             // run was sent since, or another mode
-    bool m_answerIsFresh = false;      // IN held no read-out answer since the request stands in OUT
+    std::optional<unsigned> m_program; // the one in use
+    bool m_changed = false;            // since it was entered, and not yet saved
+    Program m_saved;                   // that program, before the first change
+    std::optional<Word> m_asked;       // a cam word not yet answered, still in OUT or not
+    bool m_isParameterized = false;    // an acknowledgement was in IN, and its end has not been seen
+    bool m_mayEnd = false;             // run has been sent since, or another mode
+    bool m_answerIsFresh = false;      // IN has held no read-out answer since the request was put into OUT
     bool m_isDirty = false;
     Word m_shown = 0; // last in operation
     Word m_in = 0;

@@ -28,7 +28,7 @@ void appendReadOut(K3Steps &steps, unsigned program, CamField field,
     steps.push_back(end);
 }
 
-// The configuration first: it is the read-out that tells cam mode from the others.
+// The configuration first: it is the read-out that distinguishes cam mode from the others.
 void appendReadOuts(K3Steps &steps, unsigned program)
 {
     appendReadOut(steps, program, activeField);
@@ -59,8 +59,8 @@ std::optional<CamField> firstOf(CamFieldSet fields)
     return std::nullopt;
 }
 
-// The first word opens the cam parameterization, which shows in IN from then on until power-off or run. Where
-// it would have another meaning, shift_iw goes out before it.
+// The first word opens the cam parameterization, which shows in IN from then on until power-off or run. If
+// that word would have another meaning, shift_iw goes out before it.
 void appendSettings(K3Steps &steps, const CamProgram &program, CamFieldSet fields)
 {
     const auto first = firstOf(fields);
@@ -150,7 +150,7 @@ Result<void> K3CamPlan::check(const SwitchMode &job) const
                                  : Result<void>();
 }
 
-// Above it the encoder answers 98000004h itself.
+// Above it the encoder itself answers 98000004h.
 std::int64_t K3CamPlan::largestPosition() const
 {
     const auto total = totalRange(m_device, m_knowledge.values());

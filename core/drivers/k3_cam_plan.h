@@ -8,9 +8,9 @@ namespace codewheel {
 
 // What the cam jobs mean in words (FRABA manual 5.4.4). The part of K3Plan that is about cams.
 //
-// A program is entered by 2080000p, which nothing acknowledges. That the encoder understands cam words is
+// A program is entered by 2080000p, which is not acknowledged. That the encoder understands cam words is
 // known once it answers a cam read-out, which sets nothing in any mode; no other cam word goes out before.
-// The program the encoder is in comes first, so that none is left that need not be.
+// The program the encoder is in comes first, so that none is left without need.
 class K3CamPlan
 {
 public:
@@ -25,13 +25,13 @@ public:
 
     K3Steps stepsFor(const ReadCams &job) const;
     K3Steps stepsFor(const WriteCams &job) const;
-    // 2080000p, and 00000000 behind it.
+    // 2080000p, followed by 00000000.
     K3Steps stepsFor(const SwitchMode &job) const;
 
     // What follows once the program was read: the fields, run, and reading them back; nothing without fields.
     // `saves`: then leave the program, which saves it, and enter it again.
     static K3Steps write(const CamProgram &program, CamFieldSet fields, bool saves);
-    // Gives the fields these values again, and reads them back, in the program the encoder is in or, where
+    // Restores the values of these fields and reads them back, in the program the encoder is in or, with
     // `enters`, in another.
     static K3Steps restore(const CamProgram &program, CamFieldSet fields, bool enters);
 

@@ -100,7 +100,7 @@ bool K3CamRun::canRestore() const
     return std::ranges::all_of(m_taken, [this](const auto &one) { return m_before.contains(one.first); });
 }
 
-// The program the encoder is in first: what it has there is not saved yet.
+// The current program first: what it holds there is not saved yet.
 K3Steps K3CamRun::stepsToRestore()
 {
     m_written.clear();

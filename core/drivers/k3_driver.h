@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // Drives a K3 encoder of any make, as its description says: plans the steps of a job, carries them out one by
-// one, refines the plan by what it reads, and ends in a state that it can name (K3Run).
+// one, refines the plan by what it reads, and ends in a known state (K3Run).
 class K3Driver final : public WordDriver<K3Encoder, K3Run>
 {
 public:

@@ -63,7 +63,7 @@ void K3Encoder::updateScale()
         speedScaleOf(device, [this](Parameter parameter) { return knowledge.value(parameter); }));
 }
 
-// Where a preset takes the position to is no way of the shaft.
+// The jump of the position at a preset is not a movement of the shaft.
 void K3Encoder::observe(Word in, Word out, Instant now)
 {
     knowledge.observe(in, out, now);

@@ -8,8 +8,8 @@
 
 namespace codewheel {
 
-// One K3 encoder as it is known by now: what it shows, what it has, which jobs it takes. Shared by the driver
-// and by the job on its way.
+// One K3 encoder as currently known: what it shows, what it has, which jobs it accepts. Shared by the driver
+// and by the job in progress.
 struct K3Encoder
 {
     // The description must outlive this.
@@ -21,9 +21,9 @@ struct K3Encoder
     EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect); }
     bool isError(Word in) const { return isErrorAnswer(in, device.dialect); }
 
-    // Whether the job is one for this encoder, in the mode it is in as far as that is known.
+    // Whether the job suits this encoder, in the mode it is in as far as that is known.
     Result<void> check(const Job &job) const;
-    // Whether it may begin while `in` stands in IN.
+    // Whether it may begin with `in` in IN.
     Result<void> checkState(const Job &job, Word in) const;
 
     const DeviceDescription &device;

@@ -19,7 +19,7 @@ bool confirms(Word in, Word out)
     return k3::isConfirmation(in) && k3::number(in) == k3::number(out);
 }
 
-// IN after an accepted run: a position, or 80000000h where the encoder runs but has no valid one.
+// IN after an accepted run: a position, or 80000000h if the encoder runs but has no valid one.
 bool runs(Word in)
 {
     return k3::isOperation(in) || in == k3::error;
@@ -87,7 +87,7 @@ K3State K3Handshake::answerTo(Word in)
     case StepKind::initialisePreset:
         return presetAnswer(in);
     case StepKind::manufacturerPreset:
-        return K3State::done; // one cycle, and not one more
+        return K3State::done; // one cycle, and no more
     case StepKind::switchMode:
         return switchAnswer(in);
     case StepKind::toNormal:
@@ -108,7 +108,7 @@ K3State K3Handshake::answerTo(Word in)
     return K3State::waiting;
 }
 
-// FRABA confirms first and refuses afterwards, so a confirmation has to stand for the settle time.
+// FRABA confirms first and refuses afterwards, so a confirmation has to last for the settle time.
 K3State K3Handshake::confirmation(Word in) const
 {
     if (isNewError(in))
@@ -133,7 +133,7 @@ K3State K3Handshake::runAnswer(Word in)
     return runs(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
-// Nothing acknowledges 40000000h: the position changes, or it was the preset already.
+// 40000000h is not acknowledged: the position changes, or it was already the preset.
 K3State K3Handshake::presetAnswer(Word in) const
 {
     if (isNewError(in))
@@ -141,8 +141,8 @@ K3State K3Handshake::presetAnswer(Word in) const
     return k3::isOperation(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
-// A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4). Where IN becomes
-// 00000000h, the encoder may have lost its power before it took the word: it stands until that is over.
+// A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4). If IN becomes
+// 00000000h, the encoder may have lost power before it took the word: the word stays until that is over.
 K3State K3Handshake::switchAnswer(Word in) const
 {
     if (isNewError(in))
@@ -166,8 +166,8 @@ K3State K3Handshake::readOutAnswer(Word in) const
     return k3::number(in) == 0 ? K3State::done : K3State::error; // A4......: unknown parameter in read-out
 }
 
-// Outside cam mode 2020xxxx is an undefined word: 84000000. An answer that comes out of a long 00000000h is
-// that of an encoder that has just started, in a program that is not known.
+// Outside cam mode 2020xxxx is an undefined word: 84000000. An answer after a long 00000000h comes from an
+// encoder that has just started, in an unknown program.
 K3State K3Handshake::camReadOutAnswer(Word in) const
 {
     if (isNewError(in))
@@ -190,7 +190,7 @@ K3State K3Handshake::readOutEnd(Word in) const
     return showsReadOut(in) ? K3State::waiting : K3State::done;
 }
 
-// Words as the user gave them: each until it is acknowledged, by the manual's table, without settling.
+// Words as given by the user: each until it is acknowledged, by the manual's table, without settling.
 K3State K3Handshake::wordAnswer(Word in) const
 {
     const Word out = m_step.out;
@@ -223,15 +223,15 @@ K3State K3Handshake::wordAnswer(Word in) const
     return m_cycles >= m_step.holdCycles && hasActed(in) ? K3State::done : K3State::waiting;
 }
 
-// Nothing acknowledges 40000000h. It stands until the position jumps to the preset, or so long that it must
-// have acted where no jump can be seen: the position was there already, or nothing was programmed.
+// 40000000h is not acknowledged. It stays until the position jumps to the preset, or so long that it must
+// have acted if no jump can be seen: the position was already there, or nothing was programmed.
 bool K3Handshake::hasActed(Word in) const
 {
     return !m_step.standsUntilItActs || m_hasJumped || !k3::isOperation(in) ||
            m_now - m_begin >= m_timing.presetActs;
 }
 
-// No encoder acts in the first cycle of a word: what the position moves in it, it moves by its shaft.
+// No encoder acts in the first cycle of a word: any movement in that cycle is the shaft's.
 void K3Handshake::lookForJump(Word in)
 {
     constexpr std::int64_t edge = 2; // steps

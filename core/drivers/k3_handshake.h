@@ -6,10 +6,10 @@
 
 namespace codewheel {
 
-// One word and what ends it: the handshake of FRABA manual 5.3 and Baumer manual 6, step by step. It is told
-// what came in while its word stood in OUT, and says whether to go on waiting. An old confirmation, and
-// processing under the number 0 or the previous one (Baumer), are waited through; an error counts once it is
-// new.
+// One word and what ends it: the handshake of FRABA manual 5.3 and Baumer manual 6, step by step. It is given
+// what came in while its word was in OUT, and says whether to go on waiting. It waits through an old
+// confirmation, and through processing under the number 0 or the previous one (Baumer); an error counts once
+// it is new.
 class K3Handshake
 {
 public:
@@ -20,11 +20,11 @@ public:
         , m_timing(timing)
     {}
 
-    // `in` is what stands in IN as the word is put into OUT.
+    // `in` is what is in IN when the word is put into OUT.
     void begin(const K3Step &step, Word in, Instant now);
     State cycle(Word in, Word out, Instant now);
 
-    // The number of the step was confirmed, which is not yet an acceptance.
+    // The number of the step was confirmed, which does not yet mean acceptance.
     bool hasConfirmed() const { return m_hasConfirmed; }
 
 private:
@@ -53,13 +53,13 @@ private:
     bool m_hasConfirmed = false;
     bool m_answered = false;     // IN holds what the step waits for
     bool m_sawZero = false;      // run: IN was 00000000h, which an encoder without power shows too
-    bool m_hasJumped = false;    // the position, by more than it moved in the cycles before
+    bool m_hasJumped = false;    // the position, by more than it moved in the preceding cycles
     std::int64_t m_movement = 0; // the most it moved in a cycle
     Word m_lastIn = 0;
-    int m_cycles = 0; // in which the word has stood in OUT
+    int m_cycles = 0; // for which the word has been in OUT
     Instant m_begin{};
     Instant m_now{};
-    Instant m_answeredSince{}; // since when IN has held the answer without a break
+    Instant m_answeredSince{}; // since when IN has held the answer without interruption
 };
 
 } // namespace codewheel

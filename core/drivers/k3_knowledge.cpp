@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// Read-out 3 "complement": 3/4 as written; 0/1 is taken too (assumed).
+// Read-out 3 "complement": 3/4 as written; 0/1 is accepted too (assumed).
 std::int64_t directionOfReadOut(Word data)
 {
     return data <= 1 ? std::int64_t{data} + 3 : data;
@@ -25,7 +25,7 @@ std::int64_t temperatureOfReadOut(Word data)
     return k3::signedData(data);
 }
 
-// A preset acts in operation, also while the encoder has no valid position.
+// A preset acts in operation, even while the encoder has no valid position.
 bool mayTakePreset(Word in)
 {
     return k3::isOperation(in) || in == k3::error;
@@ -37,7 +37,8 @@ void K3Knowledge::set(const std::vector<Known> &known)
 {
     m_known.set(known);
     for (const Known &one : known) {
-        // A start-up mode that was read says nothing about now: something may have switched the mode since.
+        // A start-up mode that was read says nothing about the present: something may have switched the mode
+        // since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
             one.at >= m_modeSince)
             m_mode.tell(modeAfterStartUp(one.value), camProgramAfterStartUp(one.value));
@@ -49,7 +50,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     observeMode(out, now);
     if (m_device.capabilities.cams)
         m_cams.observe(in, out, mode(), camProgram(), now);
-    const bool isFirst = !std::exchange(m_hasSeenWords, true); // what stands in OUT then was sent by others
+    const bool isFirst = !std::exchange(m_hasSeenWords, true); // what was in OUT by then was sent by others
     if (!isFirst && isManufacturerPreset(out) && mayTakePreset(m_in))
         observeManufacturerPreset();
     const bool outChanged = out != m_out;
@@ -100,7 +101,7 @@ void K3Knowledge::observeMode(Word out, Instant now)
 {
     if (!m_device.mayHaveModes() || !m_mode.observe(out))
         return;
-    if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA has gone there
+    if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA can have gone there
         m_mode.tell(std::nullopt);
     m_modeSince = now;
     if (m_cams.leave())
@@ -110,7 +111,7 @@ void K3Knowledge::observeMode(Word out, Instant now)
         m_known.forget(Parameter::startUpMode);
 }
 
-// An encoder whose make is not known may be a FRABA, too.
+// An encoder of unknown make may be a FRABA, too.
 bool K3Knowledge::isManufacturerPreset(Word out) const
 {
     return out == k3::frabaPreset && (m_device.capabilities.manufacturerPreset || m_device.isGeneric()) &&
@@ -132,11 +133,11 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
     m_lastConfirmed = number;
     m_asked.reset();
     if (!stands)
-        m_known.countEepromWrite(); // confirmed after it has left OUT
+        m_known.countEepromWrite(); // confirmed after it left OUT
 }
 
-// An error in answer to run is about the set, which stays pending. Else, or where a confirmation comes before
-// the check (FRABA), it may be the value confirmed last that was refused late.
+// An error in answer to run is about the whole set, which stays pending. Otherwise, or where a confirmation
+// comes before the check (FRABA), it may be the last confirmed value that was refused late.
 void K3Knowledge::observeError(Word in, Word out)
 {
     constexpr unsigned parametersLost = 3;
@@ -162,7 +163,7 @@ void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
         if (parameter.readOut == code)
             if (const auto value = valueOfReadOut(parameter.parameter, k3::data(in)))
                 learn(parameter.parameter, *value, Evidence::read, now);
-    m_answerIsFresh = false; // learned once for each request
+    m_answerIsFresh = false; // learned once per request
 }
 
 void K3Knowledge::observeOperation(Word in, Word out, Instant now)
@@ -173,14 +174,14 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
     if ((out & k3::startBit) != 0 && !k3::isOperation(m_in))
         observeRun(in, now);
     else if (k3::isParameterWord(out) && m_pending.contains(k3::number(out)))
-        m_known.countEepromWrite(); // a power cycle drops what is pending; its word still stands in OUT
+        m_known.countEepromWrite(); // a power cycle drops what is pending; its word is still in OUT
     m_pending.clear();
     m_lastConfirmed.reset();
 }
 
 void K3Knowledge::observeRun(Word in, Instant now)
 {
-    if (m_asked) { // it may have been taken without a word
+    if (m_asked) { // its word may have been taken unnoticed
         m_pending.try_emplace(k3::number(*m_asked), std::nullopt);
         if (m_askedIsProcessed)
             m_known.countEepromWrite();
@@ -190,13 +191,13 @@ void K3Knowledge::observeRun(Word in, Instant now)
         return;
     for (const auto &[number, data] : m_pending)
         activate(number, in != 0 ? data : std::nullopt, now);
-    if (in == 0 && !m_device.capabilities.reads) // else the read-out tells
+    if (in == 0 && !m_device.capabilities.reads) // otherwise the read-out tells
         m_unproven = m_pending;
     m_hasRun = true;
 }
 
-// D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset; with a number
-// or data beside D30 the word sets a cam, or is refused.
+// D30 0 -> 1: there is a new zero offset. FRABA stores it, once per programmed preset; with a number or data
+// beside D30 the word sets a cam, or is refused.
 void K3Knowledge::observePreset(Word out)
 {
     if ((out & k3::presetBit) == 0 || (m_out & k3::presetBit) != 0 || mode() == Mode::cam ||
@@ -211,7 +212,7 @@ void K3Knowledge::observePreset(Word out)
     m_presetArmed = false;
 }
 
-// One write for each cycle (assumed).
+// One write per cycle (assumed).
 void K3Knowledge::observeManufacturerPreset()
 {
     m_known.forget(Parameter::zeroOffset);
@@ -247,8 +248,8 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
         m_known.forget(parameter->parameter);
 }
 
-// Factory settings. Where they can be read they are read, as those of FRABA are assumed only; else a proven
-// reset is their evidence.
+// Factory settings. Where they can be read they are read, since those of FRABA are only assumed; otherwise a
+// proven reset is their evidence.
 void K3Knowledge::reset(bool isProven, Instant now)
 {
     for (const ParameterDescription &parameter : m_device.parameters) {

@@ -12,8 +12,8 @@
 namespace codewheel {
 
 // What a K3 encoder is known to have, learned from the words that pass, whoever sent them: a confirmation
-// makes a value pending, run answered by operation makes it active, a read-out tells it. Counts EEPROM writes
-// the same way.
+// makes a value pending, run answered by operation makes it active, a read-out reports it. Counts EEPROM
+// writes the same way.
 class K3Knowledge
 {
 public:
@@ -33,18 +33,18 @@ public:
     // The cam program the encoder is in, in cam mode.
     std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
     std::optional<KnownCams> cams(unsigned program) const { return m_cams.known(program); }
-    // 60000000h acts in every cycle in which it stands (FRABA manual 5.4.1); in cam mode it is another word.
+    // 60000000h acts in every cycle it is in OUT (FRABA manual 5.4.1); in cam mode it is another word.
     bool isManufacturerPreset(Word out) const;
     std::optional<PositionCoding> coding() const;
-    // Whether the encoder takes and tells steps - 1 (flag_mt_stepsm1); nothing: not known yet.
+    // Whether the encoder takes and reports steps - 1 (flag_mt_stepsm1); empty: not known yet.
     std::optional<bool> countsStepsMinusOne() const;
     int eepromWrites() const { return m_known.eepromWrites(); }
 
-    // The data of the word that gives `parameter` this value, and back from a read-out.
+    // The data of the word that gives `parameter` this value, and the reverse for a read-out.
     Word dataFor(Parameter parameter, std::int64_t value) const;
     std::optional<std::int64_t> valueOfReadOut(Parameter parameter, Word data) const;
 
-    // What changed since the last call; nothing if nothing did.
+    // What changed since the last call; empty if nothing did.
     std::optional<KnowledgeChanged> takeChanges();
 
 private:
@@ -64,19 +64,19 @@ private:
     const DeviceDescription &m_device;
     KnownValues m_known;
     std::map<unsigned, std::optional<Word>>
-        m_pending; // by number; no data: confirmed, but not sure with what
+        m_pending; // by number; no data: confirmed, but not certain with what
     std::optional<unsigned> m_lastConfirmed;
     std::optional<Word>
-        m_asked; // a parameter word that is not answered; it may be taken yet, after it left OUT
+        m_asked; // a parameter word that is not answered; it may still be taken after it left OUT
     bool m_askedIsProcessed = false;
-    // Activated by a run that 00000000h answered, which an encoder without power shows too: known once a
-    // position shows.
+    // Activated by a run that was answered by 00000000h, which an encoder without power shows too: known once
+    // a position shows.
     std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
     K3CamKnowledge m_cams;
-    Instant m_modeSince{};        // what was told before that is out of date
-    bool m_hasRun = false;        // what was confirmed became active, whether it is known or not
-    bool m_answerIsFresh = false; // IN held no read-out answer since the request stands in OUT
+    Instant m_modeSince{};        // anything told before that is out of date
+    bool m_hasRun = false;        // what was confirmed became active, whether known or not
+    bool m_answerIsFresh = false; // IN has held no read-out answer since the request was put into OUT
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
     Word m_out = 0;

@@ -22,10 +22,10 @@ K3LateAnswer::Fate K3LateAnswer::fate(Word in, k3::Dialect dialect) const
         return k3::isConfirmation(in) && k3::number(in) == k3::number(m_step.out) ? Fate::taken : Fate::open;
     if (in == (m_step.out | k3::confirmation))
         return Fate::taken;
-    return isErrorAnswer(in, dialect) ? Fate::refused : Fate::open; // in place of the acknowledgement
+    return isErrorAnswer(in, dialect) ? Fate::refused : Fate::open; // instead of the acknowledgement
 }
 
-// Baumer: the new data beside the number from before. FRABA shows nothing of a cam word before it is
+// Baumer: the new data beside the previous number. FRABA shows nothing of a cam word before it is
 // acknowledged.
 bool K3LateAnswer::isAwaited(Word in, Instant now, Instant timeOut) const
 {

@@ -7,10 +7,10 @@
 
 namespace codewheel {
 
-// The value a step gives the encoder, where it is one of a parameter that the description names.
+// The value a step gives the encoder, if it is that of a parameter named by the description.
 std::optional<ParameterValue> valueGivenBy(const K3Step &step);
 
-// A word that stood in OUT without an answer as its job was cancelled: the encoder may take it yet. Part of
+// A word that was in OUT, unanswered, when its job was cancelled: the encoder may still take it. Part of
 // K3Run.
 class K3LateAnswer
 {
@@ -25,7 +25,7 @@ public:
     const K3Step &step() const { return m_step; }
     bool isAboutCams() const { return m_step.kind == StepKind::camParameter; }
 
-    // What IN says of it by now.
+    // What IN says about it so far.
     Fate fate(Word in, k3::Dialect dialect) const;
     // Whether the encoder may still be processing it, so that nothing else may be sent.
     bool isAwaited(Word in, Instant now, Instant timeOut) const;

@@ -56,13 +56,13 @@ K3Steps K3Plan::plan(const WriteParameters &job) const
     if (job.initialisePreset)
         appendPreset(steps);
     for (const ParameterValue &value : job.values)
-        if (!job.initialisePreset || value.parameter != Parameter::zeroOffset) // the preset has changed that
+        if (!job.initialisePreset || value.parameter != Parameter::zeroOffset) // changed by the preset
             appendRead(steps, value.parameter, value.value);
     return steps;
 }
 
-// 40000000h. FRABA: a programmed preset can be activated once. Without a value given, the one the encoder has
-// is programmed again where the flag says that it is used up; which one that is, is read.
+// 40000000h. FRABA: a programmed preset can be activated once. If no value is given, the encoder's own is
+// programmed again if the flag says that it is used up; which one that is, is read.
 K3Steps K3Plan::plan(const SetPreset &job) const
 {
     if (job.command == PresetCommand::manufacturer)

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What a job means in words, step by step. Pure: a plan is made from the job, the description and what is
+// What a job means in words, step by step. No I/O: a plan is made from the job, the description and what is
 // known; what is read on the way refines it (k3_refine.h).
 class K3Plan
 {
@@ -17,11 +17,11 @@ public:
         , m_knowledge(knowledge)
     {}
 
-    // Whether the job is one for this encoder: parameters it has, values in range. Bad input is refused here.
+    // Whether the job suits this encoder: parameters it has, values in range. Bad input is refused here.
     Result<void> check(const Job &job) const;
     K3Steps stepsFor(const Job &job) const;
 
-    // Ends a parameterization: run, or run and the values from before, which are read back where they can be.
+    // Ends a parameterization: run, or run and the previous values, which are read back where possible.
     K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
     static K3Step toNormal(bool mustOperate);
     // A job begins with 00000000; words sent by hand begin as they are.

@@ -40,7 +40,7 @@ K3Steps K3Plan::plan(const SwitchMode &job) const
     return steps;
 }
 
-// 20800000h has the same meaning in each mode: it ends cam mode. Behind it, 20400000h cannot switch cams off.
+// 20800000h has the same meaning in every mode: it ends cam mode. After it, 20400000h cannot switch cams off.
 void K3Plan::appendPositionMode(K3Steps &steps) const
 {
     const auto mode = m_knowledge.mode();
@@ -60,8 +60,8 @@ K3Steps K3Plan::plan(const WriteCams &job) const
     return K3CamPlan(m_device, m_knowledge).stepsFor(job);
 }
 
-// A preset that was programmed once can be activated as often as wanted (FRABA manual 5.4.1), so a value that
-// is there already is not programmed again.
+// A preset programmed once can be activated any number of times (FRABA manual 5.4.1), so a value that is
+// already there is not programmed again.
 K3Steps K3Plan::manufacturerPreset(std::optional<std::int64_t> value) const
 {
     K3Steps steps;
@@ -75,7 +75,7 @@ K3Steps K3Plan::manufacturerPreset(std::optional<std::int64_t> value) const
     return steps;
 }
 
-// Cam mode refuses parameter words, and velocity mode is left so that it is known what the encoder shows
+// Cam mode refuses parameter words, and velocity mode is left so that it is certain what the encoder shows
 // afterwards.
 K3Steps K3Plan::plan(const ResetToDefault &) const
 {

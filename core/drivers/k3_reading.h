@@ -5,19 +5,19 @@
 
 namespace codewheel {
 
-// What has to be known to read an IN word of a K3 encoder.
+// What it takes to read an IN word of a K3 encoder.
 struct K3View
 {
     k3::Dialect dialect = k3::Dialect::generic;
-    bool mayHaveModes = false; // then a position is one only in Mode::position
+    bool mayHaveModes = false; // then a position is a position only in Mode::position
     std::optional<Mode> mode;
-    std::optional<PositionCoding> coding; // nothing: the raw word is all there is
+    std::optional<PositionCoding> coding; // empty: only the raw word is known
     std::optional<unsigned> camProgram{}; // in cam mode
 };
 
 EncoderState stateOf(Word in, k3::Dialect dialect) noexcept;
 
-// IN = 1 0 0 (at Baumer 1 0 x) with a number that is not 0: "disturbance".
+// IN = 1 0 0 (with Baumer 1 0 x) with a number that is not 0: "disturbance".
 bool isErrorAnswer(Word in, k3::Dialect dialect) noexcept;
 
 Reading decodeReading(Word in, Instant at, const K3View &view) noexcept;

@@ -11,7 +11,7 @@ bool isWrite(const K3Step &step)
     return step.kind == StepKind::parameter;
 }
 
-// Neither written nor read back; without any write left there is no run either.
+// Neither written nor read back; if no write is left there is no run either.
 void leaveOut(JobSteps<K3Step> &steps, ParameterValues &alreadyThere, ParameterValue value)
 {
     std::vector<K3Step> &all = steps.all;
@@ -26,14 +26,14 @@ void leaveOut(JobSteps<K3Step> &steps, ParameterValues &alreadyThere, ParameterV
         return step.parameter == value.parameter && step.expected.has_value();
     });
     if (verify != all.end())
-        all.erase(verify, verify + 2); // with the end of its read-out
+        all.erase(verify, verify + 2); // including the end of its read-out
 
     if (std::any_of(steps.rest(), all.end(), isWrite))
         return;
     const auto run =
         std::find_if(steps.rest(), all.end(), [](const K3Step &s) { return s.kind == StepKind::run; });
     if (run != all.end())
-        all.erase(run, run + 2); // with the 00000000 behind it
+        all.erase(run, run + 2); // including the 00000000 after it
 }
 
 } // namespace

@@ -7,9 +7,9 @@
 
 namespace codewheel {
 
-// What a value that was read changes in the steps to come: what is already there is left out, and so told by
-// the account; steps are sent minus 1 where the encoder counts so; a preset is programmed again only where it
-// is used up (FRABA manual 5.4.1).
+// How a value that was read changes the remaining steps: what is already there is left out, and noted in the
+// account; steps are sent minus 1 if the encoder counts that way; a preset is programmed again only if it is
+// used up (FRABA manual 5.4.1).
 void refine(JobSteps<K3Step> &steps, JobAccount &account, const Job &job, const K3Encoder &encoder,
             ParameterValue read);
 

@@ -38,8 +38,7 @@ std::optional<Refusal> camRefusal(const K3Circumstances &at, Word in)
     return std::nullopt;
 }
 
-// An error that comes before the word was confirmed may be about the one before; an error at run is about the
-// set.
+// An error before the word was confirmed may be about the previous word; an error at run is about the set.
 std::vector<RefusalArgument> suspects(const K3Circumstances &at)
 {
     std::vector<RefusalArgument> suspects;

@@ -6,19 +6,19 @@
 
 namespace codewheel {
 
-// What has to be known to name an error: the step it answered, and what was taken before.
+// What it takes to name an error: the step it answered, and what was taken before.
 struct K3Circumstances
 {
     const DeviceDescription &device;
     const K3Step &step;
-    bool isConfirmed = false;         // the number of the step stood in IN before
+    bool isConfirmed = false;         // the number of the step was already in IN
     const ParameterValues &confirmed; // since the last run
     const ParameterValues &written;
-    bool inCamMode = false;           // as far as it is known
+    bool inCamMode = false;           // as far as known
     bool foundParameterizing = false; // the encoder was in a parameterization before the job
 };
 
-// What the error in IN means, named for the user (FRABA manual 10.6, Baumer manual 7; cams FRABA manual
+// What the error in IN means, named for the user (FRABA manual 10.6, Baumer manual 7; for cams FRABA manual
 // 5.4.4).
 Refusal k3Refusal(const K3Circumstances &at, Word in);
 

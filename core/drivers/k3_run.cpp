@@ -15,7 +15,7 @@ bool setsPosition(const K3Step &step)
     return step.kind == StepKind::initialisePreset || step.kind == StepKind::manufacturerPreset;
 }
 
-// What was written is read back where the encoder tells it.
+// What was written is read back where the encoder can be read.
 Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
 {
     const bool isRead = std::ranges::all_of(written, [&](const ParameterValue &value) {
@@ -57,13 +57,13 @@ void K3Run::watch(Word in, Word /*out*/)
     lookForRestart(in);
 }
 
-// Whether the step before was of that kind.
+// Whether the previous step was of that kind.
 bool K3Run::follows(StepKind kind) const
 {
     return m_steps.index > 0 && m_steps.all[m_steps.index - 1].kind == kind;
 }
 
-// The word behind 60000000 waits for nobody: that one is a cycle long.
+// The word after 60000000 waits for nobody: 60000000 lasts one cycle.
 bool K3Run::mayBegin(Word in)
 {
     if (goesByItself() || follows(StepKind::manufacturerPreset))
@@ -92,7 +92,7 @@ void K3Run::begin(Word in, Instant now)
         m_account.outcome.positionBefore = m_reading.position;
 }
 
-// 60000000, also where the user gave the words: another word follows it in OUT, so that its effect is seen.
+// 60000000, even in words given by the user: another word follows it in OUT, so that its effect is seen.
 void K3Run::lastOneCycle()
 {
     if (m_steps.current().kind == StepKind::word && m_steps.index + 1 == m_steps.all.size()) {
@@ -162,8 +162,8 @@ void K3Run::wordDone(const K3Step &step)
         ran();
 }
 
-// What was confirmed is active, unless run was answered by an error, or by 00000000h where the read-back
-// tells.
+// What was confirmed is active, unless run was answered by an error, or by 00000000h where reading back will
+// tell.
 void K3Run::ran()
 {
     const bool hasRun = m_reading.state != EncoderState::error || m_reading.errorNumber.value_or(0) == 0;
@@ -188,7 +188,7 @@ void K3Run::readDone(const K3Step &step, Word in)
     refine(m_steps, m_account, m_job, m_encoder, {*step.parameter, *value});
 }
 
-// A difference is a failure, but the others are read all the same, so that what the encoder has is known.
+// A difference is a failure, but the others are read all the same, so that it is known what the encoder has.
 void K3Run::verify(const K3Step &step, std::int64_t value)
 {
     const Parameter parameter = *step.parameter;
@@ -202,7 +202,7 @@ void K3Run::verify(const K3Step &step, std::int64_t value)
         m_mismatch = {RefusalKind::device, RefusalId::verificationFailed, {parameter, *step.expected, value}};
 }
 
-// With the last read-out of a program follows what is to be written to it, or its verification is complete.
+// After the last read-out of a program comes what is to be written to it, or its verification is complete.
 void K3Run::camReadOutEnded(const K3Step &step)
 {
     const auto *write = job<WriteCams>();
@@ -231,8 +231,8 @@ void K3Run::stepFailed(WordAnswer how, Word in)
     }
 }
 
-// OUT goes back to 0. Run ends an error that only asking for cams has brought about; where the encoder was in
-// a parameterization before, it would make valid what others have sent.
+// OUT goes back to 0. Run ends an error caused merely by asking for cams; if the encoder was in a
+// parameterization before, run would activate what others have sent.
 void K3Run::answeredByError(Word in)
 {
     const bool runEndsIt =
@@ -242,7 +242,7 @@ void K3Run::answeredByError(Word in)
         m_steps.append({K3Plan::runStep(true), K3Plan::toNormal(false)});
 }
 
-// OUT goes back to 0, except where the user gave the words himself.
+// OUT goes back to 0, unless the words were given by the user.
 void K3Run::fail(Refusal why)
 {
     const bool failsAgainAtRun = m_failure && !m_steps.atEnd() && m_steps.current().kind == StepKind::run;

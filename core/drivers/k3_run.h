@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// A job of a K3 encoder on its way: one word after the other (K3Handshake), and what each answer means. What
-// is read makes the rest shorter (refine()), what is about cams is kept by K3CamRun, an error gets its name
-// from k3Refusal(), and what was on its way as the job was cancelled is a K3LateAnswer. Used by K3Driver.
+// A job of a K3 encoder in progress: one word after the other (K3Handshake), and what each answer means. What
+// is read shortens the rest (refine()), K3CamRun keeps what is about cams, k3Refusal() names an error, and
+// what was under way when the job was cancelled is a K3LateAnswer. Used by K3Driver.
 class K3Run final : public WordRun<K3Step>
 {
 public:
@@ -50,7 +50,7 @@ private:
     void camReadOutEnded(const K3Step &step);
     void answeredByError(Word in);
 
-    // How a job ends before its end.
+    // How a job ends early.
     void leaveOffAt(Instant now) override;
     bool hasTaken() const override;
     bool canRestore() const override;
@@ -66,10 +66,10 @@ private:
     K3CamRun m_cams;
     Confirmed m_confirmed;
     std::optional<K3LateAnswer> m_late;
-    std::optional<Refusal> m_mismatch; // of the read-back, which goes on
+    std::optional<Refusal> m_mismatch; // found when reading back, which goes on
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
-    bool m_ranAtZero = false;           // 00000000h answered run
+    bool m_ranAtZero = false;           // run was answered by 00000000h
 };
 
 } // namespace codewheel

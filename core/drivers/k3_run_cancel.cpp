@@ -26,7 +26,7 @@ bool resetsToDefault(const Job &job)
 
 } // namespace
 
-// OUT goes back to 0. Run cannot be taken back: its answer is waited for.
+// OUT goes back to 0. Run cannot be taken back: its answer is awaited.
 void K3Run::leaveOffAt(Instant now)
 {
     const bool begun = m_steps.begun;
@@ -41,7 +41,7 @@ void K3Run::leaveOffAt(Instant now)
     m_steps.append({K3Plan::toNormal(false)});
 }
 
-// A word that stands in OUT may be taken, whether it was confirmed or not.
+// A word that is in OUT may be taken, whether it was confirmed or not.
 bool K3Run::hasTaken() const
 {
     const bool parameterizes =
@@ -50,7 +50,7 @@ bool K3Run::hasTaken() const
            m_cams.hasTaken() || std::ranges::any_of(m_steps.sent(), mayBeTaken);
 }
 
-// What was on its way as the job was cancelled may still be confirmed.
+// What was under way when the job was cancelled may still be confirmed.
 void K3Run::lookForLateAnswer(Word in)
 {
     if (!m_late)
@@ -67,7 +67,7 @@ void K3Run::lookForLateAnswer(Word in)
         m_cams.wordTaken(step.out);
 }
 
-// Only run ends a parameterization. An encoder that is in operation before run was sent has started anew, and
+// Only run ends a parameterization. An encoder that is in operation before run was sent has restarted and
 // dropped what it had confirmed.
 void K3Run::lookForRestart(Word in)
 {
@@ -90,7 +90,7 @@ void K3Run::dropConfirmed()
     m_cams.losePending();
 }
 
-// OUT is 0 again. Where the encoder has taken something, the user's choice follows.
+// OUT is 0 again. If the encoder has taken something, the user's choice comes next.
 K3Steps K3Run::stepsOfCancel(Word in)
 {
     m_late.reset();
@@ -103,7 +103,7 @@ K3Steps K3Run::stepsOfCancel(Word in)
     return {};
 }
 
-// What was written and read back until now does not hold any more.
+// What was written and read back so far no longer holds.
 K3Steps K3Run::stepsToRestore(bool parameterizing)
 {
     ParameterValues taken = m_account.outcome.written;

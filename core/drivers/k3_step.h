@@ -5,17 +5,18 @@
 
 namespace codewheel {
 
-// How long a K3 driver waits for what. All settable; the values are assumed, the manuals give none.
+// How long a K3 driver waits, and for what. All of it can be set; the values are assumed, the manuals give
+// none.
 struct K3Timing
 {
     Instant settle = std::chrono::milliseconds(
-        20); // a word is kept this long after its confirmation, and 00000000 after run
-    Instant timeOut = std::chrono::seconds(2); // then the encoder "does not answer"
-    // 00000000h after run is position 0, or an encoder that has just lost its power: it is watched this long
-    // for the signs of a start.
+        20); // a word stays this long after its confirmation, and 00000000 after run
+    Instant timeOut = std::chrono::seconds(2); // after that the encoder "does not answer"
+    // 00000000h after run is position 0, or an encoder that has just lost power: it is watched this long for
+    // signs of a restart.
     Instant restart = std::chrono::milliseconds(500);
-    // 40000000h among words of the user: nothing acknowledges it, and where the position is at the preset
-    // already nothing is seen of it.
+    // 40000000h among words of the user: it is not acknowledged, and if the position is already at the preset
+    // it has no visible effect.
     Instant presetActs = std::chrono::milliseconds(200);
 };
 
@@ -26,9 +27,9 @@ struct K3Step : Step
     std::optional<std::int64_t> expected; // readOut that verifies a write: what must be read
     bool mustOperate = false;             // toNormal: only operation will do
     bool tolerateError = false;           // run: an error answer is an answer
-    int holdCycles = 0;                   // word that nothing acknowledges
+    int holdCycles = 0;                   // word that is not acknowledged
     bool standsUntilItActs = false;       // word 40000000h
-    bool inCamMode = false;               // word: what cam mode makes of it decides what ends it
+    bool inCamMode = false;               // word: what it means in cam mode decides what ends it
     unsigned camProgram = 0;              // camParameter, camReadOut: of this program
     bool writesCams = false;              // follows from what was read of the program
 };

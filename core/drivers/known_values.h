@@ -7,12 +7,12 @@
 
 namespace codewheel {
 
-// The values an encoder is known to have, and what has changed of that since somebody last asked. Used by
-// what learns from the words that pass.
+// The values an encoder is known to have, and what has changed since somebody last asked. Used by whatever
+// learns from the words that pass.
 class KnownValues
 {
 public:
-    // Replaces all that is known, e.g. after the user told something. No change to be told.
+    // Replaces all that is known, e.g. after the user told something. Not reported as a change.
     void set(const std::vector<Known> &known);
     void learn(Known known);
     void forget(Parameter parameter);
@@ -22,7 +22,7 @@ public:
     ParameterValues values() const;
     int eepromWrites() const { return m_eepromWrites; }
 
-    // What changed since the last call; nothing if nothing did.
+    // What changed since the last call; empty if nothing did.
     std::optional<KnowledgeChanged> takeChanges();
 
 private:

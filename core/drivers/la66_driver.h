@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // Drives a TR LA-66: turns a job into services, carries them out step by step, and leaves OUT at 0 in normal
-// mode. Service bit and data never change in one cycle, whatever happens to the job.
+// mode. Service bit and data never change in the same cycle, whatever happens to the job.
 class La66Driver final : public WordDriver<La66Encoder, La66Run>
 {
 public:

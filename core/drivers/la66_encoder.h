@@ -8,8 +8,7 @@
 
 namespace codewheel {
 
-// One LA-66 as it is known by now: what it shows, what it has. Shared by the driver and by the job on its
-// way.
+// One LA-66 as currently known: what it shows, what it has. Shared by the driver and by the job in progress.
 struct La66Encoder
 {
     // The description must outlive this.

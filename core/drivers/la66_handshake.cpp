@@ -8,7 +8,7 @@ namespace {
 
 using La66State = La66Handshake::State;
 
-// A write comes back as it went out. Other data are the answer to a service from before.
+// A write comes back as it went out. Other data are the answer to an earlier service.
 La66State answerToService(Word in, Word out)
 {
     if (!la66::answers(in, out))
@@ -19,7 +19,7 @@ La66State answerToService(Word in, Word out)
     return isOurs ? La66State::done : La66State::waiting;
 }
 
-// Without a service bit in OUT, the encoder must be in normal mode too.
+// Without the service bit in OUT, the encoder must be in normal mode too.
 bool isThrough(Word in, Word out)
 {
     return la66::isServiceMode(out) || !la66::isServiceMode(in);
@@ -47,7 +47,7 @@ La66State La66Handshake::answerTo(Word in)
     switch (m_step.kind) {
     case StepKind::serviceBit:
         return answerToService(in, m_step.out);
-    case StepKind::service: // an answer that still stands must go before the next service is asked for
+    case StepKind::service: // an old answer must be gone before the next service is asked for
         m_cycles = la66::isServiceMode(in) ? 0 : m_cycles + 1;
         return m_cycles >= m_timing.dataCycles ? La66State::done : La66State::waiting;
     case StepKind::word:

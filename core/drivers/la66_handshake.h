@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// One word and what ends it: a step of the handshake on the service bit (LA-66 manual 4). It is told what
-// came in while its word stood in OUT, and says whether to go on waiting.
+// One word and what ends it: a step of the handshake on the service bit (LA-66 manual 4). It is given what
+// came in while its word was in OUT, and says whether to go on waiting.
 class La66Handshake
 {
 public:
@@ -25,7 +25,7 @@ private:
 
     La66Timing m_timing;
     La66Step m_step;
-    int m_cycles = 0; // in which the word has stood in OUT, beside the IN it waits for
+    int m_cycles = 0; // for which the word has been in OUT, together with the IN it waits for
     Instant m_begin{};
 };
 

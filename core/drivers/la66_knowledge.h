@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // What an LA-66 is known to have, learned from the answers in IN, whoever asked: a write that came back is
-// there at once and in EEPROM, a read tells its value.
+// active at once and in EEPROM, a read reports its value.
 class La66Knowledge
 {
 public:
@@ -25,7 +25,7 @@ private:
 
     const DeviceDescription &m_device;
     KnownValues m_values;
-    bool m_serviceMode = true; // an answer that stands in the first cycle is nobody's we know
+    bool m_serviceMode = true; // an answer that is there in the first cycle is to nobody we know
 };
 
 } // namespace codewheel

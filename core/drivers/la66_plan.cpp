@@ -129,8 +129,8 @@ La66Steps La66Plan::writes(const ParameterValues &values) const
     return steps;
 }
 
-// The words of the user as they are. What the handshake needs in between is put in: service bit and data
-// never change in one cycle, and the rest of a word stands until the encoder is back in normal mode.
+// The words of the user as they are. What the handshake needs in between is inserted: service bit and data
+// never change in the same cycle, and the rest of a word stays until the encoder is back in normal mode.
 La66Steps La66Plan::words(const SendWords &job, Word out) const
 {
     La66Steps steps;

@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// What a job means in words, step by step: the services of LA-66 manual 3. Pure; what is read on the way
+// What a job means in words, step by step: the services of LA-66 manual 3. No I/O; what is read on the way
 // refines it (la66_run.cpp).
 class La66Plan
 {
@@ -16,16 +16,16 @@ public:
         , m_timing(timing)
     {}
 
-    // Whether the job is one for this encoder: parameters it has, values in range. Bad input is refused here.
+    // Whether the job suits this encoder: parameters it has, values in range. Bad input is refused here.
     Result<void> check(const Job &job) const;
 
-    // From normal mode with `out` in OUT, and back to normal mode with 00000000h, except for the words of the
-    // user, which end where he ends them.
+    // From normal mode with `out` in OUT, and back to normal mode with 00000000h; words of the user end where
+    // the user ends them.
     La66Steps stepsFor(const Job &job, Word out) const;
 
-    // From `out` to 00000000h: the service bit first, the rest when the encoder is in normal mode.
+    // From `out` to 00000000h: the service bit first, the rest once the encoder is in normal mode.
     static La66Steps wayBack(Word out);
-    // The service bit of `out` back to 0, the rest kept until the encoder has done so too.
+    // The service bit of `out` back to 0, the rest kept until the encoder has followed.
     static La66Step endOfService(Word out);
     La66Steps writes(const ParameterValues &values) const;
 

@@ -25,7 +25,7 @@ La66Run::La66Run(JobId id, const Job &job, Pace pace, La66Encoder &encoder)
     , m_handshake(encoder.timing)
 {}
 
-// A service bit that somebody left is taken back first, the rest of its word standing.
+// A service bit that somebody left set is taken back first, leaving the rest of its word.
 Result<void> La66Run::plan(Word in, Word out)
 {
     m_out = out;
@@ -39,8 +39,7 @@ Result<void> La66Run::plan(Word in, Word out)
     return {};
 }
 
-// While an answer stands in IN, which may be a late one to a service from before, nothing but the service bit
-// may go.
+// While an answer is in IN, perhaps a late one to an earlier service, only the service bit may be cleared.
 bool La66Run::mayBegin(Word in)
 {
     const Word next = m_steps.current().out;
@@ -49,7 +48,7 @@ bool La66Run::mayBegin(Word in)
     return WordRun::mayBegin(in);
 }
 
-// The current step is the first that the encoder hears of a new position.
+// The current step is the first in which the encoder receives a new position.
 bool La66Run::setsPosition() const
 {
     return job<SetPreset>() != nullptr && m_steps.current().kind == StepKind::service;
@@ -109,7 +108,7 @@ void La66Run::readDone(const La66Step &step, std::int64_t value)
     }
 }
 
-// What is there already is neither written nor read back. The step that ends the reading stays.
+// What is already there is neither written nor read back. The step that ends the reading stays.
 void La66Run::leaveOut(Parameter parameter)
 {
     const auto isOfIt = [&](const La66Step &step) { return step.parameter == parameter; };
@@ -121,11 +120,11 @@ void La66Run::stepFailed(WordAnswer how, Word in)
     fail(how == WordAnswer::error ? refusalFor(in) : noAnswer(in, m_encoder.timing.timeOut));
 }
 
-// OUT goes back to 0, except where the user gave the words himself.
+// OUT goes back to 0, unless the words were given by the user.
 void La66Run::fail(Refusal why)
 {
     const bool isFirst = noteFailure(std::move(why));
-    if (!isFirst && !la66::isServiceMode(m_out)) // bringing OUT back has failed itself
+    if (!isFirst && !la66::isServiceMode(m_out)) // bringing OUT back has itself failed
         return;
     if (job<SendWords>() == nullptr || m_cancelled)
         m_steps.append(La66Plan::wayBack(m_out));
@@ -136,14 +135,14 @@ Refusal La66Run::refusalFor(Word in) const
     return {RefusalKind::device, RefusalId::serviceRefused, {std::int64_t{la66::service(in)}, in}};
 }
 
-// No service after it went well.
+// No later service went well.
 bool La66Run::endsInError(std::size_t step) const
 {
     return std::none_of(m_steps.all.begin() + static_cast<std::ptrdiff_t>(step) + 1, m_steps.all.end(),
                         [](const La66Step &later) { return later.kind == StepKind::serviceBit; });
 }
 
-// A service that was asked for is carried out, whether it was acknowledged or not.
+// A service that was requested counts as carried out, whether it was acknowledged or not.
 bool La66Run::hasTaken() const
 {
     return !m_account.outcome.written.empty() ||
@@ -152,7 +151,7 @@ bool La66Run::hasTaken() const
            });
 }
 
-// A service that was asked for cannot be taken back: it is waited for, and its handshake is finished.
+// A service that was requested cannot be taken back: its handshake is completed.
 void La66Run::leaveOffAt(Instant /*now*/)
 {
     if (!isPrepared())
@@ -174,7 +173,7 @@ void La66Run::giveBack()
 void La66Run::complete(Outcome &outcome)
 {
     if (hasRestored())
-        outcome.restored = Evidence::read; // as all that is written
+        outcome.restored = Evidence::read; // like everything that is written
 }
 
 } // namespace codewheel

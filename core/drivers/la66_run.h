@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A job of an LA-66 on its way: its services one after the other. Used by La66Driver.
+// A job of an LA-66 in progress: its services one after the other. Used by La66Driver.
 class La66Run final : public WordRun<La66Step>
 {
 public:
@@ -38,7 +38,7 @@ private:
 
     La66Encoder &m_encoder;
     La66Handshake m_handshake;
-    Word m_out = 0; // as it stood on the bus in the last cycle, or goes there in the next
+    Word m_out = 0; // as it was on the bus in the last cycle, or goes there in the next
 };
 
 } // namespace codewheel

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// The driver for a device of this description; null where it has none. The description must outlive the
+// The driver for a device of this description; null if there is none. The description must outlive the
 // driver.
 std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device);
 

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// The steps of a job that its plan does not refuse, as whoever reviews them sees them.
+// The steps of a job, unless its plan refuses it, as shown to whoever reviews them.
 template <typename Plan, typename MakeSteps>
 Result<std::vector<Step>> plannedBy(const Plan &plan, const Job &job, MakeSteps make)
 {

@@ -8,8 +8,8 @@
 
 namespace codewheel {
 
-// Drives nothing: tells the position of a K1, K2 or K4 and refuses every job. A K4 can be set up through PCP,
-// which is not ours to guess; its OUT word is in no source, so nothing is ever sent to it.
+// Drives nothing: reports the position of a K1, K2 or K4 and refuses every job. A K4 can be set up through
+// PCP, which is not ours to guess; no source describes its OUT word, so nothing is ever sent to it.
 class PositionDriver final : public CyclicDriver
 {
 public:

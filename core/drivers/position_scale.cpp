@@ -36,8 +36,8 @@ bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
 
 } // namespace
 
-// By what the description calls the value. Where it does not: codings of the profile with an even number
-// count counter-clockwise (Baumer manual 5); direction 4 is CCW (FRABA 5.3).
+// By what the description calls the value. Failing that: codings of the profile with an even number count
+// counter-clockwise (Baumer manual 5); direction 4 is CCW (FRABA 5.3).
 bool countsClockwise(const DeviceDescription &device, const ParameterValue &directionOrCoding)
 {
     const ParameterDescription *description = device.find(directionOrCoding.parameter);
@@ -154,7 +154,7 @@ std::optional<ForetoldPosition> foretellPosition(const PositionScale &now, std::
         return std::nullopt;
     const std::int64_t api = modulo(position - *now.zeroOffset - now.offset, now.total());
     const std::int64_t x = inDirection(now, api);
-    // The raw positions that give x, of which the encoder has one.
+    // The raw positions that give x; the encoder is at one of them.
     const std::int64_t divisor = now.revolutions * now.physicalStepsPerTurn;
     const std::int64_t first = (x * divisor + now.steps - 1) / now.steps;
     const std::int64_t last = ((x + 1) * divisor - 1) / now.steps;

@@ -65,7 +65,7 @@ std::optional<std::int64_t> Protocol::valueAfter(Parameter parameter, const Para
 
 const Protocol &protocolOf(const DeviceDescription &device)
 {
-    static const K3Protocol k3; // K1, K2 and K4, too, which have no jobs
+    static const K3Protocol k3; // also for K1, K2 and K4, which have no jobs
     static const La66Protocol la66;
     if (device.profile == Profile::esc)
         return escProtocol();

@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// What an encoder that shows an error by itself has to say: no job asked it for anything.
+// What to say about an encoder that shows an error by itself: no job asked it for anything.
 Refusal shownError(const DeviceDescription &device, const Reading &reading);
 
 } // namespace codewheel

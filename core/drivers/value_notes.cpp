@@ -32,7 +32,7 @@ bool rescales(const ParameterValues &written)
                                [&](Parameter parameter) { return valueOf(written, parameter).has_value(); });
 }
 
-// Where the position jumps does not depend on the direction, which need not be known.
+// Where the position jumps does not depend on the direction, so that need not be known.
 ParameterValues withAnyDirection(const DeviceDescription &device, ParameterValues known)
 {
     for (const Parameter parameter : {Parameter::direction, Parameter::coding})
@@ -41,7 +41,7 @@ ParameterValues withAnyDirection(const DeviceDescription &device, ParameterValue
     return known;
 }
 
-// Of an encoder on a serial line whose scaling is off, the position has all its steps whatever is written.
+// For an encoder on a serial line with scaling off, the position has all its steps whatever is written.
 std::optional<ValueNote> jumpAfter(const DeviceDescription &device, const ParameterValues &written,
                                    const ParameterValues &known)
 {
@@ -58,7 +58,7 @@ std::optional<ValueNote> jumpAfter(const DeviceDescription &device, const Parame
     return ValueNote{ValueNote::Id::rangeJumps, {*turns, std::int64_t{device.physicalTurns}, QString()}};
 }
 
-// The zero offset is kept as the scaling changes, and is one of the old scale (spec: arithmetic, NPV).
+// The zero offset is kept when the scaling changes, and belongs to the old scale (spec: arithmetic, NPV).
 bool needsPreset(const DeviceDescription &device, const ParameterValues &written,
                  const ParameterValues &known)
 {

@@ -10,8 +10,8 @@
 
 namespace codewheel {
 
-// What values that are to be written bring about besides, and whoever sets them would want to know before.
-// Shown wherever values are set: write plans, wizard, command line.
+// Side effects of values to be written that whoever sets them would want to know beforehand. Shown wherever
+// values are set: write plans, wizard, command line.
 struct ValueNote
 {
     enum class Id : std::uint8_t {
@@ -28,17 +28,17 @@ struct ValueNote
     friend bool operator==(const ValueNote &, const ValueNote &) = default;
 };
 
-// All values of what is known of an encoder.
+// The values in what is known of an encoder.
 ParameterValues valuesOf(const std::vector<Known> &known);
 
 enum class PositionIsSet : std::uint8_t { no, yes };
 
-// Of writing `written` to an encoder of which `known` is known; afterwards its position may be set.
+// For writing `written` to an encoder that is known to have `known`; afterwards its position may be set.
 std::vector<ValueNote> valueNotes(const DeviceDescription &device, const ParameterValues &written,
                                   const ParameterValues &known, PositionIsSet set = PositionIsSet::no);
 
-// Where, and how far, the position jumps with this scale (docs/protocols/k3.md, arithmetic); nothing where it
-// goes on.
+// Where, and how far, the position jumps with this scale (docs/protocols/k3.md, arithmetic); empty if it goes
+// on.
 std::optional<ValueNote> jumpNote(const DeviceDescription &device, const PositionScale &scale);
 
 QString noteText(const ValueNote &note); // a sentence or two

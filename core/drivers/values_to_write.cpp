@@ -19,7 +19,7 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
-// What can be brought back: known, and writable.
+// What can be restored: known, and writable.
 ParameterValues valuesBefore(const EncoderSession &encoder)
 {
     ParameterValues values;
@@ -36,7 +36,7 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
     return known && known->evidence == Evidence::read;
 }
 
-// A plan learns the mode of the moment as a start-up mode that was told; the known one may be out of date.
+// A plan takes in the current mode as a start-up mode that was told; the known one may be out of date.
 std::vector<Known> knownNow(const EncoderSession &encoder)
 {
     std::vector<Known> known = allKnown(encoder);
@@ -88,7 +88,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         if (description == nullptr)
             continue;
         if (wish.setPositionTo && wanted.parameter == Parameter::preset)
-            continue; // setting the position takes it for itself
+            continue; // setting the position uses the preset itself
         const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
         if (!wish.writeAll && !rearms && isThereAlready(encoder, wanted))
             continue;

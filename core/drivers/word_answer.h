@@ -5,13 +5,13 @@
 
 namespace codewheel {
 
-// What came of a word that stands in OUT by now.
+// What has come so far of a word that is in OUT.
 enum class WordAnswer : std::uint8_t {
     waiting,
     done,
     error,     // the encoder has refused it
     noAnswer,  // for too long
-    restarted, // the encoder has lost its power meanwhile
+    restarted, // the encoder has lost power meanwhile
 };
 
 } // namespace codewheel

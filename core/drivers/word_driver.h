@@ -8,9 +8,9 @@
 
 namespace codewheel {
 
-// What the drivers of cyclic encoders that take jobs have in common: it keeps the job on its way, a WordRun.
-// `Encoder` is the encoder as it is known by now, shared with the job: reading, events, check(job),
-// setKnown(), observe().
+// What the drivers of cyclic encoders that take jobs have in common: it keeps the job in progress, a WordRun.
+// `Encoder` is the encoder as currently known, shared with the job: reading, events, check(job), setKnown(),
+// observe().
 template <typename Encoder, typename Run>
 class WordDriver : public CyclicDriver
 {

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// A job of a cyclic encoder on its way: each step puts a word into OUT, which stands there until the encoder
+// A job of a cyclic encoder in progress: each step puts a word into OUT, which stays there until the encoder
 // has answered it. A driver derives from it and says what its words mean.
 template <typename OneStep>
 class WordRun : public JobRun<OneStep>
@@ -18,19 +18,19 @@ class WordRun : public JobRun<OneStep>
 public:
     using Base::isDone;
 
-    // Plans the steps from the state the encoder is in, or says why it must not be in it. By itself in the
-    // first cycle, where IN is not known before.
+    // Plans the steps from the state the encoder is in, or says why it must not be in it. Called by itself in
+    // the first cycle if IN was not known before.
     Result<void> prepare(Word in, Word out)
     {
         m_isPrepared = true;
         return plan(in, out);
     }
 
-    // `in` came in while `out` stood on the bus. Answers the word that goes out next.
+    // `in` came in while `out` was on the bus. Returns the word that goes out next.
     Word cycle(Word in, Word out, Instant now)
     {
         watch(in, out);
-        if (!m_isPrepared && !m_cancelled) // what was cancelled before that is not planned any more
+        if (!m_isPrepared && !m_cancelled) // what was cancelled before it was planned is never planned
             if (auto prepared = prepare(in, out); !prepared)
                 finish(std::move(prepared));
         while (!isDone()) {
@@ -68,9 +68,9 @@ protected:
     using Base::result;
 
     virtual Result<void> plan(Word in, Word out) = 0;
-    // Sees each cycle first, whatever the step is.
+    // Sees every cycle first, whatever the step is.
     virtual void watch(Word in, Word out) = 0;
-    // The current step is not begun. False: the user has to say so first, or what stands in IN.
+    // The current step has not begun. False: the user, or what is in IN, does not allow it yet.
     virtual bool mayBegin(Word /*in*/)
     {
         if (goesByItself())
@@ -78,13 +78,13 @@ protected:
         ask();
         return false;
     }
-    // Why the current step must not be begun while this stands in IN.
+    // Why the current step must not begin with this in IN.
     virtual std::optional<Refusal> whyNotNow(Word /*in*/) const { return std::nullopt; }
     virtual void begin(Word in, Instant now) = 0;
 
     virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;
     virtual void stepDone(Word in) = 0;
-    // The encoder refused the current step, said nothing, or has started anew.
+    // The encoder refused the current step, said nothing, or has restarted.
     virtual void stepFailed(WordAnswer how, Word in) = 0;
     virtual void fail(Refusal why) = 0;
     virtual Refusal refusalFor(Word in) const = 0;
@@ -96,7 +96,7 @@ protected:
             return ended;
         return m_lastError && endsInError(m_lastErrorAt) ? tl::unexpected(*m_lastError) : Result<void>();
     }
-    // Whether an error that the words of the user went on after is how they ended; it answered that step.
+    // Whether the user's words ended in an error that they had gone on after; it answered that step.
     virtual bool endsInError(std::size_t step) const = 0;
 
     Refusal noAnswer(Word in, Instant timeOut) const

@@ -23,7 +23,7 @@ std::vector<WriteRow>::iterator rowOf(std::vector<WriteRow> &rows, Parameter par
     return std::ranges::find(rows, parameter, [](const WriteRow &row) { return row.wanted.parameter; });
 }
 
-// What is not wanted was computed: its value stands in the request alone.
+// A value that was not wanted was computed: it exists only in the request.
 void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted)
 {
     const Parameter parameter = *step.parameter;
