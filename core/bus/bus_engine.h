@@ -16,11 +16,11 @@
 
 namespace codewheel {
 
-// What lies under the session of any bus: its runner, driven by a thread or by hand, and the way of what it
-// tells into the session. It lives in the session's thread.
+// What lies under the session of any bus: its runner, driven by a thread or by hand, and the path of its
+// events into the session. It lives in the session's thread.
 //
-// The session, an EncoderBus, has these for it: showLatest(), dispatch(event), linkOpened(), and where not
-// all is to be told in its turn, takeAtOnce(event) and isOfNow(snapshot).
+// The session, an EncoderBus, provides for it: showLatest(), dispatch(event), linkOpened(), and, where not
+// everything is to be reported in turn, takeAtOnce(event) and isOfNow(snapshot).
 template <class Runner, class Session>
 class BusEngine
 {
@@ -48,9 +48,10 @@ public:
         m_latest = std::move(latest);
         m_latestIsNew = false;
     }
-    std::deque<Event> &waiting() { return m_events; } // taken, not told yet
+    std::deque<Event> &waiting() { return m_events; } // taken, not yet reported
 
-    // Opens the link: with a pacing by a thread, which tells the end of it to the session; else at once.
+    // Opens the link: with a pacing in a thread, which reports the end of it to the session; otherwise at
+    // once.
     Result<void> open(std::unique_ptr<Runner> runner, std::optional<Pacing> pacing)
     {
         m_runner = std::move(runner);
@@ -74,13 +75,14 @@ public:
         if (m_state == BusState::open && !m_thread)
             m_thread = std::make_unique<BusThread>(*m_runner, std::move(pacing), true);
     }
-    // False: it was closed already, or by a handler of what is told at the end, or opened again.
+    // False: it was already closed, or was closed or opened again by a handler of what is reported at the
+    // end.
     bool close()
     {
         if (!m_runner)
             return false;
         if (m_state == BusState::opening)
-            m_state = BusState::closed; // what its thread tells comes too late
+            m_state = BusState::closed; // what its thread reports now comes too late
         endWork();
         const unsigned opened = m_opened;
         pump();
@@ -97,7 +99,7 @@ public:
             m_runner->post(std::move(command));
     }
 
-    // By hand, in turns that are no longer than that.
+    // By hand, in turns no longer than `longestTurn`.
     void advance(Instant duration, Instant longestTurn)
     {
         if (m_state != BusState::open || m_thread)
@@ -108,7 +110,7 @@ public:
         pump();
     }
 
-    // A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
+    // A handler may pump again, start a job or close: the outer call reports in turn what comes of it.
     void pump()
     {
         if (!m_runner)
@@ -146,7 +148,7 @@ private:
         for (Event &event : m_runner->takeEvents())
             if (!isTakenAtOnce(event))
                 m_events.push_back(std::move(event));
-        if (m_state != BusState::open) // a frame can wait until that is told
+        if (m_state != BusState::open) // a frame can wait until that is reported
             return;
         auto newest = m_runner->takeLatest();
         if (!newest || !isOfNow(*newest))
@@ -194,7 +196,7 @@ private:
     std::unique_ptr<Runner> m_runner;    // null: closed
     std::unique_ptr<BusThread> m_thread; // null: by hand
     BusState m_state = BusState::closed;
-    unsigned m_opened = 0; // times
+    unsigned m_opened = 0; // how often
     std::shared_ptr<const Snapshot> m_latest = std::make_shared<Snapshot>();
     bool m_latestIsNew = false;
     std::deque<Event> m_events;

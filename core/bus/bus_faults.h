@@ -12,8 +12,8 @@ namespace codewheel {
 
 class Buses;
 
-// The faults of all buses that are open, worst first; of those that are alike, bus by bus. A bus that stood
-// still for a fault that is not told any more is among them until it runs. Asked with each frame.
+// The faults of all open buses, worst first; those of the same rank bus by bus. A bus that was stopped by a
+// fault no longer reported stays among them until it runs. Asked with each frame.
 class BusFaults
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::BusFaults)
@@ -28,7 +28,7 @@ public:
         friend bool operator==(const OnBus &, const OnBus &) = default;
     };
 
-    // They stay until the next look.
+    // Valid until the next look.
     const std::vector<OnBus> &look(const Buses &buses);
     const std::vector<OnBus> &all() const { return m_all; }
     bool areOnSeveralBuses() const;

@@ -14,9 +14,9 @@ namespace codewheel {
 // What the thread of a bus and its session hand to each other: commands in order, events back, oldest first,
 // and the newest snapshot. No signal crosses between them, and neither waits for the other. Any thread.
 //
-// Events that are but rows (Event::isRow()) are dropped from a limit on when nobody takes them, and counted;
-// outcomes, faults and messages never are. A snapshot that was not taken gives its place to a newer one by
-// Snapshot::giveWayTo().
+// Events that are merely rows (Event::isRow()) are dropped beyond a limit when nobody takes them, and
+// counted; outcomes, faults and messages never are. A snapshot that was not taken makes way for a newer one
+// through Snapshot::giveWayTo().
 template <class Command, class Event, class Snapshot>
 class BusMail
 {
@@ -58,7 +58,7 @@ public:
         return m_droppedRows;
     }
 
-    // Allocates only after a snapshot was taken.
+    // Allocates only if the last snapshot was taken.
     void publish(const Snapshot &newest)
     {
         const std::scoped_lock lock(m_mutex);
@@ -67,7 +67,7 @@ public:
         else
             m_untaken = std::make_shared<Snapshot>(newest);
     }
-    // Nothing if nothing was published since.
+    // Empty if nothing was published since.
     std::shared_ptr<const Snapshot> takeLatest()
     {
         const std::scoped_lock lock(m_mutex);
@@ -78,7 +78,7 @@ private:
     mutable std::mutex m_mutex;
     std::deque<Command> m_commands;
     std::vector<Event> m_events;
-    std::size_t m_rows = 0; // told since events were taken
+    std::size_t m_rows = 0; // posted since events were last taken
     std::uint64_t m_droppedRows = 0;
     std::shared_ptr<Snapshot> m_untaken;
 };

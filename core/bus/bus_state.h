@@ -5,12 +5,12 @@
 
 namespace codewheel {
 
-// How a bus stands to its link.
+// The state of a bus with regard to its link.
 enum class BusState : std::uint8_t {
     closed,
-    opening, // its thread is at it
+    opening, // its thread is working on it
     open,
-    lost, // open, and the link has gone: it is tried again each second
+    lost, // was open, and the link is gone: retried every second
 };
 
 } // namespace codewheel

@@ -33,7 +33,7 @@ void tellSleep(BusWork &work, SleepWatch &sleep)
         work.slept(slept);
 }
 
-// A clock that is virtual goes by the same deadlines.
+// A virtual clock goes by the same deadlines.
 void takePacedTurns(const std::stop_token &stop, BusWork &work, std::chrono::nanoseconds period,
                     SleepWatch &sleep)
 {

@@ -10,20 +10,20 @@ namespace codewheel {
 
 class BusWork;
 
-// How the thread of a bus goes about it.
+// How the thread of a bus is paced.
 struct Pacing
 {
-    // Of the turns, on absolute deadlines of the steady clock; 0: as the link's own waiting lets them come.
+    // Of the turns, on absolute deadlines of the steady clock; 0: whenever the link's own waiting allows.
     std::chrono::nanoseconds period{};
     SleepWatch::Slept slept = SleepWatch::ofThisComputer;
 };
 
-// The thread of a bus: opens the link unless it is open, takes turns, and closes the link at its end, which
-// interrupts a call that blocks. After a refusal to open it does nothing more. The work must outlive it.
+// The thread of a bus: opens the link unless it is open, takes turns, and at its end closes the link, which
+// interrupts a blocking call. If opening was refused it does nothing more. The work must outlive it.
 class BusThread
 {
 public:
-    // The first turn comes at once. After the computer slept the work is told before the next one.
+    // The first turn comes at once. If the computer slept, the work is told before the next turn.
     BusThread(BusWork &work, Pacing pacing, bool isLinkOpen);
     ~BusThread();
 

@@ -18,31 +18,32 @@ struct LinkOpened
     Result<void> result;
 };
 
-// What is done on a bus, turn by turn: by its thread (BusThread), or by hand. All calls are made by that one,
-// interrupt() by any thread.
+// What is done on a bus, turn by turn: by its thread (BusThread), or by hand. All calls come from there,
+// except interrupt(), which any thread may call.
 class BusWork
 {
 public:
     virtual ~BusWork() = default;
 
-    // Opens the link, unless it is asked to stop. How that ended is told as an event too.
+    // Opens the link, unless it is asked to stop. The result is reported as an event too.
     virtual Result<void> open(const std::stop_token &stop) = 0;
-    // Works until then on the link's clock; a turn of a cyclic bus is one cycle, at that time.
+    // Works until `until` on the link's clock; a turn of a cyclic bus is one cycle, at that time.
     virtual void turn(Instant until) = 0;
-    // The computer slept so long, just before now: the jobs end, nothing waits to be sent any more, and the
-    // bus is in Watch.
+    // The computer slept for this long, just before now: the jobs end, nothing is waiting to be sent any
+    // more, and the bus is in Watch.
     virtual void slept(std::chrono::milliseconds duration) = 0;
-    // Carries out what was posted, ends the jobs, and closes the link. Any number of times.
+    // Carries out what was posted, ends the jobs, and closes the link. May be called repeatedly.
     virtual void close() = 0;
 
     virtual Instant now() const = 0; // on the link's clock
-    // Of its thread; cycles that come late are counted.
+    // Set by its thread; cycles that come late are counted.
     virtual void setPacing(std::chrono::nanoseconds /*period*/, std::uint64_t /*lateCycles*/) {}
     virtual bool keepsPace() const { return true; } // false: it waits for its link, and no cycle is late
-    virtual void interrupt() = 0;                   // the call that blocks in the link, or the next one
+    virtual void interrupt() = 0;                   // the call blocking in the link, or the next one
 };
 
-// Opens a link until it is open, refused, or asked to stop: an interruption may be meant for a call before.
+// Opens a link until it is open, refused, or asked to stop: an interruption may have been meant for an
+// earlier call.
 template <class Open>
 auto openUnlessStopped(const std::stop_token &stop, Open open)
 {
@@ -64,7 +65,7 @@ public:
 
     virtual void post(Command command) { m_mail.post(std::move(command)); }
     std::vector<Event> takeEvents() { return m_mail.takeEvents(); }
-    // The newest snapshot; nothing if none came since the last call.
+    // The newest snapshot; empty if none came since the last call.
     std::shared_ptr<const Snapshot> takeLatest() { return m_mail.takeLatest(); }
 
 protected:

@@ -62,7 +62,7 @@ EncoderBus *Buses::busOf(Place place) const
     return nullptr;
 }
 
-// Each bus answers for its own places alone.
+// Each bus answers only for its own places.
 EncoderSession *Buses::encoder(Place place) const
 {
     for (const EncoderBus *bus : open())
@@ -102,7 +102,7 @@ bool Buses::hasJob() const
     });
 }
 
-// What one of them tells meanwhile may take another away.
+// What one of them reports meanwhile may remove another.
 template <typename Call>
 void Buses::callEach(Call call)
 {

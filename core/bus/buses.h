@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // The buses the program works with, connected or not: for whoever deals with any encoder, whatever bus it is
-// on. What is asked about devices is asked of those that are open.
+// on. Questions about devices go to the open ones.
 class Buses : public QObject
 {
     Q_OBJECT
@@ -16,9 +16,9 @@ class Buses : public QObject
 public:
     using QObject::QObject;
 
-    // In the order in which their devices are listed. It is here until it is removed, or ends.
+    // In the order in which their devices are listed. It stays until it is removed or destroyed.
     void add(EncoderBus &bus);
-    void remove(const EncoderBus *bus); // nothing, if it is not here
+    void remove(const EncoderBus *bus); // no effect if it is not here
     std::vector<EncoderBus *> open() const;
     EncoderBus *open(BusId bus) const; // null: it is not open
 
@@ -27,17 +27,17 @@ public:
     bool isConnected(Place place) const { return busOf(place) != nullptr; }
     EncoderSession *encoder(Place place) const; // null: none, or a device without a driver
     WordChannel *channel(Place place) const;    // null: none, or it has no words
-    Refusal whyNotThere(Place place) const;     // where nothing stands
-    // Of the newest snapshot of the bus at the place, else of the first bus that is open; null: none is.
+    Refusal whyNotThere(Place place) const;     // if there is no device
+    // Of the newest snapshot of the bus at the place, otherwise of the first open bus; null: none is open.
     QDateTime now(Place place) const;
     bool hasJob() const; // any of them
 
-    // To all that are open, or opening.
+    // All that are open, or opening.
     void pump();
     void alarmStop();
 
 Q_SIGNALS:
-    void changed();                     // there may be others, or another state of a bus
+    void changed();                     // buses added or removed, or another state of one
     void updated(codewheel::BusId bus); // a new snapshot of this one
 
 private:

@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct ComparisonKinds
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::Comparison)

@@ -9,16 +9,16 @@
 
 namespace codewheel {
 
-// How one line of a configured bus stands to the connected one.
+// How one line of a configured bus compares to the connected one.
 enum class ComparisonKind : std::uint8_t {
     same,
-    differs,    // another device stands in its place
+    differs,    // another device is in its place
     missing,    // configured, not connected
     additional, // connected, not configured
     moved,      // connected at another place
 };
 
-// Indices among the devices of the two: `configured` is there but for additional, `connected` but for
+// Indices among the devices of the two: `configured` is missing only for additional, `connected` only for
 // missing.
 struct ComparisonLine
 {
@@ -36,7 +36,7 @@ inline bool areSame(const Comparison &comparison)
     return differences(comparison) == 0;
 }
 
-// "same", "missing", in the user's language; and for programs, the same in each.
+// "same", "missing", in the user's language; and for programs, the same in every language.
 QString comparisonKindName(ComparisonKind kind);
 QString comparisonKindKey(ComparisonKind kind);
 

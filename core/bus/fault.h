@@ -8,32 +8,32 @@
 
 namespace codewheel {
 
-// What can be done about a fault from here; how, only its kind of bus knows.
+// What can be done about a fault from here; only its kind of bus knows how.
 enum class FaultAction : std::uint8_t {
-    start,     // the bus, again
-    switchOff, // what lies behind it, so that the rest can run
-    confirm,   // it is over, or shall be looked at anew
+    start,     // the bus again
+    switchOff, // what is behind the fault, so that the rest can run
+    confirm,   // it is over, or shall be checked again
 };
 
-// Something that is wrong on a bus, as people are told it: what, where, and what to do. Buses of all kinds
-// have them (BusOutline::faults()).
+// Something wrong on a bus, as reported to people: what, where, and what to do. Buses of all kinds have them
+// (BusOutline::faults()).
 struct Fault
 {
     enum class Extent : std::uint8_t {
         standstill, // nothing goes over the bus
-        bus,        // the bus tells it, and runs on
-        device,     // a device tells it, or is silent
+        bus,        // reported by the bus, which keeps running
+        device,     // reported by a device, or it is silent
     };
 
     Extent extent = Extent::device;
     NodeId node{};                      // where to look; none: the bus as a whole
     StateWord shown{};                  // as in the bus structure
     QString text{};                     // in the user's language
-    QString code{};                     // by which manuals list it; empty: none does
-    NodeId cutOff{};                    // the first device that is not reached any more
-    std::vector<FaultAction> actions{}; // that make sense
+    QString code{};                     // as listed in manuals; empty: not listed
+    NodeId cutOff{};                    // the first device that is no longer reached
+    std::vector<FaultAction> actions{}; // that make sense here
 
-    // The same fault as before, whatever its text counts.
+    // The same fault as before, whatever numbers its text counts.
     bool isSameAs(const Fault &other) const
     {
         return extent == other.extent && node == other.node && shown == other.shown && code == other.code;
@@ -41,7 +41,7 @@ struct Fault
     friend bool operator==(const Fault &, const Fault &) = default;
 };
 
-// 0 is worst.
+// 0 is the worst.
 int rankOf(const Fault &fault);
 
 } // namespace codewheel

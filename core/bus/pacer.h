@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// The deadlines of a paced thread: a grid from `start`, so that a late cycle does not shift the ones after
-// it.
+// The deadlines of a paced thread: a grid from `start`, so that a late cycle does not shift the following
+// ones.
 class Pacer
 {
 public:
@@ -20,8 +20,8 @@ public:
 
     // When the next cycle begins.
     Time deadline() const { return m_deadline; }
-    // A cycle ended at `now`. Deadlines that passed meanwhile are not caught up, and counted as late unless
-    // it had to wait for something else.
+    // A cycle ended at `now`. Deadlines missed meanwhile are not caught up; they count as late unless the
+    // cycle had to wait for something else.
     void cycleEnded(Time now, bool counts = true)
     {
         m_deadline += m_period;

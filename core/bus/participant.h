@@ -11,9 +11,9 @@ struct DeviceDescription;
 
 inline constexpr unsigned busTerminalIdCode = 0x0C;
 
-// One device of a bus, as it is found there and as the plan names it. On INTERBUS the master finds it (ID
+// One device of a bus, as found there and as named by the plan. On INTERBUS the master finds it (ID
 // register); the vendor is not in the ID code: without a plan, deviceKey is empty and the make is not known.
-// Of a serial line there are its place and its key.
+// On a serial line there are only its place and its key.
 struct Participant
 {
     NodeId number;           // "6.1", "esc:12"

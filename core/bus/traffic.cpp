@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct Traffic
 {
     Q_DECLARE_TR_FUNCTIONS(Traffic)
@@ -14,7 +14,7 @@ struct Traffic
 
 constexpr uchar firstPrintable = 0x20;
 constexpr uchar deleteCharacter = 0x7F;
-constexpr char16_t controlPictures = 0x2400; // of 00h, then one after the other
+constexpr char16_t controlPictures = 0x2400; // the one for 00h; the others follow
 constexpr char16_t deletePicture = 0x2421;
 constexpr uchar escape = 0x1B;
 constexpr uchar carriageReturn = 0x0D;
@@ -40,7 +40,7 @@ QChar sign(uchar code)
     case lineFeed:
         return u'\u2193';
     default:
-        return u'\u25AF'; // its number stands beside it
+        return u'\u25AF'; // its number is shown beside it
     }
 }
 

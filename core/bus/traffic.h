@@ -14,20 +14,20 @@
 
 namespace codewheel {
 
-// What passed on a bus, one row each, whatever bus it is. The session of the bus makes it; views show the
+// What passed on a bus, one row each, whatever bus it is. Made by the session of the bus; views show the
 // columns that the bus has.
 struct TrafficRow
 {
     Instant at{};
-    QDateTime time{};                  // that `at` stands for
+    QDateTime time{};                  // that `at` corresponds to
     std::optional<Place> place{};      // whose it is, a device or the bus itself
-    std::optional<TrafficKind> kind{}; // nothing: both ways at once, as the words of a bus cycle
-    std::uint64_t cycle = 0;           // of the bus, where it has cycles
+    std::optional<TrafficKind> kind{}; // empty: both directions at once, like the words of a bus cycle
+    std::uint64_t cycle = 0;           // of the bus, if it has cycles
     Word out = 0;
     Word in = 0;
-    QByteArray bytes{};                 // as they stood on the wire, where it is no words that pass
-    std::function<QString()> meaning{}; // in the language of the moment
-    bool isAutomatic = false; // such as the bus asks by itself, or its answer, and nothing is wrong with it
+    QByteArray bytes{};                 // as on the wire, unless what passes is words
+    std::function<QString()> meaning{}; // in the current language
+    bool isAutomatic = false; // asked automatically by the bus, or its answer, and nothing is wrong with it
     bool isTyped = false;     // or its answer
 
     bool isRoutine() const { return isAutomatic && !isTyped; }
@@ -53,7 +53,7 @@ QString rowKindWord(TrafficKind kind);
 // "⎋05P↵↓"; as numbers, "<1B>05P<0D><0A>". Pictures and signs are one glyph each.
 enum class ControlCharacters { pictures, signs, numbers };
 
-// What is no ASCII is shown as <FF>.
+// Bytes that are not ASCII are shown as <FF>.
 QString controlText(const QByteArray &bytes, ControlCharacters controls = ControlCharacters::pictures);
 // "1B 30 35 50 0D 0A"
 QString byteText(const QByteArray &bytes);

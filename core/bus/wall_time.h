@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// What the thread of a bus tells: the computer slept so long, just before.
+// From the thread of a bus: the computer slept for this long, just before.
 struct Slept
 {
     std::chrono::milliseconds duration;
@@ -23,7 +23,7 @@ public:
         : m_begin(std::move(begin))
     {}
 
-    // The computer slept so long, just before `at`.
+    // The computer slept for this long, just before `at`.
     void slept(std::chrono::milliseconds duration, Instant at) { m_sleeps.push_back({at, duration}); }
     // Its clock stood still while it was closed: at `at` it is `now`. The times of a bus never go back.
     void goOn(const QDateTime &now, Instant at)

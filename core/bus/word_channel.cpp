@@ -60,7 +60,7 @@ void WordChannel::show(const WordsOnBus &words, const Freshness &freshness, Inst
     m_words = words;
     m_freshness = freshness;
     if (m_written && m_written->at <= now) {
-        const bool isStaged = m_staged == m_written->word; // not a word staged meanwhile
+        const bool isStaged = m_staged == m_written->word; // not a word staged since
         m_written.reset();
         if (isStaged)
             unstage();

@@ -16,8 +16,7 @@ namespace codewheel {
 
 class EncoderBus;
 
-// The words of a device as they stood on the bus, and the bits that changed in any cycle since the last
-// frame.
+// The words of a device as they were on the bus, and the bits that changed in any cycle since the last frame.
 struct WordsOnBus
 {
     Word in = 0;
@@ -38,7 +37,7 @@ class WordChannel : public QObject
 public:
     using Send = std::function<Result<void>(const WordChannel &, Word)>;
 
-    // `send` refuses what may not go out now. The bus outlives what is asked of it here.
+    // `send` refuses what may not go out now. The bus must outlive the channel.
     WordChannel(const EncoderBus &bus, Place number, int inWords, int outWords, Send send);
 
     Place place() const { return m_place; }
@@ -46,24 +45,24 @@ public:
     int outWords() const { return m_outWords; }
 
     Word in() const { return m_words.in; }
-    Word out() const { return m_words.out; } // as it stands on the bus
+    Word out() const { return m_words.out; } // as on the bus
     Word inEdges() const { return m_words.inEdges; }
     Word outEdges() const { return m_words.outEdges; }
     bool heldByJob() const { return m_words.heldByJob; }
     const Freshness &freshness() const { return m_freshness; } // of both words
     QDateTime dateTime(Instant at) const;
 
-    std::optional<Word> staged() const { return m_staged; } // nothing: as on the bus
+    std::optional<Word> staged() const { return m_staged; } // empty: as on the bus
     Word shownOut() const { return m_staged.value_or(out()); }
     void stage(Word word);
     void unstage();
-    // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and answer) in Watch,
-    // while the bus is stopped, while a job holds the word, and by a device without OUT; the staged word
-    // stays. It is unstaged once it stands on the bus; the bus may still refuse it (signal) until then.
+    // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and return value) in
+    // Watch, while the bus is stopped, while a job holds the word, and for a device without OUT; the staged
+    // word stays. It is unstaged once it is on the bus; until then the bus may still refuse it (signal).
     Result<void> write();
-    Result<void> zero(); // sends 00000000, whatever is staged; refused likewise
+    Result<void> zero(); // sends 00000000, whatever is staged; refused in the same cases
 
-    // By its bus: the newest frame, and that a word will be seen in the next one.
+    // Called by its bus: the newest frame, and that a word will be seen in the next one.
     void show(const WordsOnBus &words, const Freshness &freshness, Instant now);
     void wasWritten(Word word, Instant at) { m_written = {word, at}; }
 
@@ -89,7 +88,7 @@ private:
     WordsOnBus m_words;
     Freshness m_freshness;
     std::optional<Word> m_staged;
-    std::optional<Written> m_written; // told by the bus, not shown by a snapshot yet
+    std::optional<Written> m_written; // reported by the bus, not yet shown by a snapshot
 };
 
 } // namespace codewheel

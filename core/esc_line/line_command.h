@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-// What the window asks of the line thread. A device is given by its place in the order in which they were
+// What the window asks of the line thread. A device is given by its index in the order in which they were
 // added.
 namespace line_command {
 using command::Cancel;
@@ -23,11 +23,11 @@ struct AddDevice
     std::unique_ptr<RequestDriver> driver;
     QString name; // for the user
 };
-struct RemoveDevice // its place stays empty
+struct RemoveDevice // its index stays unused
 {
     std::size_t device;
 };
-struct SetPolling // the drivers are asked what they want; jobs need it
+struct SetPolling // the drivers are asked what they want to send; required for jobs
 {
     bool on;
 };
@@ -42,14 +42,14 @@ struct Send
 {
     esc::Request request;
 };
-// The adapter that was refused as another one is meant.
+// The adapter that was refused as a different one is the right one.
 struct TakeOtherAdapter
 {};
-struct SetFractionBits // of the scaling factor, of all devices
+struct SetFractionBits // of the scaling factor, for all devices
 {
     int bits;
 };
-struct SetSwapsWarningBytes // of one device
+struct SetSwapsWarningBytes // for one device
 {
     std::size_t device;
     bool on;

@@ -10,7 +10,7 @@ namespace codewheel {
 
 class LineSession;
 
-// An encoder of a serial line, as views see it: turns jobs into commands for the runner, and what LineSession
+// An encoder on a serial line, as views see it: turns jobs into commands for the runner, and what LineSession
 // pumps out of the line thread into signals.
 class LineEncoderSession final : public DrivenEncoderSession
 {
@@ -27,7 +27,7 @@ public:
     }
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
-    int fractionBits() const; // of its scaling factor, as its line is set
+    int fractionBits() const; // of its scaling factor, as set for its line
     bool swapsWarningBytes() const { return m_swapsWarningBytes; }
 
 private:

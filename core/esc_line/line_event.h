@@ -23,29 +23,29 @@ struct ScanEnded
     int requests = 0;
     bool cancelled = false;
 };
-// How a request that was typed ended. Sent no times: it was refused, or dropped.
+// How a typed request ended. Sent zero times: it was refused, or dropped.
 struct TypedAnswered
 {
     esc::Request request;
     esc::ExchangeResult result;
     std::optional<Refusal> refused{};
 };
-// In the place of the adapter that is gone there is one that is not known to be it.
+// In place of the adapter that is gone there is one that is not known to be the same.
 struct OtherAdapter
 {
     Refusal which; // portOfOther
 };
 
-// What the line thread tells the window.
+// What the line thread reports to the window.
 struct LineEvent
 {
-    std::size_t device = 0; // of an Event; meaningless for the rest
+    std::size_t device = 0; // for an Event; meaningless otherwise
     std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, OtherAdapter, Slept,
                  LinkOpened>
         what;
     Instant at{};
 
-    bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // of the terminal
+    bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // for the terminal
 };
 
 } // namespace codewheel

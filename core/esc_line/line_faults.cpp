@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct LineFaultText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineFaults)
@@ -38,7 +38,7 @@ bool has(esc::Command command, std::uint16_t bits, esc::BitId id)
                                [&](const esc::BitRow &row) { return row.id == id && isSet(bits, row); });
 }
 
-// What to do about the alarm that is cured by hand, else about any.
+// The cure for the alarm that can be dealt with by hand, otherwise for any.
 QString cureOf(const Reading &reading)
 {
     const std::uint16_t alarms = reading.alarms.value_or(0);
@@ -59,7 +59,7 @@ Fault noPort(const LineSession &line)
                 refusalText(why ? *why : Refusal{RefusalKind::link, RefusalId::portLost, {line.linkName()}})};
 }
 
-// At once they do not fail: it is what they share.
+// They do not all fail at once by themselves: it is something they share.
 Fault allSilent(const LineSession &line)
 {
     return {.extent = Fault::Extent::standstill,

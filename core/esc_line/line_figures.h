@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// How a line, or one device on it, has done since it was opened.
+// The statistics of a line, or of one device on it, since it was opened.
 struct LineFigures
 {
     struct AnswerTime // from the end of a request to the end of its answer
@@ -22,14 +22,14 @@ struct LineFigures
         friend bool operator==(const AnswerTime &, const AnswerTime &) = default;
     };
 
-    std::uint64_t requests = 0; // each sending counts
+    std::uint64_t requests = 0; // every sending counts
     std::uint64_t answers = 0;
     std::uint64_t timeOuts = 0;
     std::uint64_t retries = 0;
     std::uint64_t unanswered = 0; // after all retries
     std::uint64_t garbageBytes = 0;
     std::uint64_t lateBytes = 0;
-    std::optional<AnswerTime> answerTime; // nothing: no answer yet
+    std::optional<AnswerTime> answerTime; // empty: no answer yet
 
     friend bool operator==(const LineFigures &, const LineFigures &) = default;
 };
@@ -49,7 +49,7 @@ private:
     void noteTime(Instant time);
 
     LineFigures m_figures;
-    std::vector<Instant> m_times; // a ring of the newest
+    std::vector<Instant> m_times; // ring buffer of the newest
     std::size_t m_oldest = 0;
     std::vector<Instant> m_sorted; // the same, so that the median needs no sorting in each exchange
 };

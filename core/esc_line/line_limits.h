@@ -3,8 +3,8 @@
 
 #include "esc_line/line_settings.h"
 
-// What the settings of a serial line may be: the one table for the command line, the project's file and the
-// form in the window. The manual states the shortest interval alone, the rest is ours.
+// The limits of the settings of a serial line: the one table for the command line, the project's file and the
+// form in the window. The manual states only the shortest interval, the rest is ours.
 namespace codewheel::line_limits {
 
 // Both ends included.

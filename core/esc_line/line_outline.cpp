@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct LineText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineOutline)
@@ -99,7 +99,7 @@ std::vector<BusNode> LineOutline::nodes() const
 NodeState LineOutline::state(std::size_t node) const
 {
     const std::vector<Place> places = m_line.places();
-    if (node >= places.size()) // it was removed
+    if (node >= places.size()) // it has been removed
         return {};
     const Place place = places[node];
     const EncoderSession &encoder = *m_line.encoder(place);

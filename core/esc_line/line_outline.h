@@ -13,7 +13,7 @@ class LineOutline final : public BusOutline
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineOutline)
 
 public:
-    explicit LineOutline(const LineSession &line) // outlives it
+    explicit LineOutline(const LineSession &line) // must outlive it
         : m_line(line)
     {}
 
@@ -41,7 +41,7 @@ public:
         NodeId node;
         QString name;
     };
-    // Its port; empty: not told.
+    // Its port; empty: not given.
     PlannedLineOutline(QString port, std::vector<Encoder> encoders)
         : m_port(std::move(port))
         , m_encoders(std::move(encoders))

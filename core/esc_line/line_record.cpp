@@ -32,7 +32,7 @@ class LineRecordReader
     Q_DECLARE_TR_FUNCTIONS(LineRecordFile)
 
 public:
-    // Before anything else: what is of another kind has other keys.
+    // Before anything else: a file of another kind has other keys.
     static void checkFormat(const Json::Value &root, FaultKeeper &faults);
     static LineRecord read(const JsonObject &json);
     static QString textOf(const Catalog::Fault &fault);
@@ -74,7 +74,7 @@ QByteArray LineRecordReader::bytesOf(const JsonObject &json)
 {
     const QByteArray hex = json.text("bytes").toLatin1();
     QByteArray bytes = QByteArray::fromHex(hex);
-    // fromHex() skips what it does not know.
+    // fromHex() skips characters it does not know.
     if (bytes.toHex(' ').toUpper() != hex)
         json.report("bytes", tr("Bytes are expected here, as in \"1B 30 35 50 0D 0A\"."));
     else if (bytes.size() > mostBytes)

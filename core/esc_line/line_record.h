@@ -9,8 +9,8 @@
 
 namespace codewheel {
 
-// What passed on a serial line, to be kept, looked at and sent again (docs/line-sessions.md). Reading and
-// writing the disk is the caller's.
+// What passed on a serial line, to be kept, looked at and sent again (docs/line-sessions.md). Disk access is
+// up to the caller.
 struct LineRecord
 {
     static constexpr std::size_t mostRows = 100'000;
@@ -18,13 +18,13 @@ struct LineRecord
     struct Row
     {
         esc::LineRow what;
-        bool typed = false; // of a request that was typed, or of its answer
+        bool typed = false; // of a typed request, or of its answer
 
         friend bool operator==(const Row &, const Row &) = default;
     };
 
-    QDateTime begin; // what Instant 0 of the rows stands for
-    QString port;    // as the user knows it
+    QDateTime begin; // the time of Instant 0 of the rows
+    QString port;    // as known to the user
     int baudRate = 19'200;
     std::vector<Row> rows;
 
@@ -34,8 +34,8 @@ struct LineRecord
 // The same record always gives the same bytes.
 QByteArray lineRecordToJson(const LineRecord &record);
 
-// Refuses what breaks a rule, as a whole, with a sentence that names file, line and key. `name` is the
-// file's.
+// Rejects the file as a whole if it breaks a rule, with a sentence that names file, line and key. `name` is
+// the file's.
 tl::expected<LineRecord, QString> lineRecordFromJson(const QByteArray &json, const QString &name);
 
 } // namespace codewheel

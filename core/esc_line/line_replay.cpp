@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// As esc::Answer::text has it; blanks may be part of a version.
+// As in esc::Answer::text; blanks may be part of a version.
 QByteArray betweenLineEnds(QByteArrayView bytes)
 {
     if (bytes.endsWith(esc::lineEnd))
@@ -24,7 +24,7 @@ QByteArray betweenLineEnds(QByteArrayView bytes)
 std::vector<ReplayStep> replaySteps(const LineRecord &record, ReplayWish wish)
 {
     std::vector<ReplayStep> steps;
-    bool isOpen = false; // the last step has no answer yet
+    bool isOpen = false; // the last step has not been answered yet
     bool isWanted = false;
     for (const LineRecord::Row &row : record.rows) {
         if (row.what.kind == esc::LineRow::Kind::sent) {
@@ -86,7 +86,7 @@ void LineReplay::take(const TypedAnswered &answer)
         sendNext();
 }
 
-// What was sent in the meantime ends without an answer to wait for.
+// What has been sent by then ends without an answer to wait for.
 void LineReplay::checkState()
 {
     if (!m_line->isOpen() || !m_line->latest().connected)

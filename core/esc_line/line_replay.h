@@ -11,26 +11,26 @@ namespace codewheel {
 
 class LineSession;
 
-// A request of a kept session, with what was answered then.
+// A request of a recorded session, with the answer it got then.
 struct ReplayStep
 {
     esc::Request request;
-    std::optional<QByteArray> answer; // between its line ends; nothing: none came
+    std::optional<QByteArray> answer; // between its line ends; empty: none came
 
     friend bool operator==(const ReplayStep &, const ReplayStep &) = default;
 };
 
 struct ReplayWish
 {
-    bool automatic = false; // what the program may have asked by itself, as the position
+    bool automatic = false; // may have been asked automatically by the program, like the position
     bool writes = false;
 };
 
-// In the order in which they were sent. A read that was sent again since no answer came is one step.
+// In the order in which they were sent. A read that was repeated because no answer came is one step.
 std::vector<ReplayStep> replaySteps(const LineRecord &record, ReplayWish wish);
 
-// Sends the requests of a kept session again, one after the other, each when the one before has ended. Used
-// by the terminal.
+// Sends the requests of a recorded session again, one after the other, each when the previous one has ended.
+// Used by the terminal.
 class LineReplay : public QObject
 {
     Q_OBJECT
@@ -41,14 +41,14 @@ public:
 
     using QObject::QObject;
 
-    // Nothing else may be running. The session must have been opened; where it ends, the replay ends too.
+    // Nothing else may be running. The session must have been opened; if it ends, so does the replay.
     void start(LineSession &line, std::vector<ReplayStep> steps);
     void cancel();
     bool isRunning() const { return !m_line.isNull(); }
     const std::vector<ReplayStep> &steps() const { return m_steps; }
 
 Q_SIGNALS:
-    // now: the answer of today, between its line ends.
+    // `now`: today's answer, between its line ends.
     void answered(int step, codewheel::LineReplay::Verdict verdict, const QByteArray &now);
     void ended(codewheel::LineReplay::End how);
 

@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// 2 ms at a USB adapter, which collects for 16 ms more.
+// 2 ms at a USB adapter, which collects for another 16 ms.
 constexpr Instant withoutLowLatency = std::chrono::milliseconds(18);
 
 } // namespace
@@ -45,7 +45,7 @@ bool LineRunner::Private::beginTyped()
     return ask(Asker::terminal, 0, request, baudRateAt(request.to));
 }
 
-// An encoder may speak at another rate than its line.
+// An encoder may use a different rate than its line.
 int LineRunner::Private::baudRateAt(LineAddress address) const
 {
     const auto there = std::ranges::find_if(
@@ -76,7 +76,7 @@ bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Reques
     if (state.lowLatency == LowLatency::refused)
         asked.adapterDelay = std::max(timing.adapterDelay, withoutLowLatency);
     asked.longestAnswer = std::max(timing.longestAnswer, counter.longestAnswer());
-    // Who looks or types sees for himself, and who is silent is asked again in its turn.
+    // Whoever types or scans can see the silence, and a silent device is asked again in its turn.
     if (asker != Asker::device || isSilent(device))
         asked.retries = 0;
     underWay.emplace(UnderWay{asker, device, link.now(), esc::Exchange(request, asked)});
@@ -150,13 +150,14 @@ void LineRunner::Private::deviceAnswered(std::size_t device, const esc::Request 
         tellTaken();
 }
 
-// At the master address whoever is there is meant, and an encoder that stands there is the only one.
+// The master address reaches whoever is there, and an encoder at that address is the only one.
 static bool mayReach(LineAddress sentTo, LineAddress encoder)
 {
     return sentTo == encoder || sentTo.isMaster() || encoder.isMaster();
 }
 
-// What was typed may have changed what the drivers know: they tell it first, so that its end is the end.
+// What was typed may have changed what the drivers know: they report that first, so that its end really is
+// the end.
 void LineRunner::Private::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
 {
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -261,7 +262,7 @@ void LineRunner::turn(Instant until)
 void LineRunner::slept(std::chrono::milliseconds duration)
 {
     d->awakeSince = d->link.now();
-    d->carryOutCommands(); // of before
+    d->carryOutCommands(); // posted before
     d->dropTyped();
     d->endScan(true);
     d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});

@@ -12,11 +12,11 @@
 namespace codewheel {
 
 // Owns the line: one request at a time. What was typed goes first, then a scan, then the devices in turn: of
-// those that want something, the one whose turn is longest ago.
+// those that want something, the one that has waited longest.
 //
-// It begins in Watch, where only reads are sent, and without polling. When the port is gone it says so once,
-// ends the jobs, and tries each second to open it again at the same adapter, and at no other unasked. Once it
-// is back the line is in Watch.
+// It begins in Watch, where only reads are sent, and without polling. When the port is gone it reports that
+// once, ends the jobs, and tries every second to open it again at the same adapter, and at no other unasked.
+// Once it is back the line is in Watch.
 class LineRunner final : public BusRunner<LineCommand, LineEvent, LineSnapshot>
 {
 public:
@@ -29,7 +29,7 @@ public:
     void close() override;
     Instant now() const override;
     void interrupt() override;
-    void post(LineCommand command) override; // it does not wait for what the line is at
+    void post(LineCommand command) override; // does not wait for what the line is doing
 
 private:
     struct Private;

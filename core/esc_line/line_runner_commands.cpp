@@ -104,7 +104,7 @@ void LineRunner::Private::carryOut(line_command::SetOperate &c)
     tell({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
 }
 
-// Nothing moves by a serial encoder's outputs: what has to stop is what is still to be sent.
+// A serial encoder's outputs move nothing: what has to stop is what is still to be sent.
 void LineRunner::Private::carryOut(line_command::AlarmStop &)
 {
     dropTyped();
@@ -166,7 +166,7 @@ void LineRunner::Private::endScan(bool cancelled)
     scan.reset();
 }
 
-// Each driver knows the addresses of the others, so that no job takes its device to one of them.
+// Each driver knows the addresses of the others, so that no job moves its device to one of them.
 void LineRunner::Private::tellTaken()
 {
     for (const Device &device : devices) {

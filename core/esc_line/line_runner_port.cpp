@@ -34,7 +34,7 @@ void LineRunner::Private::portIsGone(const Refusal &why)
     publish();
 }
 
-// A write that was sent may have been carried out, though nobody hears it any more.
+// A write that was sent may have been carried out, though nobody will see its answer.
 void LineRunner::Private::tearOff()
 {
     if (!underWay)
@@ -77,7 +77,7 @@ void LineRunner::Private::tryToReopen()
     publish();
 }
 
-// That it is not there was told. What else is in the way is told once.
+// That it is missing has been reported. Anything else in the way is reported once.
 void LineRunner::Private::portIsNotBack(const Refusal &why)
 {
     const bool isOther = why.id == RefusalId::portOfOther;

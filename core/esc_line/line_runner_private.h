@@ -17,7 +17,7 @@ struct LineRunner::Private
         std::unique_ptr<RequestDriver> driver; // null: removed
         QString name;
         LineCounter counter;
-        std::uint64_t turn = 0; // when it was asked last, in requests of the line
+        std::uint64_t turn = 0; // when it was last asked, in requests of the line
         bool answers = false;   // its last request was answered
     };
 
@@ -58,14 +58,14 @@ struct LineRunner::Private
     void step(Instant until);
     bool begin(); // the next request; false: nobody wants anything now
     bool beginTyped();
-    int baudRateAt(LineAddress address) const; // of what is typed for it
+    int baudRateAt(LineAddress address) const; // also for what is typed for it
     bool beginScanStep();
     bool ask(Asker asker, std::size_t device, const esc::Request &request, int baudRate);
     void goOn(Instant until); // with the request under way
     void end(UnderWay ended);
     void deviceAnswered(std::size_t device, const esc::Request &request, const esc::ExchangeResult &result);
     void typedEnded(const esc::Request &request, const esc::ExchangeResult &result);
-    void listen(Instant until); // to what comes without having been asked for
+    void listen(Instant until); // for what comes unasked
     bool useBaudRate(int baudRate);
 
     // line_runner_turns.cpp
@@ -73,15 +73,15 @@ struct LineRunner::Private
     std::optional<std::size_t> deviceInTurn() const;
     std::optional<Instant> nextWish() const;
     bool isDoubtful(std::size_t device) const; // its last request was not answered
-    bool isSilent(std::size_t device) const;   // and it is known not to answer
+    bool isSilent(std::size_t device) const;   // and is known not to answer
     bool anyAnswers() const;
-    std::optional<Instant> turnOf(std::size_t device) const; // when it is due; nothing: it wants nothing
+    std::optional<Instant> turnOf(std::size_t device) const; // when it is due; empty: it wants nothing
     void noteTurn(const UnderWay &ended);
     void forgetTurns();
 
     // line_runner_port.cpp
     void portIsGone(const Refusal &why);
-    void tearOff(); // the request under way: it will get no answer any more
+    void tearOff(); // the request under way: it will never be answered
     void waitForPort(Instant until);
     void tryToReopen();
     void portIsNotBack(const Refusal &why);
@@ -104,11 +104,11 @@ struct LineRunner::Private
     std::optional<LineScan> scan;
     LineCounter counter;
     std::uint64_t turns = 0;
-    Instant doubtfulFrom{}; // before that none that did not answer is asked, while others answer
+    Instant doubtfulFrom{}; // before that, none that did not answer is asked while others answer
     LineState state{.connected = true};
     Instant awakeSince{};
     Instant reopenAt{};
-    std::optional<Refusal> notBack; // as it was told
+    std::optional<Refusal> notBack; // as reported
     bool latencyTold = false;
     Mail &mail;
 };

@@ -8,7 +8,8 @@
 namespace codewheel {
 namespace {
 
-// Of the line's time, in percent, of all of them together: until they are known to be silent, and then.
+// Of the line's time, in percent, for all of them together: until they are known to be silent, and
+// afterwards.
 constexpr int shareWhileDoubtful = 75;
 constexpr int shareWhileSilent = 5;
 
@@ -48,7 +49,7 @@ std::optional<Instant> LineRunner::Private::nextWish() const
     return first;
 }
 
-// A job has its time-outs and retries, whatever was before: its answers are waited for.
+// A job has its time-outs and retries, whatever happened before: its answers are awaited.
 bool LineRunner::Private::isDoubtful(std::size_t device) const
 {
     return !devices[device].answers && !driver(device)->busy();

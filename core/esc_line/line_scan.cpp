@@ -7,7 +7,7 @@ namespace codewheel {
 namespace {
 
 constexpr int pairsOfReads = 3; // of one value, until two agree
-constexpr int vainReads = 3;    // of one value, where something has come before
+constexpr int vainReads = 3;    // of one value, if something has come before
 
 } // namespace
 
@@ -67,7 +67,7 @@ void LineScan::readAnswered(const esc::Answer &answer)
     }
 }
 
-// What it answered to the question, an error too; nothing: no two reads agreed.
+// What it answered, including an error; empty: no two reads agreed.
 void LineScan::told(const std::optional<esc::Answer> &answer)
 {
     const bool isValue = answer && answer->kind == esc::Answer::Kind::value;
@@ -105,8 +105,7 @@ void LineScan::ask(Question question)
     m_vain = 0;
 }
 
-// At the master address several may answer at once; that says nothing of the
-// line.
+// At the master address several may answer at once; that says nothing about the line.
 void LineScan::noteDamage()
 {
     m_hasCome = true;
@@ -114,7 +113,7 @@ void LineScan::noteDamage()
         m_damaged.insert(place().rate);
 }
 
-// In the order of the search, whatever was asked a second time.
+// In the order of the search, even if some were asked a second time.
 void LineScan::keepEncoder()
 {
     const Place here = place();
@@ -132,7 +131,7 @@ void LineScan::goOn()
         appendSecondRound();
 }
 
-// A request or an answer may be lost whole.
+// A request or an answer may be lost entirely.
 void LineScan::appendSecondRound()
 {
     std::ranges::copy_if(m_silent, std::back_inserter(m_places), [this](const Place &place) {

@@ -12,21 +12,19 @@
 
 namespace codewheel {
 
-// Where encoders are to be looked for.
+// Where to look for encoders.
 struct ScanWish
 {
     std::vector<int> baudRates{19'200}; // Bd, in this order
     LineAddress first{1};
     LineAddress last{LineAddress::last};
-    // Ask at the master address first: any device answers there, so only where
-    // one is alone.
+    // Ask at the master address first: any device answers there, so it only works for a device that is alone.
     bool throughMaster = false;
 
     friend bool operator==(const ScanWish &, const ScanWish &) = default;
 };
 
-// An encoder that answered, with what it told of itself; nothing: it did not
-// tell.
+// An encoder that answered, with what it reported of itself; empty: not reported.
 struct FoundEncoder
 {
     LineAddress address; // 0: it answered at the master address only
@@ -38,14 +36,12 @@ struct FoundEncoder
     friend bool operator==(const FoundEncoder &, const FoundEncoder &) = default;
 };
 
-// Looks for encoders: each address at each baud rate is asked for its serial
-// number, and who answers is asked for its device code and version. The
-// protocol has no checksum, so an encoder and what it tells are taken when two
-// reads agree, an error (03, 05) among them; where anything came, a read is
-// repeated like any other. Addresses that said nothing are asked once more at
-// the end, but only at baud rates at which something was seen to be damaged,
-// and where no encoder was found at all: each costs a time-out. Only reads. A
-// machine without I/O, like a driver.
+// Searches for encoders: each address at each baud rate is asked for its serial number, and whoever answers
+// is asked for its device code and version. The protocol has no checksum, so an encoder and its values are
+// accepted when two reads agree, errors (03, 05) included; if anything came in, a read is repeated like any
+// other. Addresses that stayed silent are asked once more at the end, but only at baud rates at which
+// something corrupted was seen, and if no encoder was found at all: each costs a time-out. Only reads. A
+// state machine without I/O, like a driver.
 class LineScan
 {
 public:
@@ -57,12 +53,12 @@ public:
 
     explicit LineScan(ScanWish wish);
 
-    std::optional<Step> next() const; // nothing: done
+    std::optional<Step> next() const; // empty: done
     void answered(const esc::ExchangeResult &result);
 
     const std::vector<FoundEncoder> &found() const { return m_found; }
-    // Addresses that were asked, all baud rates together, and that are to be
-    // asked: more as soon as some are to be asked once more.
+    // Addresses asked so far, over all baud rates, and to be asked: more once some are to be asked a second
+    // time.
     int asked() const { return static_cast<int>(m_asked); }
     int total() const { return static_cast<int>(m_places.size()); }
     int requests() const { return m_requests; }
@@ -71,7 +67,7 @@ private:
     enum class Question : std::uint8_t { serialNumber, deviceCode, version };
     struct Place
     {
-        std::size_t rate = 0; // its place among the baud rates
+        std::size_t rate = 0; // its index among the baud rates
         LineAddress address;
 
         // clang-tidy 14 takes the 0 in a defaulted <=> for a null pointer.
@@ -95,11 +91,11 @@ private:
     EscAgreement m_reads;
     int m_vain = 0;         // reads without an answer
     bool m_hasCome = false; // anything, from this place
-    FoundEncoder m_encoder; // that is being asked
+    FoundEncoder m_encoder; // the one being asked
     std::vector<FoundEncoder> m_found;
     std::vector<Place> m_foundAt;
     std::vector<Place> m_silent;
-    std::set<std::size_t> m_damaged; // baud rates
+    std::set<std::size_t> m_damaged; // indices of baud rates
     bool m_isSecondRound = false;
     int m_requests = 0;
 };

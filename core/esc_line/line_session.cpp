@@ -20,8 +20,8 @@ namespace codewheel {
 
 namespace {
 
-// Whether this may stand on the label of an encoder that tells `told`, which is printed in decimal or in
-// hexadecimal digits. What is no number, and nothing, may always.
+// Whether this may be on the label of an encoder that reports `told`, which is printed in decimal or in
+// hexadecimal digits. Text that is no number, or empty, always may.
 bool mayBeSerialNumber(const QString &text, std::int64_t told)
 {
     bool isDecimal = false;
@@ -64,7 +64,7 @@ struct LineSession::Private
         std::ranges::move(std::exchange(encoders, {}), std::back_inserter(retired));
         endRetired();
     }
-    void endRetired() // unless handlers may still look at them
+    void endRetired() // unless handlers may still be looking at them
     {
         if (!engine.isPumping())
             retired.clear();
@@ -80,12 +80,12 @@ struct LineSession::Private
     DriverFactory makeDriver;
     SerialSettings settings;
     int fractionBits = esc::defaultFractionBits;
-    std::vector<Encoder> encoders; // by the runner's places
-    std::vector<Encoder> retired;  // of a connection before, one of which may be telling right now
+    std::vector<Encoder> encoders; // by the runner's index
+    std::vector<Encoder> retired;  // from an earlier connection, one of which may be emitting right now
     Start start = Start::watching;
     LineState told;
     LineTraffic traffic;
-    BusEngine<LineRunner, LineSession> engine; // ends before what its drivers use
+    BusEngine<LineRunner, LineSession> engine; // destroyed before what its drivers use
 };
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
@@ -118,7 +118,7 @@ Result<void> LineSession::open(const SerialSettings &settings, const esc::Timing
     return d->engine.open(std::move(runner), std::move(pacing));
 }
 
-// As it will be when the thread has carried out what was posted.
+// As it will be once the thread has carried out what was posted.
 void LineSession::linkOpened()
 {
     auto expected = std::make_shared<LineSnapshot>();
@@ -249,7 +249,7 @@ Result<void> LineSession::remove(Place place)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.shown(), QString()});
     if (encoder->session->runningJob())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
-    const auto ended = leave(d->indexOf(*encoder)); // who is told finds it no more
+    const auto ended = leave(d->indexOf(*encoder)); // whoever is told no longer finds it
     Q_EMIT nodesChanged();
     return {};
 }
@@ -494,7 +494,7 @@ void LineSession::send(const esc::Request &request)
     post(line_command::Send{request});
 }
 
-// By each encoder that may carry it out: at the master address that is whoever is there.
+// For each encoder that may carry it out: at the master address that is whoever is there.
 std::vector<TypedWrite> LineSession::writesOf(const esc::Request &request) const
 {
     std::vector<TypedWrite> writes;
@@ -510,7 +510,7 @@ std::vector<TypedWrite> LineSession::writesOf(const esc::Request &request) const
     return writes;
 }
 
-// One for an address where nobody stood is told of with that address, whoever stands there by now.
+// A write to an address where no encoder was known is reported with that address, whoever is there by now.
 void LineSession::tellEnd(const TypedAnswered &answered)
 {
     Q_EMIT typedAnswered(answered);

@@ -30,14 +30,13 @@ public:
     using DriverFactory =
         std::function<std::unique_ptr<RequestDriver>(const DeviceDescription &, LineAddress)>;
 
-    // The catalog must outlive the session. `begin` is the date and time that the line's Instant 0 stands
-    // for.
+    // The catalog must outlive the session. `begin` is the date and time of the line's Instant 0.
     LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                 DriverFactory makeDriver, QObject *parent = nullptr, BusId id = firstLine);
     ~LineSession() override;
 
-    // Opens the line; it is polled from then on. Encoders and sessions of a connection before end; those that
-    // are added while its thread is opening it are asked once it is open.
+    // Opens the line; it is polled from then on. Encoders and sessions of an earlier connection end; those
+    // added while its thread is opening it are asked once it is open.
     Result<void> open(const SerialSettings &settings, const esc::Timing &timing, Start start, Drive drive,
                       SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     void close() override;
@@ -50,8 +49,8 @@ public:
     QString linkName() const;
     const SerialSettings &settings() const;
 
-    // Takes an encoder at this address into the polling. Refused for an address out of range or taken, and
-    // for a device that is not on a serial line.
+    // Adds an encoder at this address to the polling. Refused for an address out of range or taken, and for a
+    // device that is not for a serial line.
     Result<void> add(LineAddress address, const QString &deviceKey);
     Result<void> remove(Place place);
     const BusOutline &outline() const override;
@@ -59,11 +58,11 @@ public:
 
     const Catalog &catalog() const override;
     std::optional<Participant> found(Place place) const override;
-    // No address of a line depends on another: those where nothing is polled.
+    // The addresses of a line do not depend on each other: those where nothing is polled.
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
     std::optional<Refusal> isOther(Place place, const QString &deviceKey,
                                    const QString &serialNumber) const override;
-    // An encoder for serial lines.
+    // Any encoder for serial lines.
     Result<void> canBe(Place place, const DeviceDescription &device) const override;
     Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
 
@@ -74,28 +73,28 @@ public:
     bool isRunning() const override;
     Instant now() const override { return latest().at; }
 
-    // The adapter that otherAdapterFound() told of is meant: it is used from now on.
+    // The adapter that otherAdapterFound() reported is the right one: it is used from now on.
     void takeOtherAdapter();
-    // "Determine from device": reads what tells the format of its scaling factor; ends with
+    // "Determine from device": reads what determines the format of its scaling factor; ends with
     // fractionBitsDetermined(). Sets nothing.
     Result<void> determineFractionBits(Place place);
-    // Of the scaling factor, for all encoders, those that are added later too; by them what a job will send
-    // is told beforehand.
+    // Of the scaling factor, for all encoders, including those added later; what a job will send is worked
+    // out with them.
     void setFractionBits(int bits);
     int fractionBits() const;
     // Whether the warnings of this encoder come with their two bytes in the other order (the manual's example
-    // of E reads 0098 as 9800h). Nothing without such an encoder.
+    // of E reads 0098 as 9800h). No effect without such an encoder.
     void setSwapsWarningBytes(Place place, bool on);
-    // By which requests and answers on this line are told in words.
+    // For putting requests and answers on this line into words.
     esc::ExplainOptions explainOptions() const;
 
     void setRunning(bool on) override; // polls, or not
     void setOperate(bool on) override;
-    // Ends all jobs, drops what was typed and not sent yet, ends a scan.
+    // Ends all jobs, drops what was typed but not yet sent, ends a scan.
     void alarmStop() override;
     void scan(const ScanWish &wish);
     void cancelScan();
-    // Sends what was typed, once, in its turn; ends with typedAnswered, which says where it was refused.
+    // Sends what was typed, once, in its turn; ends with typedAnswered, which says if it was refused.
     void send(const esc::Request &request);
 
 Q_SIGNALS:
@@ -104,7 +103,7 @@ Q_SIGNALS:
     // unasked.
     void otherAdapterFound(const codewheel::Refusal &which);
     void fractionBitsDetermined(codewheel::Place place, const codewheel::Result<int> &bits);
-    void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
+    void alarmStopped(); // by alarmStop(): nothing may be sent automatically any more
     void passed(const codewheel::esc::LineRow &row); // what went over the line
     void typedAnswered(const codewheel::TypedAnswered &answer);
     void scanProgressed(const codewheel::ScanProgress &progress);
@@ -115,8 +114,8 @@ private:
     template <class Runner, class Session>
     friend class BusEngine;
     EncoderSession *encoderAt(NodeId node) const override;
-    LineEncoderSession &take(LineAddress address, const DeviceDescription &device); // into the polling
-    std::unique_ptr<LineEncoderSession> leave(std::size_t index);                   // out of it
+    LineEncoderSession &take(LineAddress address, const DeviceDescription &device); // starts polling it
+    std::unique_ptr<LineEncoderSession> leave(std::size_t index);                   // stops polling it
     std::vector<TypedWrite> writesOf(const esc::Request &request) const;
     void tellEnd(const TypedAnswered &answered);
     void post(LineCommand command);

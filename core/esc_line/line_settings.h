@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// All that a serial line is to be opened with. Kept per project, shown by the settings form.
+// Everything a serial line is opened with. Kept per project, shown by the settings form.
 struct LineSettings
 {
     static constexpr Instant shortestInterval{10'000}; // manual, terminal assignment, note 1

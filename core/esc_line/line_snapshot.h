@@ -12,12 +12,12 @@
 
 namespace codewheel {
 
-// What decides whether anything may be sent.
+// What determines whether anything may be sent.
 struct LineState
 {
     bool connected = false;           // false: the port is gone
     std::optional<Refusal> whyLost{}; // while it is gone
-    bool otherAdapter = false;        // there is one, and it is not known to be that of this line
+    bool otherAdapter = false;        // there is one that is not known to be this line's
     LowLatency lowLatency = LowLatency::notApplicable;
     bool polling = false;
     bool operate = false; // writing is allowed
@@ -25,7 +25,7 @@ struct LineState
     friend bool operator==(const LineState &, const LineState &) = default;
 };
 
-// The line as it stood after one exchange.
+// The line after one exchange.
 struct LineSnapshot : LineState
 {
     struct Device
@@ -33,7 +33,7 @@ struct LineSnapshot : LineState
         LineAddress address;
         Reading reading;
         bool hasJob = false;
-        bool present = true; // false: it was removed
+        bool present = true; // false: it has been removed
         LineFigures figures;
     };
 

@@ -12,7 +12,7 @@ namespace {
 
 using RowKind = esc::LineRow::Kind;
 
-// The context of these texts.
+// The translation context of these texts.
 struct LineRowText
 {
     Q_DECLARE_TR_FUNCTIONS(LineRowText)

@@ -10,27 +10,27 @@
 
 namespace codewheel {
 
-// What passed on a serial line, in text: for terminals, traces and exports.
+// What passed on a serial line, as text: for terminals, traces and exports.
 
 inline constexpr std::array lineTrafficColumns{TrafficColumn::time, TrafficColumn::direction,
                                                TrafficColumn::meaning, TrafficColumn::text,
                                                TrafficColumn::bytes};
 
-// What the program asks an encoder without having been told to: position, warnings, alarms, and who it is.
+// What the program asks an encoder automatically: position, warnings, alarms, and its identity.
 bool isAutomatic(esc::Command command);
 
-// The answer that these bytes are to such a request.
+// The answer in these bytes to such a request.
 std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command);
 
 // What passed on a line, with the request it belongs to.
 struct PassedRow
 {
     esc::LineRow row;
-    std::optional<esc::Request> request; // that was sent, or that was sent before what came in
+    std::optional<esc::Request> request; // that was sent, or was the last one sent before this came in
 
-    // Of a position request, and nothing is wrong with it: the polling.
+    // Part of a position request, and nothing is wrong with it: the polling.
     bool isPoll() const;
-    // Of whatever the program may have asked by itself, and nothing is wrong with it.
+    // Part of anything the program may have asked automatically, and nothing is wrong with it.
     bool isAutomatic() const;
 };
 
@@ -48,7 +48,7 @@ public:
         : m_options(std::make_shared<esc::ExplainOptions>(options))
     {}
 
-    // Of the rows made already, too.
+    // Applies to rows already made, too.
     void setExplainOptions(const esc::ExplainOptions &options) { *m_options = options; }
     TrafficRow row(const esc::LineRow &what);
 

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// How a serial line is set. The defaults are those of a Kübler encoder as delivered (manual, "Preset
+// The settings of a serial line. The defaults are those of a Kübler encoder as delivered (manual, "Preset
 // values").
 struct SerialSettings
 {
@@ -17,11 +17,11 @@ struct SerialSettings
     int dataBits = 8;      // 7, 8
     Parity parity = Parity::none;
     int stopBits = 2;       // 1, 2
-    bool lowLatency = true; // asked of the adapter
+    bool lowLatency = true; // requested from the adapter
 
     // Start bit, data, parity and stop bits.
     int bitsPerCharacter() const { return 1 + dataBits + (parity == Parity::none ? 0 : 1) + stopBits; }
-    // What `characters` take on the wire, rounded up to a microsecond.
+    // How long `characters` take on the wire, rounded up to a microsecond.
     Instant timeOf(int characters) const
     {
         const std::int64_t bits = std::int64_t{characters} * bitsPerCharacter();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr qsizetype addressDigits = 2;
 
-// What was typed, taken apart, and the sentences for what is wrong with it.
+// What was typed, in its parts, and the sentences for what is wrong with it.
 class TypedParts
 {
     Q_DECLARE_TR_FUNCTIONS(TypedRequest)
@@ -28,7 +28,7 @@ public:
         , m_data(text.mid(addressDigits + m_letters.size()))
     {}
 
-    // For the first part that is wrong; empty: for none.
+    // For the first wrong part; empty: for none.
     QString fault() const;
     // Precondition: fault() is empty.
     QString valueFault(int fractionBits) const;

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// What a write that is to be sent does, for the question before it: names the command in words, what follows
-// from it, and the exact bytes.
+// What a write about to be sent does, for the confirmation before it: names the command in words, its
+// consequences, and the exact bytes.
 QString writeQuestion(const esc::Request &request, const esc::ExplainOptions &options);
 
 } // namespace codewheel

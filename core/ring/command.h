@@ -20,20 +20,20 @@ struct SetOut
     std::size_t device;
     Word word;
 };
-// The ring that was found (RingFound), first or in place of another, with its drivers: those that were made
-// for it, and those that go on at another place.
+// The ring that was found (RingFound), the first one or a replacement, with its drivers: those newly made for
+// it, and those that continue at another place.
 struct UseRing
 {
     struct Driver
     {
         std::unique_ptr<CyclicDriver> made;
-        std::optional<std::size_t> before; // its place in the ring before; nothing: it is the one made
+        std::optional<std::size_t> before; // its index in the previous ring; empty: use the one made
     };
     RingStructure structure;
     std::vector<Word> out; // as read back
     std::vector<Driver> drivers;
 };
-// The user named the device: another driver from now on, or none. No job runs.
+// The user named the device: a different driver from now on, or none. No job is running.
 struct SetDriver
 {
     std::size_t device;
@@ -50,7 +50,7 @@ struct SetOperate
 };
 struct AlarmStop
 {};
-// Services of the master; refused with a message where the link reaches none.
+// Services of the master; refused with a message if the link reaches none.
 struct ReadIn
 {};
 struct SwitchSegment
@@ -64,7 +64,7 @@ struct KeepConfiguration
 {
     KeptConfiguration configuration;
 };
-// It is told as an event. On connecting, the messages say which one was found.
+// Answered by an event. On connecting, the messages say which one was found.
 struct AskKeptConfiguration
 {
     bool onConnecting;

@@ -50,20 +50,20 @@ private:
 
     const RingStructure &m_configured;
     const RingStructure &m_connected;
-    // For each configured device the connected one that it is, and whether it stayed.
+    // For each configured device its connected counterpart, and whether it stayed.
     struct Partner
     {
         std::optional<Index> connected;
         bool stayed = false;
     };
     std::vector<Partner> m_partner;
-    std::vector<bool> m_isTaken; // connected devices that are a partner
+    std::vector<bool> m_isTaken; // connected devices that have a counterpart
     Comparison m_lines;
     Index m_nextConfigured = 0; // of the walk
     Index m_nextConnected = 0;
 };
 
-// The longest common subsequence. Among equal ones the earliest match is taken: of a row of equal devices,
+// The longest common subsequence. Among equal ones the earliest match is taken: in a row of equal devices,
 // the last ones are missing.
 void RingComparer::findStayed()
 {
@@ -116,7 +116,7 @@ void RingComparer::skipTaken(Index &connected, Index end) const
         ++connected;
 }
 
-// What stands between two devices that stayed: one beside the other as long as there are any on both sides.
+// What is between two devices that stayed: paired up as long as there are any on both sides.
 void RingComparer::addGap(Index configuredEnd, Index connectedEnd)
 {
     Index j = m_nextConnected;

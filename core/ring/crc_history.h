@@ -10,8 +10,8 @@
 
 namespace codewheel {
 
-// How the CRC errors of each segment came over the last minutes, as far as frames of the ring were taken.
-// Kept by RingSession, shown by the master panel.
+// How the CRC errors of each segment were spread over the last minutes, as far as snapshots of the ring were
+// taken. Kept by RingSession, shown by the master panel.
 class CrcHistory
 {
 public:
@@ -20,11 +20,11 @@ public:
 
     struct Segment
     {
-        std::array<std::uint32_t, intervals> counts{}; // errors of each interval, the running one last
+        std::array<std::uint32_t, intervals> counts{}; // errors of each interval, the current one last
         std::optional<Instant> last;                   // when the last error was seen
     };
 
-    // Errors are counted from the start of the ring, and may begin at 0 again.
+    // Errors are counted from the start of the ring, and may start from 0 again.
     void note(const MasterStatus &status, Instant now);
     void clear();
     // All 0 for a segment without errors.
@@ -33,7 +33,7 @@ public:
 private:
     void moveOn(std::int64_t toInterval);
 
-    std::int64_t m_interval = 0; // the running one, counted from Instant 0
+    std::int64_t m_interval = 0; // the current one, counted from Instant 0
     std::map<int, Segment> m_segments;
     std::map<int, std::uint32_t> m_seen;
 };

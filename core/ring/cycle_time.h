@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// How long a bus cycle takes on the wire of a real ring, to be shown as "about", with the form named. The
-// manuals of two generations of masters give different formulas.
+// How long a bus cycle takes on the wire of a real ring, to be shown as "about", naming the form. The manuals
+// of two generations of masters give different formulas.
 enum class CycleTimeForm { g3, g4 };
 
 inline constexpr double longestRemoteBus = 12.8; // km

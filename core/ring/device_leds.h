@@ -11,7 +11,7 @@ namespace codewheel {
 
 class EncoderSession;
 
-// The LEDs on the housing of a device, as they have to be by what the master says: UL supply, RC remote bus
+// The LEDs on the housing of a device, as they should be according to the master: UL supply, RC remote bus
 // check, BA bus active, RBDA remote bus disabled (FRABA manual 3.3).
 enum class LedLight : std::uint8_t { off, on, blinking };
 struct DeviceLeds
@@ -24,8 +24,8 @@ struct DeviceLeds
     friend bool operator==(const DeviceLeds &, const DeviceLeds &) = default;
 };
 
-// `inRing` false: behind a fault, or switched off with its segment. Whether a device there has its supply, no
-// master can tell; UL is taken to be on.
+// `inRing` false: behind a fault, or switched off with its segment. No master can tell whether a device there
+// has power; UL is assumed to be on.
 constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
 {
     if (!inRing || state == MasterState::busFail)
@@ -38,8 +38,8 @@ constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
     return leds;
 }
 
-// Whether its description tells of these four. LWL encoders have two more, for the fibre; one of Loop 2 has a
-// single one, and the manual does not tell what it shows (FRABA manual 3.3).
+// Whether its description covers these four. LWL encoders have two more, for the fibre; one on Loop 2 has a
+// single one, and the manual does not say what it shows (FRABA manual 3.3).
 bool hasRemoteBusLeds(const EncoderSession *encoder);
 
 // "UL on, RC on, BA blinking, RBDA off", in the user's language.

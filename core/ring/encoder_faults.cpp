@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct EncoderFaultText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFaults)

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// Decides which cycles of a device become rows of its trace (the rule stands at Exchange): a shaft that turns
-// gives none. Used by the runner, once per device and cycle.
+// Decides which cycles of a device become rows of its trace (the rule is at Exchange): a turning shaft gives
+// none. Used by the runner, once per device and cycle.
 class ExchangeTrace
 {
 public:
@@ -34,7 +34,7 @@ private:
         bool seen = false;
     };
 
-    // A position may change unseen, anything else may not.
+    // A position may change without a row, anything else may not.
     static constexpr Word watchedBits(Word in) { return k3::isOperation(in) ? k3::controlMask : ~Word{0}; }
 
     std::vector<Last> m_last;

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// A configuration as a master keeps it, with the name of the file it came from.
+// A configuration as stored by a master, with the name of the file it came from.
 struct KeptConfiguration
 {
     QString fileName;
@@ -18,20 +18,20 @@ struct KeptConfiguration
     friend bool operator==(const KeptConfiguration &, const KeptConfiguration &) = default;
 };
 
-// The services of a ring's master (IBS SYS FW G4), where a link reaches it. Used by the thread that
-// exchanges; no call blocks longer than an exchange. What is not possible in the master's state is refused:
+// The services of a ring's master (IBS SYS FW G4), if a link reaches it. Used by the thread that exchanges;
+// no call blocks longer than an exchange. What is not possible in the master's state is refused:
 // masterStateWrong.
 class MasterLink
 {
 public:
     virtual ~MasterLink() = default;
 
-    // How the ring stands after the last cycle or service.
+    // The state of the ring after the last cycle or service.
     virtual const MasterStatus &status() const = 0;
-    // Counts up whenever status() has become another.
+    // Counts up whenever status() has changed.
     virtual std::uint64_t statusChanges() const = 0;
     // Without data: lets the time of one bus cycle pass while the ring does not run, so that the master goes
-    // on looking for a fault or notices that it is mended.
+    // on looking for a fault or notices that it has been repaired.
     virtual void idleCycle() = 0;
 
     // 0710: one ID cycle of creating the configuration from the ring. Call it again until `complete`; the
@@ -42,19 +42,19 @@ public:
         bool complete = false;
     };
     virtual Result<IdCycle> createConfiguration() = 0;
-    // 0711: activates the configuration that was created or loaded last, and tells it. Refused where the ring
-    // is another (ringDiffers), is faulty (busFault), or where there is none (noConfiguration).
+    // 0711: activates the configuration that was created or loaded last, and returns it. Refused if the ring
+    // is different (ringDiffers) or faulty (busFault), or there is none (noConfiguration).
     virtual Result<RingStructure> activateConfiguration() = 0;
     virtual Result<void> deactivateConfiguration() = 0; // 0712
     virtual Result<void> startDataTransfer() = 0;       // 0701
     virtual Result<void> stopDataTransfer() = 0;        // 0702
     virtual void alarmStop() = 0; // 1303: outputs to 0 and the bus stopped, from every state
-    // 0713: a segment is taken out of the data cycles, with all that hangs behind it. It stays so until it is
-    // switched on, or another configuration is created or loaded. Refused (unknownDevice): no such one.
+    // 0713: a segment is taken out of the data cycles, with everything behind it. It stays out until it is
+    // switched on, or another configuration is created or loaded. Refused (unknownDevice): no such segment.
     virtual Result<void> switchSegment(int segment, bool on) = 0;
     virtual Result<void> confirmDiagnostics() = 0; // 0760
 
-    // Downloads it: the master keeps it, and activates it at the next 0711.
+    // Downloads it: the master stores it, and activates it at the next 0711.
     virtual Result<void> keepConfiguration(const KeptConfiguration &configuration) = 0;
     virtual Result<KeptConfiguration> keptConfiguration() = 0; // 030B; refused (noConfiguration)
 };

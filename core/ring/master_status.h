@@ -34,7 +34,7 @@ inline constexpr std::uint16_t quality = 1U << 14;
 inline constexpr std::uint16_t sdsi = 1U << 15;
 } // namespace diagnostic
 
-// What the master says of the ring.
+// What the master says about the ring.
 struct MasterStatus
 {
     struct Device
@@ -58,7 +58,7 @@ struct MasterStatus
     std::uint16_t statusBits = diagnostic::ready;
     std::uint16_t parameter = 0;              // the diagnostic parameter register as it is
     std::uint16_t errorCode = 0;              // 0: none
-    std::optional<QString> configurationName; // file name of what the master keeps; nothing: it keeps none
+    std::optional<QString> configurationName; // file name of what the master stores; empty: it stores none
     std::vector<Device> devices;              // of the active configuration, in ring order
     std::vector<Segment> segments;
 

@@ -9,7 +9,7 @@ namespace codewheel {
 
 // "RUN", the same in every view.
 QString masterStateName(MasterState state);
-// The fault and its place; "none", or that in READY no faults are looked for.
+// The fault and its place; "none", or a note that in READY no faults are looked for.
 QString masterFaultText(const MasterStatus &status);
 
 // By their codes (IBS SYS FW G4 UM).
@@ -28,8 +28,8 @@ enum class MasterService : std::uint16_t {
 // "creating the configuration (0710)", in the user's language.
 QString masterServiceName(MasterService service);
 
-// A bit of the diagnostic status register, 0..15: its name as the master's manual has it ("PF"), and what it
-// tells, in the user's language.
+// A bit of the diagnostic status register, 0..15: its name as in the master's manual ("PF"), and its meaning,
+// in the user's language.
 inline constexpr int diagnosticBits = 16;
 QString diagnosticBitName(int bit);
 QString diagnosticBitText(int bit);

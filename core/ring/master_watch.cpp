@@ -58,8 +58,8 @@ void MasterWatch::lookAtBus(const MasterStatus &status)
         m_messages.push_back({.id = MessageId::busFaultGone});
 }
 
-// Where a fault was located, the devices behind it were out of the ring. They are in it again when it is
-// gone, but for those in segments that are off, where the master does not look.
+// While a fault was located, the devices behind it were out of the ring. They are back when it is gone,
+// except those in segments that are off, where the master does not look.
 bool MasterWatch::isFaultSwitchedOff(const MasterStatus &status) const
 {
     if (m_off.empty() || !m_before.faultPlace() || m_before.devices.size() != status.devices.size())

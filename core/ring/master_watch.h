@@ -10,24 +10,24 @@
 
 namespace codewheel {
 
-// Turns what the master says into messages when a fault appears, is located or goes, when a segment is
-// switched, and, at most once a minute and segment, when data cycles were faulty. Used by the runner after
-// each cycle in which the status changed, so that what lasts one cycle is told.
+// Turns what the master says into messages when a fault appears, is located or goes away, when a segment is
+// switched, and, at most once a minute per segment, when data cycles were faulty. Used by the runner after
+// each cycle in which the status changed, so that what lasts one cycle is reported.
 class MasterWatch
 {
 public:
-    // In the order of what happened; without time. `ring` has the numbers of status.devices.
+    // In the order of events; without time. `ring` has the numbers of status.devices.
     std::vector<Message> look(const MasterStatus &status, const std::vector<NodeId> &ring, Instant now);
 
-    // After each cycle: the CRC errors that were held back until their minute was over.
+    // After each cycle: the CRC errors held back until their minute was over.
     std::vector<Message> lookAtTime(Instant now);
-    // As data cycles end: those that are held back still.
+    // When data cycles end: those still held back.
     std::vector<Message> lookAtRest(Instant now);
 
-    // A service took the master to READY: that the fault does not show any more is no news of the fault.
+    // A service took the master to READY: that the fault no longer shows is not news about the fault.
     void leftByService() { m_before.state = MasterState::ready; }
 
-    // The faults told so far were confirmed; those that go now were not merely cleared.
+    // The faults reported so far were confirmed; those that go away now were not merely cleared.
     void confirmedByService();
 
 private:
@@ -48,7 +48,7 @@ private:
     std::vector<int> m_off;            // segments, in the order they were switched off
     std::set<std::size_t> m_confirmed; // devices
     std::map<int, Told> m_told;        // by segment
-    std::optional<Instant> m_due;      // when CRC errors that are held back are told
+    std::optional<Instant> m_due;      // when the CRC errors held back are reported
     std::vector<Message> m_messages;
 };
 

@@ -5,13 +5,13 @@
 
 namespace codewheel {
 
-// Whether it stands on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
+// Whether it is on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
 inline bool isOnLocalBus(const Participant &participant)
 {
     return participant.deviceNumber().position > 0;
 }
 
-// The number of the device that follows `before` in ring order: a remote-bus device begins a segment, one on
+// The number of the device that follows `before` in ring order: a remote-bus device starts a segment, one on
 // the local bus counts on within it.
 constexpr DeviceNumber nextNumber(DeviceNumber before, bool onLocalBus)
 {

@@ -12,39 +12,39 @@ namespace codewheel {
 class MasterLink;
 
 // The contract of a link to a ring: one exchange of all process data is one bus cycle, and the ring's clock.
-// Blocking, bounded by the link's time-out; used by one thread, interrupt() by any. Words stand in ring
-// order, one 32-bit word per device and direction (0 where a device has none).
+// Blocking, bounded by the link's time-out; used by one thread, interrupt() by any. Words are in ring order,
+// one 32-bit word per device and direction (0 if a device has none).
 class ProcessDataLink
 {
 public:
     virtual ~ProcessDataLink() = default;
 
-    // Connects and finds the participants. Writes nothing to the peer. A link that was lost is opened again
-    // by this, after close().
+    // Connects and finds the participants. Writes nothing to the peer. After close(), also opens a lost link
+    // again.
     virtual Result<RingStructure> open() = 0;
     virtual void close() = 0;
-    // The OUT words as they stand on the peer now, to show them on connect.
+    // The OUT words currently on the peer, to show them on connecting.
     virtual Result<std::vector<Word>> readBackOut() = 0;
     // One cycle: out goes out, in is what came in during the same cycle (not yet the answer to out).
     virtual Result<void> exchange(std::span<const Word> out, std::span<Word> in) = 0;
-    // The time on the ring's clock, which begins at 0 with the link and never goes back, whatever is closed
-    // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes in wait()
-    // alone.
+    // The time on the ring's clock, which starts at 0 with the link and never goes back, whatever is closed
+    // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes only in
+    // wait().
     virtual Instant now() const = 0;
-    // Lets time pass, on a closed link too: until the next cycle. No longer than a cycle takes, so there is
+    // Lets time pass, even on a closed link: until the next cycle. No longer than a cycle takes, so there is
     // nothing to interrupt.
     virtual void wait(Instant until) = 0;
     // Whether each word given to exchange() goes out in that one bus cycle and in no other. A gateway that
     // runs the ring by itself repeats a word until it gets the next one.
     virtual bool boundsWordsToCycles() const = 0;
-    // Whether its encoders are none of this world, and new with each start: what is written to them is not
-    // kept (app/journal_files.h). Those of a real link are.
+    // Whether its encoders are not real, and new with each start: what is written to them is not kept
+    // (app/journal_files.h). What is written to those of a real link is.
     virtual bool isSimulated() const { return false; }
-    // Ends the blocking call under way, or else the next one, early with a refusal of kind `stopped`: the
-    // cycle is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.
+    // Ends the current blocking call, or else the next one, early with a refusal of kind `stopped`: the cycle
+    // is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.
     virtual void interrupt() = 0;
-    // The services of the ring's master; null where the link reaches no more than the process data. It lives
-    // as long as the link, and is used by the thread that exchanges.
+    // The services of the ring's master; null if the link reaches only the process data. It lives as long as
+    // the link, and is used by the thread that exchanges.
     virtual MasterLink *master() { return nullptr; }
 };
 

@@ -6,15 +6,15 @@
 
 namespace codewheel {
 
-// The cable that belongs to the place of a fault, by the devices at its ends.
+// The cable that belongs to the place of a fault, given by the devices at its ends.
 struct RingBreak
 {
     NodeId before; // none: the master
-    NodeId behind; // none: nothing hangs there
+    NodeId behind; // none: nothing is connected there
 };
 
-// Of an outgoing interface the cable behind it; of a device the one before it. Where both a local bus and a
-// branch hang on an outgoing local interface, it is the one that is `cutOff`.
+// For an outgoing interface the cable behind it; for a device the one before it. If both a local bus and a
+// branch are connected to an outgoing local interface, it is the one that is `cutOff`.
 RingBreak breakAt(const RingStructure &ring, const FaultPlace &place, const std::vector<bool> &cutOff);
 
 } // namespace codewheel

@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct RingEdits
 {
     Q_DECLARE_TR_FUNCTIONS(RingEdits)
@@ -29,7 +29,7 @@ bool isWorse(const RingFinding &finding, const std::vector<RingFinding> &before)
     });
 }
 
-// The edited structure, unless it is worse than the one before.
+// The edited structure, unless it breaks more rules than before.
 Result<EditedRing> finish(const RingStructure &before, const RingTree &tree,
                           const RingStructure &participants)
 {
@@ -73,7 +73,7 @@ void putInto(RingTree &tree, const RingPlace &place, std::size_t row, std::size_
     tree.nodes[device].isLocal = place.onLocalBus;
 }
 
-// Without those that hang below another one, in ring order.
+// Without those that are below another one of them, in ring order.
 std::vector<std::size_t> topMost(const RingTree &tree, std::span<const std::size_t> devices)
 {
     std::vector<std::size_t> top;

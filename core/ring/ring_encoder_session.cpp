@@ -35,7 +35,7 @@ Result<std::vector<Step>> RingEncoderSession::planned(const std::vector<Job> &jo
     return stepsForJobs(*this, jobs, channel ? channel->out() : k3::normalRunning);
 }
 
-// Named or vanished meanwhile, it is still there for as long as handlers are being told.
+// Renamed or gone meanwhile, it still exists for as long as handlers are being called.
 bool RingEncoderSession::isOfThisRing() const
 {
     return m_bus.encoder(place()) == this;
@@ -50,7 +50,7 @@ Result<void> RingEncoderSession::mayStart(const Job &job) const
     return checkLink(job);
 }
 
-// 60000000h acts in every cycle in which it stands.
+// 60000000h acts in every cycle it is in OUT.
 Result<void> RingEncoderSession::checkLink(const Job &job) const
 {
     const bool mayBePreset = device().capabilities.manufacturerPreset || device().isGeneric();
@@ -66,7 +66,7 @@ Result<void> RingEncoderSession::checkLink(const Job &job) const
     return {};
 }
 
-// At its place may be another by now.
+// By now another device may be at its index.
 void RingEncoderSession::post(JobCommand command)
 {
     if (!isOfThisRing())
@@ -79,7 +79,7 @@ Instant RingEncoderSession::now() const
     return m_bus.latest().at;
 }
 
-// The number is 0 where the encoder has no valid position (80000000h).
+// The number is 0 if the encoder has no valid position (80000000h).
 Refusal RingEncoderSession::nameOf(const Message &fault) const
 {
     const auto number = static_cast<unsigned>(std::get<std::int64_t>(fault.arguments.front()));

@@ -15,7 +15,7 @@ class RingEncoderSession final : public DrivenEncoderSession
     Q_OBJECT
 
 public:
-    // `linkBoundsCycles`: a word can be sent for one bus cycle only; without it some jobs cannot be done.
+    // `linkBoundsCycles`: a word can be sent for just one bus cycle; without it some jobs are impossible.
     RingEncoderSession(RingSession &bus, std::size_t device, Place number,
                        const DeviceDescription &description, bool linkBoundsCycles);
 
@@ -33,7 +33,7 @@ private:
 
     bool isOfThisRing() const;
     Result<void> checkLink(const Job &job) const;
-    // An error the encoder shows may say that it has lost its parameters.
+    // An error the encoder shows may mean that it has lost its parameters.
     Refusal nameOf(const Message &fault) const;
     void takeFault(const Message &fault);
 

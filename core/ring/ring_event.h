@@ -13,46 +13,46 @@
 
 namespace codewheel {
 
-// Creating the configuration from the ring goes on.
+// Creating the configuration from the ring is progressing.
 struct ReadInProgress
 {
     int devices = 0; // found so far
 };
-// It has ended. Another ring was told before.
+// It has ended. If the ring is a different one, that was reported before.
 struct ReadInEnded
 {
     Result<void> result;
 };
-// The ring there is: the first one after the link was opened, or another than before. Nothing is exchanged
-// until UseRing.
+// The ring that is there: the first one after the link was opened, or a different one than before. Nothing is
+// exchanged until UseRing.
 struct RingFound
 {
     RingStructure structure;
-    std::vector<Word> out; // as they stand on the peer
-    // What the master says of it; null: the link reaches no master.
+    std::vector<Word> out; // as they are on the peer
+    // What the master says about it; null: the link reaches no master.
     std::shared_ptr<const MasterStatus> master{};
 };
-// What the master keeps; nothing: no configuration.
+// What the master stores; empty: no configuration.
 struct KeptConfigurationTold
 {
     std::optional<KeptConfiguration> configuration;
 };
-// What was asked of the ring was refused, or its link is lost.
+// A request to the ring was refused, or its link is lost.
 struct RingRefused
 {
     Refusal why;
 };
-// The word of a SetOut stands on the bus.
+// The word of a SetOut is on the bus.
 struct WordWritten
 {
     Word word;
 };
-// A SetDriver was carried out: what comes of the device from now on is of its new driver.
+// A SetDriver was carried out: what comes from the device from now on is from its new driver.
 struct DriverTaken
 {};
 using MasterEvent = std::variant<ReadInProgress, ReadInEnded, KeptConfigurationTold>;
 
-// What the bus thread tells the window; a device is given by its place in the ring of that generation.
+// What the bus thread reports to the window; a device is given by its index in the ring of that generation.
 struct RingEvent
 {
     std::size_t device = 0; // meaningless for what has no place
@@ -62,7 +62,7 @@ struct RingEvent
     Instant at{};
     unsigned generation = 0;
 
-    bool isRow() const { return std::holds_alternative<Exchange>(what); } // of the trace
+    bool isRow() const { return std::holds_alternative<Exchange>(what); } // for the trace
 };
 
 } // namespace codewheel

@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct RingFaultText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingFaults)
@@ -37,7 +37,7 @@ QString cableText(const RingBreak &cable)
                     {cable.before.toString(), behind});
 }
 
-// The master tells of the device but that it does not find it as it should be.
+// All the master says about the device is that it does not find it as expected.
 QString deviceText(const RingBreak &cable)
 {
     const QString before = cable.before.isEmpty() ? RingFaultText::tr("the master") : cable.before.toString();
@@ -61,7 +61,7 @@ QString notLocatedText(const MasterStatus &master)
     }
 }
 
-// The first segment is the whole ring: nothing would be left that could run.
+// The first segment is the whole ring: nothing that could run would be left.
 bool canRunWithout(const RingStructure &ring, NodeId node)
 {
     return !node.isEmpty() && !ring.empty() &&
@@ -126,7 +126,7 @@ Fault peripheralFault(NodeId node)
             .actions = {FaultAction::confirm}};
 }
 
-// The segment with most of them; the cable before its device belongs to it.
+// The segment with the most errors; the cable before its device belongs to it.
 Fault faultyCycles(const RingSession &bus, const MasterStatus &master)
 {
     const auto worst = std::ranges::max_element(master.segments, {}, &MasterStatus::Segment::crcErrors);

@@ -18,7 +18,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct RingText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingOutline)
@@ -29,7 +29,7 @@ QString idCodeText(unsigned code)
     return QStringLiteral("%1 = %2").arg(hexCode(code, 2)).arg(code);
 }
 
-// Nobody named the device, and the catalog has some that it could be.
+// Nobody named the device, and several in the catalog could be it.
 bool makeIsOpen(const Participant &participant, const Catalog &catalog)
 {
     return participant.deviceKey.isEmpty() &&
@@ -150,7 +150,7 @@ StateWord RingOutline::shown(std::size_t node) const
     if (!m_bus.isRunning())
         return {Role::inactive, tr("stopped")};
     const bool exchanged = m_bus.latest().cycle > 0;
-    if (exchanged && m_bus.encoder(number) == nullptr) // no driver that could tell more
+    if (exchanged && m_bus.encoder(number) == nullptr) // no driver that could say more
         return {Role::running, tr("ok")};
     if (device.reading.state == EncoderState::error)
         return errorWord(m_bus.encoder(number), device.reading);
@@ -178,7 +178,7 @@ StateWord RingOutline::shown(std::size_t node) const
     return {Role::running, tr("ok")};
 }
 
-// What the master says of this very device.
+// What the master says about this very device.
 std::optional<StateWord> RingOutline::faultOf(std::size_t node) const
 {
     const MasterStatus *master = m_bus.master();
@@ -203,7 +203,7 @@ bool RingOutline::isSwitchedOff(std::size_t node) const
            });
 }
 
-// The first one that is not reached for a fault.
+// The first one that a fault cuts off.
 bool RingOutline::isBehindBreak(std::size_t node) const
 {
     if (m_bus.latest().state != MasterState::busFail || isSwitchedOff(node))
@@ -227,7 +227,7 @@ QString RingOutline::faultText(std::size_t node) const
     return its == all.end() ? QString() : its->text;
 }
 
-// How the position stands in IN, where it is not plain binary.
+// How the position is coded in IN, if it is not plain binary.
 QString RingOutline::codingText(const Participant &participant) const
 {
     const EncoderSession *encoder = m_bus.encoder(participant.number);
@@ -239,7 +239,7 @@ QString RingOutline::codingText(const Participant &participant) const
     return {};
 }
 
-// On the housing, as they have to be.
+// On the housing, as they should be.
 QString RingOutline::ledsText(std::size_t node) const
 {
     const Snapshot &ring = m_bus.latest();

@@ -15,7 +15,7 @@ class RingOutline final : public BusOutline
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingOutline)
 
 public:
-    explicit RingOutline(const RingSession &bus) // outlives it
+    explicit RingOutline(const RingSession &bus) // must outlive it
         : m_bus(bus)
     {}
 
@@ -44,7 +44,7 @@ private:
 class PlannedRingOutline final : public BusOutline
 {
 public:
-    PlannedRingOutline(RingStructure structure, const Catalog &catalog) // the catalog outlives it
+    PlannedRingOutline(RingStructure structure, const Catalog &catalog) // the catalog must outlive it
         : m_structure(std::move(structure))
         , m_catalog(catalog)
     {}

@@ -20,7 +20,7 @@ bool isTerminal(const Participant &participant)
     return participant.idCode == busTerminalIdCode;
 }
 
-// A limit on something that grows along the ring.
+// A limit on something that accumulates along the ring.
 struct Limit
 {
     RingRule rule;
@@ -100,7 +100,7 @@ void checkPlaces(const RingStructure &structure, const RingTree &tree, std::vect
     });
 }
 
-// The context of these texts.
+// The translation context of these texts.
 struct RingRules
 {
     Q_DECLARE_TR_FUNCTIONS(RingRules)

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// What a ring may have (Phoenix Contact, data sheets of G4 masters).
+// The limits of a ring (Phoenix Contact, data sheets of G4 masters).
 namespace ring_limit {
 inline constexpr int devices = 512;
 inline constexpr int remoteDevices = 254;
@@ -18,7 +18,7 @@ inline constexpr int localDevices = 63;
 inline constexpr int pcpDevices = 62;
 } // namespace ring_limit
 
-// How much of it a structure has.
+// How much of each limit a structure uses.
 struct RingCounts
 {
     int devices = 0;
@@ -49,7 +49,7 @@ struct RingFinding
 {
     RingRule rule = RingRule::devices;
     std::size_t device = 0; // the first that breaks it
-    int count = 0;          // of what is limited, or of the devices that break the rule
+    int count = 0;          // of whatever is limited, or of the devices that break the rule
     int limit = 0;
 
     friend bool operator==(const RingFinding &, const RingFinding &) = default;

@@ -74,7 +74,7 @@ void RingRunner::Private::carryOut(const command::Cancel &c)
         drivers[c.device]->cancel(c.how, ring.at);
 }
 
-// What the driver before had shown is no reading of this one.
+// What the previous driver showed is no reading of this one.
 void RingRunner::Private::carryOut(command::SetDriver &c)
 {
     drivers[c.device] = std::move(c.driver);
@@ -130,7 +130,7 @@ void RingRunner::Private::carryOut(command::SetOperate c)
     tellOfRing({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
 }
 
-// A word written and not exchanged yet that nobody could take away in Watch.
+// A word written but not yet exchanged that nobody could remove in Watch.
 void RingRunner::Private::takeBackWhatMustNotStand()
 {
     std::erase_if(written, [this](std::size_t i) {
@@ -196,8 +196,8 @@ void RingRunner::Private::exchange()
         step(i);
 }
 
-// `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link. Nor is it where the
-// master tells why nothing can be exchanged.
+// `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link. Nor is it if the
+// master says why nothing can be exchanged.
 void RingRunner::Private::fail(const Refusal &why)
 {
     const bool masterTellsIt = master && master->status().state != MasterState::run;
@@ -248,7 +248,7 @@ void RingRunner::Private::tellWritten()
     written.clear();
 }
 
-// Without an exchange: OUT as it would go out, IN as it came last.
+// Without an exchange: OUT as it would go out, IN as it last came in.
 void RingRunner::Private::showStandingWords()
 {
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -259,8 +259,8 @@ void RingRunner::Private::showStandingWords()
     }
 }
 
-// OUT stays as it was exchanged last, so that the same words go out when the bus runs again. A master whose
-// bus has failed, or that was not merely stopped, has set the outputs of the devices to 0: so they stay at 0.
+// OUT stays as last exchanged, so that the same words go out when the bus runs again. A master whose bus has
+// failed, or that was not merely stopped, has set the outputs of the devices to 0: then they stay at 0.
 void RingRunner::Private::leaveRun(MasterState state)
 {
     ring.state = state;
@@ -280,7 +280,7 @@ void RingRunner::Private::goOnWithWhatWasExchanged()
     written.clear();
 }
 
-// But not a word that nobody could take away in Watch.
+// But not a word that nobody could remove in Watch.
 Word RingRunner::Private::goesOn(std::size_t device, Word last) const
 {
     return drivers[device] && !drivers[device]->mayStand(last) ? Word{0} : last;
@@ -357,17 +357,17 @@ void RingRunner::slept(std::chrono::milliseconds duration)
     d->ring.at = d->link.now();
     d->ring.awakeSince = d->ring.at;
     const std::uint64_t alarmsBefore = d->alarmStops;
-    while (d->carryOutNext()) { // of before
+    while (d->carryOutNext()) { // posted before
     }
     d->endJobs(RefusalId::computerSlept);
     d->goOnWithWhatWasExchanged();
-    if (d->zerosAreDue || d->alarmStops > alarmsBefore) // whatever was exchanged
+    if (d->zerosAreDue || d->alarmStops > alarmsBefore) // whatever has been exchanged
         d->zeroOut();
     d->ring.operate = false;
     d->tell(0, Slept{duration});
 }
 
-// The zeros of an ALARM STOP go out before.
+// The zeros of an ALARM STOP go out first.
 void RingRunner::close()
 {
     d->ring.at = d->link.now();

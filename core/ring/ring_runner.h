@@ -17,18 +17,19 @@ namespace codewheel {
 //
 // A word a driver answers in one cycle goes out in the next. The bus starts stopped and in Watch. While it is
 // stopped or has failed nothing is exchanged and jobs end; words that were not exchanged are not sent later
-// by themselves.
+// automatically.
 //
-// What ring there is, open() finds and tells; UseRing brings the drivers for it. So it does when the master
-// has another ring active than the one there was: nothing is exchanged until then.
+// open() finds out which ring there is and reports it; UseRing brings the drivers for it. The same happens
+// when the master has a different ring active than before: nothing is exchanged until then.
 //
-// Where the link reaches a master, its services start and stop the ring, and what it says of a fault decides
+// If the link reaches a master, its services start and stop the ring, and what it says about a fault decides
 // the state. When the bus has failed, or after ALARM STOP, all OUT words are 0. A device that is not in the
 // ring has no reading, and its driver waits.
 //
-// A link that refuses an exchange is lost: it is told, and tried again each second. When it is back the bus
-// is in Watch, with OUT as it stands on the peer, and runs if it ran before and a master has not stopped it
-// meanwhile. What was asked of a lost bus that concerns its running is done then: start, stop, ALARM STOP.
+// A link that refuses an exchange is lost: that is reported, and the link is tried again every second. When
+// it is back the bus is in Watch, with OUT as it is on the peer, and runs if it ran before and a master has
+// not stopped it meanwhile. What was asked of a lost bus concerning its running is done then: start, stop,
+// ALARM STOP.
 class RingRunner final : public BusRunner<Command, RingEvent, Snapshot>
 {
 public:

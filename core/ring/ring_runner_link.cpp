@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::seconds betweenTries{1}; // of opening a link that is lost
+constexpr std::chrono::seconds betweenTries{1}; // of opening a lost link
 
 } // namespace
 
@@ -50,7 +50,7 @@ void RingRunner::Private::waitForLink()
     showStandingWords();
 }
 
-// That it does not open was told when it was lost. A master that was stopped meanwhile is not started.
+// That it does not open was reported when it was lost. A master that was stopped meanwhile is not started.
 void RingRunner::Private::tryToReopen()
 {
     reopenAt = ring.at + betweenTries;
@@ -73,7 +73,7 @@ void RingRunner::Private::tryToReopen()
     comeBack();
 }
 
-// There is a ring that can run. An ALARM STOP that its link was too late for goes first.
+// There is a ring that can run. An ALARM STOP that came too late for its link goes first.
 void RingRunner::Private::comeBack()
 {
     seenOfMaster = ~std::uint64_t{0};
@@ -87,7 +87,7 @@ void RingRunner::Private::comeBack()
         carryOut(command::StartBus{});
 }
 
-// It is told whatever the master has said of the ring before.
+// Reported whatever the master said about the ring before.
 void RingRunner::Private::carryOut(command::UseRing &c)
 {
     endJobs(RefusalId::busStopped);

@@ -24,7 +24,7 @@ bool RingRunner::Private::mayUse(MasterService service)
     return allowed.has_value();
 }
 
-// 0711 where no configuration is active, then 0701.
+// 0711 if no configuration is active, then 0701.
 Result<void> RingRunner::Private::startTransfer()
 {
     if (!master || master->status().state == MasterState::run)
@@ -42,7 +42,7 @@ Result<void> RingRunner::Private::startTransfer()
     return master->startDataTransfer();
 }
 
-// Another ring than ours waits for UseRing, and runs then.
+// A ring other than ours waits for UseRing, and runs then.
 void RingRunner::Private::takeActive(const RingStructure &active)
 {
     ringIsOther = !isSameRing(active, structure);
@@ -125,7 +125,7 @@ void RingRunner::Private::carryOut(const command::SwitchSegment &c)
     lookAtMaster();
 }
 
-// What comes back at once is told again.
+// What comes back at once is reported again.
 void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
 {
     if (!mayUse(MasterService::confirmDiagnostics))
@@ -193,7 +193,7 @@ void RingRunner::Private::lookAtStatus()
     seenOfMaster = master->statusChanges();
     const auto status = std::make_shared<const MasterStatus>(master->status());
     ring.master = status;
-    if (ringIsOther) // what it says is of devices that we have not
+    if (ringIsOther) // what it says is about devices we do not have
         return;
     std::vector<NodeId> numbers;
     for (const Participant &participant : structure)
@@ -216,7 +216,7 @@ void RingRunner::Private::showWhoIsInRing(const MasterStatus &status)
     }
 }
 
-// What it showed last is no reading any more, and what stood in OUT is not sent again by itself.
+// What it showed last is no longer a reading, and what was in OUT is not sent again automatically.
 void RingRunner::Private::leaveRing(std::size_t i)
 {
     if (drivers[i] && drivers[i]->busy()) {

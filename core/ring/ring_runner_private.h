@@ -18,7 +18,7 @@ struct RingRunner::Private
 
     Private(ProcessDataLink &usedLink, Mail &usedMail);
 
-    // False: the zeros of an ALARM STOP have to go out, and the rest waits.
+    // False: the zeros of an ALARM STOP have to go out first, and the rest waits.
     bool carryOutCommands();
     bool carryOutNext(); // false: there is none
     void carryOut(command::UseRing &c);
@@ -64,7 +64,7 @@ struct RingRunner::Private
 
     // With a master (ring_runner_master.cpp).
     bool reaches(MasterService service);
-    bool mayUse(MasterService service); // of those that change what the ring does
+    bool mayUse(MasterService service); // one of those that change what the ring does
     Result<void> startTransfer();
     Result<void> endActiveConfiguration();
     void takeActive(const RingStructure &active);
@@ -92,16 +92,16 @@ struct RingRunner::Private
     Drivers drivers{};
     std::vector<Word> image{}; // OUT as it goes out next
     std::vector<Word> received{};
-    std::vector<std::size_t> written{}; // by SetOut, and not exchanged yet
+    std::vector<std::size_t> written{}; // by SetOut, and not yet exchanged
     Snapshot ring{};                    // the last cycle; its OUT words are those that went out
     ExchangeTrace trace{0};
     FaultWatch faults{0};
     MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
     bool readingIn = false;
-    bool ringIsOther = false; // there is another ring than ours: nothing can be exchanged
+    bool ringIsOther = false; // the ring is not ours: nothing can be exchanged
     bool runsAgain = false;   // once there is a ring to run: it ran before, or was started meanwhile
-    bool zerosAreDue = false; // of an ALARM STOP, which came while the bus runs, or while its link was lost
+    bool zerosAreDue = false; // of an ALARM STOP that came while the bus runs, or while its link was lost
     std::uint64_t alarmStops = 0;
     Instant reopenAt{}; // of a lost link
 };

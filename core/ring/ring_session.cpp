@@ -53,7 +53,7 @@ std::unique_ptr<CyclicDriver> RingSession::Private::makeSession(RingSession &bus
     return driver;
 }
 
-// Of what was told by the driver from before the device was named.
+// Those reported by the previous driver, from before the device was named.
 void RingSession::Private::keepEepromWrites(const RingEvent &event)
 {
     const auto *told = std::get_if<Event>(&event.what);
@@ -122,7 +122,7 @@ void RingSession::pump()
     d->engine.pump();
 }
 
-// Who is told that one of them ends finds none any more. One of them may be telling right now.
+// Whoever is told that one of them ends no longer finds any. One of them may be emitting right now.
 void RingSession::Private::retireAll()
 {
     std::ranges::move(std::exchange(sessions, {}), std::back_inserter(retired));
@@ -139,7 +139,7 @@ void RingSession::Private::endRetired()
     retiredDescriptions.clear();
 }
 
-// What shows already in the next frame.
+// What shows in the very next frame.
 bool RingSession::takeAtOnce(const RingEvent &event)
 {
     const bool isOfRing = event.generation == d->generation;
@@ -195,7 +195,7 @@ void RingSession::showDevice(std::size_t place)
         d->sessions[place]->show(device.reading, circumstances);
 }
 
-// Of a ring before, the end of each job was told already.
+// For an earlier ring, the end of each job has already been reported.
 void RingSession::dispatch(const RingEvent &event)
 {
     const bool isOfRing = event.generation == d->generation && event.device < d->sessions.size();
@@ -237,7 +237,7 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         Q_EMIT d->channels[*device]->refused(*message.refusal);
 }
 
-// At the place of a channel may be another by now.
+// By now another device may be at the place of a channel.
 Result<void> RingSession::write(const WordChannel &channel, Word word)
 {
     const std::size_t device = d->indexOf(channel.place().node);
@@ -250,7 +250,7 @@ Result<void> RingSession::write(const WordChannel &channel, Word word)
     if (auto allowed = maySend(d->latest(), device, channel.place().shown(), RefusalId::wordHeldByJob);
         !allowed)
         return allowed;
-    if (session && session->runningJob()) // started, and not shown by a snapshot yet
+    if (session && session->runningJob()) // started, but not yet shown by a snapshot
         return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {channel.place().shown()});
     if (session)
         Q_EMIT session->wordAboutToBeSent(word);

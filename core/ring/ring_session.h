@@ -25,9 +25,9 @@ class WordDoubts;
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
 //
-// A link that is lost is tried again each second. Once it is back the bus is in Watch; a ring that is another
-// by then is taken over: structureChanged. A device of the same number, device code and name keeps its
-// session, its channel, and what is known of it then; those of all others are gone at the next pump().
+// A lost link is tried again every second. Once it is back the bus is in Watch; if the ring is a different
+// one by then, it is adopted: structureChanged. A device with the same number, device code and name keeps its
+// session, its channel, and what is known of it; those of all others are gone at the next pump().
 class RingSession final : public EncoderBus
 {
     Q_OBJECT
@@ -36,22 +36,22 @@ public:
     // Null for a device that cannot be driven; the description outlives the driver.
     using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
 
-    // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for. No
-    // factory: the drivers of the program (drivers/make_driver.h).
+    // The catalog must outlive the session. `begin` is the date and time of Instant 0. No factory: the
+    // drivers of the program (drivers/make_driver.h).
     RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                 QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
     ~RingSession() override;
 
     // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
-    // nothing. Ends sessions and channels of a connection before. With a pacing a thread does it, and the
-    // bus is `opening` until pump() tells the end; without one it is done at once, and the first cycle comes
-    // with startThread() or advance().
+    // nothing. Ends sessions and channels of an earlier connection. With a pacing a thread does it, and the
+    // bus is `opening` until pump() reports the end; without one it is done at once, and the first cycle
+    // comes with startThread() or advance().
     Result<void> open(Start start, std::optional<Pacing> pacing = {});
     void close() override;
 
-    // Cycles by a thread of its own, on absolute deadlines ...
+    // Cycles driven by a thread of its own, on absolute deadlines ...
     void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
-    // ... or by hand: each cycle is 1 ms later than the one before. Pumps afterwards.
+    // ... or by hand: each cycle is 1 ms after the previous one. Pumps afterwards.
     void advance(int cycles);
     void advance(Instant duration) override;
     void pump() override;
@@ -63,7 +63,7 @@ public:
     std::vector<Place> places() const override;
 
     const Snapshot &latest() const;
-    // What the ring's master says; null where the link reaches none.
+    // What the ring's master says; null if the link reaches none.
     const MasterStatus *master() const;
     const CrcHistory &crcHistory() const;
     const WordDoubts &doubts() const;
@@ -78,17 +78,17 @@ public:
     // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
     //
     // Reads in the ring: stops it, has the master find the devices (readInProgressed), and lets it run again.
-    // A ring that is another than before is taken over: structureChanged.
+    // A ring that differs from the previous one is adopted: structureChanged.
     void readIn();
     bool isReadingIn() const;
-    // Takes a segment out of the data cycles with all that hangs behind it, or puts it back.
+    // Takes a segment out of the data cycles with everything behind it, or puts it back.
     void switchSegment(int segment, bool on);
     void confirmDiagnostics();
-    // The master keeps this configuration from now on, and activates it when it is started the next time.
+    // The master stores this configuration from now on, and activates it the next time it is started.
     void keepConfiguration(const KeptConfiguration &configuration);
     void askKeptConfiguration(); // answered by keptConfigurationTold
 
-    // Where no description has the key, the device is "make not known" again.
+    // If no description has the key, the device is "make not known" again.
     Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
     // By its device code.
     Result<void> canBe(Place place, const DeviceDescription &device) const override;
@@ -98,9 +98,10 @@ public:
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
 
 Q_SIGNALS:
-    void refused(const codewheel::Refusal &why); // what was asked of the ring as a whole, or its link is lost
-    void readInProgressed(int devices);          // found so far
-    void readInEnded();                          // structure() is what was found
+    void
+    refused(const codewheel::Refusal &why); // a request to the whole ring was refused, or its link is lost
+    void readInProgressed(int devices);     // found so far
+    void readInEnded();                     // structure() is what was found
     void readInFailed(const codewheel::Refusal &why);
     void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
 
@@ -113,7 +114,7 @@ private:
     Result<void> write(const WordChannel &channel, Word word);
     void showDevice(std::size_t place);
     void post(Command command);
-    void linkOpened() {} // the ring is told next
+    void linkOpened() {} // the ring is reported next
     bool takeAtOnce(const RingEvent &event);
     bool isOfNow(const Snapshot &snapshot) const;
     void showLatest();

@@ -38,9 +38,9 @@ struct RingSession::Private
     const Snapshot &latest() const { return *engine.latest(); }
     bool isStale(std::size_t place) const { return renamings[place] > 0; }
     void retireAll();
-    void endRetired(); // unless handlers may still look at them
+    void endRetired(); // unless handlers may still be looking at them
     void keepEepromWrites(const RingEvent &event);
-    // Another ring takes the place of this one (ring_session_ring.cpp).
+    // Another ring replaces this one (ring_session_ring.cpp).
     command::UseRing takeOver(RingSession &bus, const RingFound &found);
     std::size_t indexOf(NodeId node) const; // structure.size(): no such device
 
@@ -55,10 +55,10 @@ struct RingSession::Private
     std::vector<std::unique_ptr<RingEncoderSession>> sessions; // null: no driver
     std::vector<std::unique_ptr<WordChannel>> channels;
     std::vector<std::deque<DeviceDescription>> retiredDescriptions;
-    // Of devices named, or of a ring read in, in the midst of pump().
+    // Of devices named, or of a ring read in, in the middle of pump().
     std::vector<std::unique_ptr<RingEncoderSession>> retired;
     std::vector<std::unique_ptr<WordChannel>> retiredChannels;
-    std::vector<int> renamings; // on their way to the bus thread: what comes is of the driver before
+    std::vector<int> renamings; // on their way to the bus thread: until then, the previous driver reports
 
     Start start = Start::watching;
     unsigned generation = 0; // of the ring; 0: none is used yet
@@ -66,7 +66,7 @@ struct RingSession::Private
     CrcHistory crcHistory;
     WordDoubts doubts;
     MasterState toldState = MasterState::ready;
-    BusEngine<RingRunner, RingSession> engine; // ends before what its drivers use
+    BusEngine<RingRunner, RingSession> engine; // destroyed before what its drivers use
 };
 
 } // namespace codewheel

@@ -18,7 +18,7 @@ bool isSameDevice(const Participant &before, const Participant &found)
 
 } // namespace
 
-// What is unchanged keeps its driver, session and channel; only its place may be another.
+// What is unchanged keeps its driver, session and channel; only its index may differ.
 command::UseRing RingSession::Private::takeOver(RingSession &bus, const RingFound &found)
 {
     const RingStructure before = std::exchange(structure, found.structure);
@@ -66,7 +66,7 @@ void RingSession::takeOfMaster(const MasterEvent &event)
     }
 }
 
-// As it will be when the first cycle has carried this out.
+// As it will be once the first cycle has carried this out.
 void RingSession::useFirstRing(const RingFound &found)
 {
     const bool operates = d->start == Start::operating;
@@ -94,8 +94,8 @@ void RingSession::useOtherRing(const RingFound &found)
     Q_EMIT nodesChanged();
 }
 
-// Those that came too late for the ring before: the bus thread refuses them, and nobody takes its word for it
-// any more.
+// Those that came too late for the previous ring: the bus thread refuses them, but nobody listens to it about
+// them any more.
 void RingSession::endJobsOfBefore()
 {
     for (std::size_t i = 0; i < d->sessions.size(); ++i)

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct Texts
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingStrangers)
@@ -39,7 +39,7 @@ QString configuredText(const ComparisonLine &line, const QString &name, const Pa
     return name;
 }
 
-// Of a device that does not stand at its place for certain.
+// For a device that is not certain to be at its place.
 Refusal whyNot(const ComparisonLine &line, const Participant &configured, const RingStructure &connected,
                const Catalog &catalog)
 {

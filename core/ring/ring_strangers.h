@@ -10,9 +10,9 @@ namespace codewheel {
 
 class Catalog;
 
-// Of the configured devices those that are not for certain the connected ones at their numbers: notInRing, or
-// ringDiffers, which tells where the configured one stands now. The number alone does not tell: where a
-// device before them is missing or additional, all behind it have another number.
+// The configured devices that are not certain to be the connected ones at their numbers: notInRing, or
+// ringDiffers, which says where the configured one is now. The number alone does not tell: if a device before
+// them is missing or additional, all those behind it have another number.
 std::map<NodeId, Refusal> strangersInRing(const RingStructure &configured, const RingStructure &connected,
                                           const Catalog &catalog);
 

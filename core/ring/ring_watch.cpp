@@ -5,7 +5,7 @@ namespace codewheel {
 
 std::optional<Message> FaultWatch::look(std::size_t device, const Reading &reading)
 {
-    if (reading.state == EncoderState::service) // says nothing of the fault
+    if (reading.state == EncoderState::service) // says nothing about the fault
         return std::nullopt;
     std::optional<unsigned> fault;
     if (reading.state == EncoderState::error)

@@ -8,8 +8,8 @@
 
 namespace codewheel {
 
-// Turns what a device shows in every cycle into a message when a fault appears, changes or goes. Used by the
-// runner, so that a fault of a single cycle is told.
+// Turns what a device shows in every cycle into a message when a fault appears, changes or goes away. Used by
+// the runner, so that even a fault that lasts one cycle is reported.
 class FaultWatch
 {
 public:
@@ -17,7 +17,7 @@ public:
         : m_faults(devices)
     {}
 
-    // Nothing while nothing changes. No time and place.
+    // Empty while nothing changes. No time and place.
     std::optional<Message> look(std::size_t device, const Reading &reading);
 
 private:

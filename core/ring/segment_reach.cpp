@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// In ring order a line goes on until a device of a lower level follows.
+// In ring order a line continues until a device of a lower level follows.
 std::vector<std::size_t> placesBehindSegment(const RingStructure &ring, int segment)
 {
     const auto first = std::ranges::find(ring, DeviceNumber{segment, 0}.node(), &Participant::number);

@@ -14,9 +14,9 @@ namespace codewheel {
 // What concerns the ring as a whole.
 struct RingState
 {
-    unsigned generation = 0; // which of the rings that were used since the link was opened; 0: none yet
-    bool connected = false;  // false: the link is lost
-    std::optional<Refusal> whyLost{}; // while it is
+    unsigned generation = 0;          // counts the rings used since the link was opened; 0: none yet
+    bool connected = false;           // false: the link is lost
+    std::optional<Refusal> whyLost{}; // while it is lost
     std::uint64_t cycle = 0;
     Instant at{};
     MasterState state = MasterState::ready;
@@ -25,12 +25,11 @@ struct RingState
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
-    // What the master says, made anew when it changes; null: the link reaches no master.
+    // What the master says, created anew when it changes; null: the link reaches no master.
     std::shared_ptr<const MasterStatus> master{};
 };
 
-// The ring as it stood after one cycle, with the bits that changed in any cycle since the last snapshot was
-// taken.
+// The ring after one cycle, with the bits that changed in any cycle since the last snapshot was taken.
 struct Snapshot : RingState
 {
     struct Device
@@ -46,8 +45,8 @@ struct Snapshot : RingState
 
     std::vector<Device> devices; // in ring order
 
-    // Becomes the newer one, which has the edges of its own cycle alone, and keeps its own edges. Allocates
-    // nothing unless that is of another ring.
+    // Becomes the newer one, which only has the edges of its own cycle, and keeps its own edges. Allocates
+    // nothing unless that one is of another ring.
     void giveWayTo(const Snapshot &newer);
 };
 

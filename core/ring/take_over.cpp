@@ -8,14 +8,14 @@
 namespace codewheel {
 namespace {
 
-// A device of the result, and the connected one beside it, which tells where others are to be inserted.
+// A device of the result, and its connected counterpart, which determines where others are inserted.
 struct Slot
 {
     TakenDevice device;
     std::optional<std::size_t> beside;
 };
 
-// The configured devices without those that go or move.
+// The configured devices without those that are removed or move.
 std::vector<Slot> remainingSlots(const Comparison &comparison, const std::vector<bool> &isTaken)
 {
     std::vector<Slot> slots;
@@ -30,7 +30,7 @@ std::vector<Slot> remainingSlots(const Comparison &comparison, const std::vector
     return slots;
 }
 
-// Behind the nearest of the devices that stand before it in the connected ring.
+// After the nearest of the devices that come before it in the connected ring.
 void insertSlot(std::vector<Slot> &slots, TakenDevice device)
 {
     const auto before = std::find_if(slots.rbegin(), slots.rend(), [&](const Slot &slot) {

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// One device of a ring that took over lines of another: from its own place, the other's, or both where it
-// stays itself and takes place, level and code from there.
+// One device of a ring that took over lines of another: from its own ring, the other, or both if it stays
+// itself and takes place, level and code from there.
 struct TakenDevice
 {
     std::optional<std::size_t> own;
@@ -15,14 +15,14 @@ struct TakenDevice
     friend bool operator==(const TakenDevice &, const TakenDevice &) = default;
 };
 
-// What the configured ring is made of once the lines of these indices are taken over from the connected one,
-// in ring order. Other lines stay as they are. All lines: the order of the connected ring.
+// What the configured ring consists of once the lines with these indices are taken over from the connected
+// one, in ring order. Other lines stay as they are. With all lines: the order of the connected ring.
 std::vector<TakenDevice> takeOver(const Comparison &comparison, std::span<const std::size_t> lines);
 
-// The same with the sides exchanged, to take over from the configured ring.
+// The same with the sides swapped, to take over from the configured ring.
 Comparison mirrored(Comparison comparison);
 
-// A device of takeOver(). Its make stays known where it is of the same kind.
+// A device of takeOver(). Its make stays known if it is of the same kind.
 Participant takenParticipant(const TakenDevice &device, const RingStructure &own, const RingStructure &other);
 // The ring with those lines taken over, devices numbered by their places.
 RingStructure takenOver(const RingStructure &own, const RingStructure &other, const Comparison &comparison,

@@ -12,16 +12,16 @@ namespace {
 
 constexpr Instant usualConfirmation = std::chrono::milliseconds(50); // at most, assumed
 constexpr Instant toldFor = std::chrono::seconds(5);
-constexpr std::int64_t farAway = 1024; // steps; less than that a shaft turns between two snapshots
+constexpr std::int64_t farAway = 1024; // steps; between two snapshots a shaft turns less than that
 
-// The positions behind the last one begin with 0 again, which is no leap; most have a power of two of them.
+// After the last position comes 0 again, which is no jump; the number of positions is usually a power of two.
 bool isFarFromZero(std::int64_t position)
 {
     const auto distance = static_cast<std::uint64_t>(std::abs(position));
     return distance > farAway && std::bit_ceil(distance + 1) - distance > farAway;
 }
 
-// Where its coding is not known, IN as a number will do.
+// If its coding is not known, IN as a number will do.
 std::optional<std::int64_t> positionIn(const Reading &reading)
 {
     if (reading.state != EncoderState::operation || reading.velocity || reading.cams)

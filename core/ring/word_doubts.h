@@ -9,22 +9,22 @@
 
 namespace codewheel {
 
-// What the words of an encoder alone do not tell for certain, and what their course makes likely. An encoder
-// without power shows 00000000, which is position 0 too. Used by RingSession, with each snapshot.
+// What the words of an encoder do not tell for certain, but their course makes likely. An encoder without
+// power shows 00000000, which is also position 0. Used by RingSession, with each snapshot.
 class WordDoubts
 {
 public:
-    using ProfileOf = std::function<std::optional<Profile>(std::size_t device)>; // nothing: no encoder
+    using ProfileOf = std::function<std::optional<Profile>(std::size_t device)>; // empty: no encoder
 
     void look(const Snapshot &ring, const ProfileOf &profileOf);
 
-    // IN fell to 00000000 from a position far away, though OUT stayed as it was.
+    // IN fell to 00000000 from a position far away, while OUT stayed as it was.
     bool mayBeOff(std::size_t device) const
     {
         return device < m_devices.size() && m_devices[device].mayBeOff;
     }
-    // The last OUT word that took longer to be confirmed than encoders need, told for a while, so that a job
-    // of many words is one doubt; nothing: there was none.
+    // The last OUT word that took longer to be confirmed than encoders need, reported for a while, so that a
+    // job of many words is one doubt; empty: there was none.
     std::optional<Word> slowlyConfirmed(std::size_t device) const;
 
 private:
