@@ -21,8 +21,8 @@ bool BaumerK3::take(Word out)
     return true;
 }
 
-// The previous number, 0 at first, stands beside the new data until the processing is done. The number
-// confirmed last must not come again: it is ignored.
+// While processing, the previous number (0 at first) is shown beside the new data. The number confirmed last
+// must not be sent again: it is ignored.
 void BaumerK3::takeParameter(Word out)
 {
     const unsigned previous = phase() == Phase::parameterization ? k3::number(shown()) : 0;

@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// From the physical position to the word on the bus, for one admissible set of parameters (Baumer 5). Made
-// anew when the parameters change, so that a bus cycle costs no 64-bit division.
+// From the physical position to the word on the bus, for one valid set of parameters (Baumer 5). Created anew
+// when the parameters change, so that a bus cycle costs no 64-bit division.
 //
-//   raw -> scaled x -> API (absolute) -> PI (process value) -> coded
+//     raw -> scaled x -> API (absolute) -> PI (process value) -> coded
 class EncoderArithmetic
 {
 public:
@@ -72,8 +72,8 @@ private:
         return coding <= 2 ? Code::signedBinary : coding <= 4 ? Code::binary : Code::gray;
     }
 
-    // floor(raw x steps / (revolutions x physical steps)). The product is below 2^50: the quotient by the
-    // reciprocal, itself 2^-53 off at most, may be one too small but never too large.
+    // floor(raw x steps / (revolutions x physical steps)). The product is below 2^50: the quotient computed
+    // with the reciprocal, itself off by at most 2^-53, may be one too small but never too large.
     std::int64_t scaled(std::int64_t raw) const
     {
         const std::int64_t product = raw * m_steps;

@@ -11,7 +11,7 @@ std::uint32_t bit(int number, bool set)
 
 } // namespace
 
-// A flat battery alone is no general fault: the manual's own 4000.
+// A flat battery alone is not a general fault: the manual's own 4000.
 std::uint32_t escAlarms(const EscCondition &condition, const EscMotion &motion)
 {
     const bool generalFault =
@@ -20,7 +20,7 @@ std::uint32_t escAlarms(const EscCondition &condition, const EscMotion &motion)
            bit(0, condition.positionError);
 }
 
-// A position warning is taken for "one of the two limit switches" (assumed).
+// A position warning is taken to mean "one of the two limit switches" (assumed).
 std::uint32_t escWarnings(const EscCondition &condition, const EscMotion &motion)
 {
     return bit(15, motion.standsStill) | bit(14, motion.aboveUpperLimit || motion.belowLowerLimit) |

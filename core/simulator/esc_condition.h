@@ -5,23 +5,23 @@
 
 namespace codewheel {
 
-// What has happened to a simulated ESC encoder, and how its inputs are wired. The trainer sets it.
+// What has happened to a simulated ESC encoder, and how its inputs are wired. Set by the trainer.
 struct EscCondition
 {
     bool powered = true;
-    bool mute = false; // hears and acts, and says nothing
+    bool mute = false; // hears and acts, but says nothing
     bool temperatureExceeded = false;
     bool batteryLimit = false; // warning: will soon be flat
     bool batteryFlat = false;
-    bool lightControl = false; // the light control is at its end
+    bool lightControl = false; // the light control is at its limit
     bool positionError = false;
-    bool vrHigh = false; // input VR at +UB: values fall
-    bool stOpen = false; // RS-422: input ST not tied to +UB, and no ESC command works
+    bool vrHigh = false; // input VR at +UB: values decrease
+    bool stOpen = false; // RS-422: input ST not tied to +UB, so no ESC command works
 
     friend bool operator==(const EscCondition &, const EscCondition &) = default;
 };
 
-// What its shaft and its position add to that.
+// What its shaft and its position contribute.
 struct EscMotion
 {
     bool standsStill = true;

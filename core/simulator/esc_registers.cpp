@@ -12,7 +12,8 @@ void EscRegisters::setStepsPerTurn(std::uint32_t steps)
     hasCalculatedFactor = false;
 }
 
-// Not marked in the manual as waiting for GF: where the steps per revolution rule, it counts at once.
+// The manual does not say that it waits for GF: while the steps per revolution apply, it takes effect at
+// once.
 void EscRegisters::setRevolutions(std::uint32_t turns)
 {
     revolutions = turns;

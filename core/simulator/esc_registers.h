@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// What a simulated ESC encoder keeps, as it is delivered, and the position it makes of it. Everything is
-// stored at once and survives a power cycle (assumed: the manual speaks of no EEPROM).
+// What a simulated ESC encoder stores, as delivered, and the position derived from it. Everything is stored
+// at once and survives a power cycle (assumed: the manual mentions no EEPROM).
 struct EscRegisters
 {
     static constexpr std::uint32_t physicalSteps = 8192;
@@ -32,11 +32,11 @@ struct EscRegisters
     bool isPerTurn = true;            // GR set the resolution; false: GT set the total measuring range
     bool hasCalculatedFactor = false; // GF was sent since the last GR or GT
 
-    // What GF made of measuringRange: GR and GT show in D and M, and change nothing else until then.
+    // What GF made of measuringRange: until then, GR and GT show in D and M but change nothing else.
     std::uint32_t workingRange = physicalRange;
 
     std::uint32_t one() const { return 1U << fractionBits; }
-    // 0.00001, the least the manual allows.
+    // 0.00001, the smallest the manual allows.
     std::uint32_t leastFactor() const { return one() / 100'000; }
     std::uint32_t range() const { return isScaled ? workingRange : physicalRange; }
     bool hasLimits() const { return lowerLimit != 1 || upperLimit != physicalRange - 1; }
@@ -46,7 +46,7 @@ struct EscRegisters
     void setMeasuringRange(std::uint32_t steps);
     void setFactor(std::uint32_t value);
 
-    // 0..range() - 1. `raw` is the physical position, `falls` makes the values fall when the shaft turns
+    // 0..range() - 1. `raw` is the physical position; with `falls` the values decrease when the shaft turns
     // clockwise.
     std::uint32_t position(std::int64_t raw, bool falls) const;
     // The position at `raw` becomes `value`, below range().

@@ -61,7 +61,7 @@ QString faultText(const char *text)
     return QCoreApplication::translate("codewheel::FaultPlan", text);
 }
 
-// The rules of the file, part by part. One object a file.
+// The rules of the file, part by part. One object per file.
 class FaultPlanReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::FaultPlanReader)
@@ -84,7 +84,7 @@ private:
     FaultPlan m_plan;
 };
 
-// Before anything else: what is of another kind has other keys.
+// Before anything else: a file of another kind has other keys.
 void FaultPlanReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
 {
     if (!root.isObject() || root["format"] == Json::Value(planFormat))

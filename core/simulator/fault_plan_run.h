@@ -7,8 +7,7 @@
 
 namespace codewheel {
 
-// A fault plan while it is carried out: knows which step is due in which cycle of 1 ms. Used by
-// SimulatedRing.
+// A running fault plan: knows which step is due in which cycle of 1 ms. Used by SimulatedRing.
 class FaultPlanRun
 {
 public:
@@ -22,7 +21,7 @@ public:
     void stop() { m_isRunning = false; }
     bool isRunning() const { return m_isRunning; }
 
-    // To be called once per cycle, and then due() until it is null.
+    // To be called once per cycle, then due() until it returns null.
     void passCycle() { ++m_elapsed; }
     const FaultStep *due()
     {

@@ -5,7 +5,7 @@ namespace codewheel {
 
 namespace {
 
-// D31..D29 of OUT; the cam number stands in D28..D25.
+// D31..D29 of OUT; the cam number is in D28..D25.
 constexpr Word startOfCam = 0x4000'0000;
 constexpr Word stopOfCam = 0x6000'0000;
 constexpr Word camConfiguration = 0x2040'0000; // + 16 bit
@@ -93,7 +93,7 @@ std::optional<Word> FrabaCams::readOut(Word what) const
     return std::nullopt;
 }
 
-// From start to stop, both included; through zero where start lies behind stop (assumed).
+// From start to stop, both included; through zero if start is after stop (assumed).
 bool FrabaCams::isOn(const Cam &cam, Word position)
 {
     const bool afterStart = position >= cam.start;

@@ -13,7 +13,7 @@ namespace codewheel {
 inline constexpr Word camAboveLargestPosition = 0x9800'0004;
 
 // The cam unit of a FRABA encoder (FRABA manual 5.4.4, 10.5, 10.6): 8 programs of 8 cams, of which the
-// entered one is worked with. It is saved when it is left and lost at power-off before.
+// entered one is in use. It is saved on leaving it and lost if power goes off before that.
 class FrabaCams
 {
 public:
@@ -25,18 +25,18 @@ public:
     unsigned program() const { return m_entered; } // 0: none is entered
 
     void enter(unsigned program);
-    // Saves the program if it was changed: true then, one EEPROM write.
+    // Saves the program if it was changed: then true, one EEPROM write.
     bool leave();
-    void powerUp(); // the entered program as it was saved
+    void powerUp(); // the entered program as last saved
     void clear();   // all off, start = stop = 0, shift 0; none is entered
 
-    // 4xxxxxxx, 6xxxxxxx, 2040xxxx, 201000xx, for an encoder with so many positions. Nothing: taken; else the
-    // error word, and the old value is kept.
+    // 4xxxxxxx, 6xxxxxxx, 2040xxxx, 201000xx, for an encoder with this many positions. Empty: accepted;
+    // otherwise the error word, and the old value is kept.
     std::optional<Word> take(Word out, std::int64_t totalRange);
-    // 2020xxxx; nothing: not defined.
+    // 2020xxxx; empty: not defined.
     std::optional<Word> readOut(Word what) const;
 
-    // IN: the active cams in D7..D0, what shift_iw leaves of the position above them.
+    // IN: the active cams in D7..D0, the part of the position left by shift_iw above them.
     Word word(std::int64_t position) const;
 
 private:

@@ -43,14 +43,14 @@ bool FrabaK3::isCamReadOut(Word out) const
     return (out & camReadOutMask) == k3::camReadOut && m_mode == Mode::cam;
 }
 
-// Once read-out was asked for by D16, it goes on as long as D16 stands, whatever the rest of the word; with
-// the cams it is the word itself that asks.
+// Once requested by D16, a read-out lasts as long as D16 is set, whatever the rest of the word; with the cams
+// it is the word itself that requests it.
 bool FrabaK3::holdsReadOut(Word out) const
 {
     return isCamReadOut(out) || (m_readsByD16 && (out & k3::readOutRequestBit) != 0);
 }
 
-// In every mode (assumed: the manual only tells how a cam word is refused).
+// In every mode (assumed: the manual only says how a cam word is refused).
 std::optional<Word> FrabaK3::fault() const
 {
     return m_camOutOfRange ? std::optional(camAboveLargestPosition) : std::nullopt;
@@ -100,7 +100,7 @@ void FrabaK3::takeCommand(Word out)
         takeParameter(out);
 }
 
-// "Parameter received (not checked yet)": Cp and the data stand in IN from the first cycle on.
+// "Parameter received (not checked yet)": Cp and the data are in IN from the first cycle on.
 void FrabaK3::takeParameter(Word out)
 {
     using namespace parameter_number;
@@ -130,8 +130,8 @@ void FrabaK3::takeManufacturerWord(Word out)
         fail(error_number::unknownNumber);
 }
 
-// At once, without acknowledgement or run; 0 is the position mode. The program left is saved, and with it
-// ends the cam parameterization.
+// At once, without acknowledgement or run; 0 is position mode. The program left is saved, which also ends the
+// cam parameterization.
 void FrabaK3::switchTo(unsigned program)
 {
     if (program > FrabaCams::programs) {
@@ -149,7 +149,7 @@ void FrabaK3::switchTo(unsigned program)
         m_cams.enter(program);
 }
 
-// In cam mode each word is acknowledged until run, at once unless the encoder is slow.
+// In cam mode each word is acknowledged until run, immediately unless the encoder is slow.
 void FrabaK3::takeCamWord(Word out)
 {
     if ((out & k3::controlMask) == 0)
@@ -165,7 +165,7 @@ void FrabaK3::takeCamWord(Word out)
         failWith(answer);
 }
 
-// IN is OUT with D31 D30 = 11 (assumed), or the error in its place.
+// IN is OUT with D31 D30 = 11 (assumed), or the error instead.
 Word FrabaK3::camAnswer(Word out)
 {
     return m_cams.take(out, arithmetic().total()).value_or(k3::confirmation | out);

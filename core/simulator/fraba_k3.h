@@ -8,15 +8,15 @@
 
 namespace codewheel {
 
-// What distinguishes one FRABA OCD-IB from the next.
+// What distinguishes one FRABA OCD-IB from another.
 struct FrabaPlate
 {
     Word serialNumber = 0;
     Word softwareVersion = 0x0103;
     Word operatingTime = 0; // 10 min
     bool stepsMinusOne = false;
-    std::optional<int> temperature = 245; // 0.1 degC; nothing: no sensor
-    // 16 bit each. What the chip keeps in which is in no manual: its length and ID code in the first, 0 in
+    std::optional<int> temperature = 245; // 0.1 degC; empty: no sensor
+    // 16 bit each. No manual says what the chip stores where: here its length and ID code in the first, 0 in
     // the others (assumed).
     std::array<Word, 16> opcRegisters{0x0237};
 };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/fraba_k3.h"
 
-// Read-out of a FRABA encoder (FRABA manual 10.2): 2021000nh is answered by A0000000h + value, a code that is
-// in no table by A4000000h + n. In cam mode
-// 2020xxxxh reads the cams (10.5).
+// Read-out of a FRABA encoder (FRABA manual 10.2): 2021000nh is answered by A0000000h + value, a code that no
+// table has by A4000000h + n. In cam mode 2020xxxxh reads the cams (10.5).
 namespace codewheel {
 
 namespace {

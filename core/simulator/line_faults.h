@@ -5,14 +5,14 @@
 
 namespace codewheel {
 
-// What happens to the bytes on a simulated serial line, in both directions. Counts are of 1000 bytes; what a
-// byte suffers is drawn from a random number whose seed is known, so that a run can be repeated.
+// What happens to the bytes on a simulated serial line, in both directions. Counts are per 1000 bytes; what
+// happens to a byte is drawn from a random generator with a known seed, so that a run can be repeated.
 struct LineFaults
 {
     int lost = 0;
-    int corrupted = 0; // one bit of it is another
+    int corrupted = 0; // one of its bits is flipped
     int doubled = 0;
-    int delayed = 0; // with all that follow it
+    int delayed = 0; // together with all that follow it
     Instant delay{20'000};
     bool echo = false; // the adapter hears what it sends: half duplex
 

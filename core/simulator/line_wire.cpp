@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// A lost character leaves a gap; a doubled one pushes the others back.
+// A lost character leaves a gap; a doubled one delays the others.
 void LineWire::send(const QByteArray &bytes, int sender, Instant earliest, const SerialSettings &settings)
 {
     Instant begin = std::max(earliest, m_freeFrom[sender]);

@@ -12,8 +12,8 @@
 
 namespace codewheel {
 
-// The two wires of a simulated serial line: who sends which character from when to when. Senders that speak
-// at once spoil each other's characters. Used by SimulatedLine; time is its own.
+// The two wires of a simulated serial line: who sends which character from when to when. Characters sent at
+// the same time spoil each other. Used by SimulatedLine; time is its own.
 class LineWire
 {
 public:
@@ -36,18 +36,18 @@ public:
     void setFaults(const LineFaults &faults) { m_faults = faults; }
     const LineFaults &faults() const { return m_faults; }
 
-    // The sender's characters follow each other, from `earliest` on or from when the ones before are out.
+    // The sender's characters follow each other, starting at `earliest` or when its previous ones are out.
     void send(const QByteArray &bytes, int sender, Instant earliest, const SerialSettings &settings);
     std::size_t waiting() const { return m_characters.size(); } // characters that are not complete yet
     // When the next character is complete.
     std::optional<Instant> nextEnd() const;
-    // When that one and all that follow it without a gap are.
+    // When that one and all that follow it without a gap are complete.
     std::optional<Instant> runEnd() const;
-    // That character, with its end; there is one.
+    // That character, with its end; requires that there is one.
     Ended take();
     void clear();
 
-    // What a receiver makes of a character that is none for it. It is never ASCII.
+    // What a receiver makes of a character it cannot read. Never ASCII.
     char junk();
 
 private:
@@ -56,7 +56,7 @@ private:
     void put(Instant end, Character character);
 
     LineFaults m_faults;
-    std::mt19937 m_random;                          // its numbers are the same everywhere
+    std::mt19937 m_random;                          // its sequence is the same on every platform
     std::multimap<Instant, Character> m_characters; // by their end
     std::map<int, Instant> m_freeFrom;              // by sender
 };

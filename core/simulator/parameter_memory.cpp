@@ -67,7 +67,7 @@ bool ParameterMemory::isRestored() const
 std::optional<unsigned> ParameterMemory::activate()
 {
     if (m_unknown) {
-        m_unknown = false; // it has no value that could be corrected
+        m_unknown = false; // there is no value that could be corrected
         return error_number::unknownNumber;
     }
     if (m_lost && !isRestored())

@@ -17,8 +17,8 @@ inline constexpr unsigned batteryLow = 14;
 inline constexpr unsigned codeDiscFaulty = 15;
 } // namespace error_number
 
-// What a simulated K3 encoder keeps: the set it works with, the pending set that a handshake fills, and the
-// EEPROM with its counted writes. In operation, pending and active are the same.
+// What a simulated K3 encoder stores: the active set, the pending set that a handshake fills, and the EEPROM
+// with its counted writes. In operation, pending and active are the same.
 class ParameterMemory
 {
 public:
@@ -28,7 +28,7 @@ public:
     int eepromWrites() const { return m_eepromWrites; }
     bool isLost() const { return m_lost; }
     bool isWornOut() const { return m_wornOut; }
-    // Something was confirmed that run has not activated yet.
+    // Something was confirmed that run has not yet activated.
     bool hasPending() const { return m_written != 0 || m_toDefault; }
     bool isGoingToDefault() const { return m_toDefault; }
 
@@ -36,15 +36,15 @@ public:
     void confirm(unsigned number, std::int64_t value);
     // A confirmed "set to default": the factory set becomes the pending one, one write.
     void confirmDefault();
-    // A number that is in no manual was confirmed; the next run says so.
+    // A number that is in no manual was confirmed; the next run reports it.
     void confirmUnknown() { m_unknown = true; }
 
-    // Run: activates and stores the pending set if it fits as a whole, else answers the error number, and the
-    // set stays pending.
+    // Run: activates and stores the pending set if it is consistent as a whole; otherwise returns the error
+    // number, and the set stays pending.
     std::optional<unsigned> activate();
 
     enum class Storing : std::uint8_t { volatileOnly, inEeprom };
-    // NPV as the preset initialisation found it; disarms the preset. One write if it is stored.
+    // NPV as determined by the preset initialisation; disarms the preset. One write if it is stored.
     void setZeroOffset(std::int64_t value, Storing storing);
 
     void powerUp(); // loads what is stored, drops what is pending

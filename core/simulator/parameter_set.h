@@ -23,7 +23,7 @@ struct ParameterSet
     friend bool operator==(const ParameterSet &, const ParameterSet &) = default;
 };
 
-// Counted D28..D25; 7 is no value but the command "set to default".
+// Numbers in D28..D25; 7 is not a value but the command "set to default".
 namespace parameter_number {
 inline constexpr unsigned steps = 1;
 inline constexpr unsigned revolutions = 2;
@@ -37,14 +37,14 @@ inline constexpr unsigned measuringRange = 15;
 
 inline constexpr std::int64_t mostTurns = 4096;
 
-// Steps over the whole measuring range; 0 where the set makes no sense.
+// Steps over the whole measuring range; 0 if the set makes no sense.
 constexpr std::int64_t totalRange(const ParameterSet &set)
 {
     return set.revolutions < 1 ? 0 : set.steps * set.measuringRange / set.revolutions;
 }
 
-// Do the values, each and together, make an encoder? The zero offset is not looked at: it is kept modulo the
-// total range.
+// Whether the values, each and together, are possible for an encoder. The zero offset is not checked: it is
+// kept modulo the total range.
 constexpr bool isAdmissible(const ParameterSet &set, PhysicalResolution physical)
 {
     const std::int64_t total = totalRange(set);

@@ -25,7 +25,7 @@ bool RingWiring::canBeWrong(std::size_t place) const
     return m_planned[place].idCode != busTerminalIdCode;
 }
 
-// A K2 in place of everything else, a K1 in place of a K2; on Loop 2 the K2 of Loop 2.
+// A K2 instead of anything else, a K1 instead of a K2; on Loop 2 the K2 of Loop 2.
 Participant RingWiring::present(std::size_t place) const
 {
     Participant participant = m_planned[place];

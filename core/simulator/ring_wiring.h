@@ -11,13 +11,13 @@ namespace codewheel {
 struct PlaceTrouble
 {
     bool wireBroken = false; // the cable before the device
-    bool supplied = true;    // the whole device; without supply the ring is interrupted at it
+    bool supplied = true;    // the whole device; without supply the ring is interrupted there
     bool wrongDevice = false;
-    bool peripheralFault = false; // its cause
-    int crcErrors = 0;            // faulty data cycles of 1000 in the segment that begins here
+    bool peripheralFault = false; // the cause of one
+    int crcErrors = 0;            // faulty data cycles per 1000 in the segment that begins here
 };
 
-// The cables and devices of a simulated ring as they are just now, by place. SimulatedRing changes it, and
+// The current state of the cables and devices of a simulated ring, by place. SimulatedRing changes it,
 // SimulatedMaster looks at it.
 class RingWiring
 {
@@ -32,11 +32,12 @@ public:
     std::uint64_t changes() const { return m_changes; }
     bool hasCrcErrors() const { return m_hasCrcErrors; }
 
-    // Whether another device than the planned one can stand there: not in place of a bus terminal.
+    // Whether a device other than the planned one can be put there: not in place of a bus terminal.
     bool canBeWrong(std::size_t place) const;
-    // What the ID register at a place says; no make.
+    // What the ID register at a place says; without a make.
     Participant present(std::size_t place) const;
-    // Whom an ID cycle finds, in ring order: without supply, or behind a broken wire, a device is not found.
+    // The devices an ID cycle finds, in ring order: without supply, or behind a broken wire, a device is not
+    // found.
     std::vector<std::size_t> reachable() const;
 
 private:
@@ -47,7 +48,7 @@ private:
 };
 
 // The place after the last one that is cut off together with `place`: on a local bus the rest of it, on the
-// remote bus all that follows on its line and hangs from there.
+// remote bus everything that follows on its line and below it.
 std::size_t endOfCutOff(const RingStructure &ring, std::size_t place);
 
 } // namespace codewheel

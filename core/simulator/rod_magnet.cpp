@@ -8,8 +8,8 @@ namespace codewheel {
 namespace {
 
 constexpr double nanometresPerMillimetre = 1'000'000;
-constexpr double nanometresPerCycle = 1'000; // of 1 mm/s
-constexpr double shortest = 20;              // mm: twice as long as the fastest magnet travels in a cycle
+constexpr double nanometresPerCycle = 1'000; // at 1 mm/s
+constexpr double shortest = 20;              // mm: twice as far as the fastest magnet travels in a cycle
 
 } // namespace
 

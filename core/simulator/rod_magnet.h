@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// The magnet on the rod of a simulated linear encoder: stands, or travels and turns round at the ends.
+// The magnet on the rod of a simulated linear encoder: stands still, or travels and turns round at the ends.
 // Counted in nanometres, in which every speed is a whole number per cycle, so that it never drifts.
 class RodMagnet
 {

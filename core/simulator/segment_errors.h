@@ -5,12 +5,12 @@
 
 namespace codewheel {
 
-// Decides which data cycles are faulty: as often as asked for, at moments that look random and are the same
-// in every run. Used by SimulatedMaster.
+// Decides which data cycles are faulty: as many as requested, at moments that look random but are the same in
+// every run. Used by SimulatedMaster.
 class SegmentErrors
 {
 public:
-    // Of 1000 cycles. To be asked once per cycle and segment.
+    // Per 1000 cycles. To be called once per cycle and segment.
     bool strikes(int perThousand)
     {
         // Knuth's MMIX generator; its upper bits are good enough for this.

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// A bus terminal: a participant of the ring without data, from which a branch goes off.
+// A bus terminal: a participant of the ring without data, where a branch begins.
 class SimulatedBusTerminal final : public SimulatedDevice
 {
 public:

@@ -10,7 +10,7 @@
 namespace codewheel {
 
 // One device of a simulated ring: takes OUT and gives IN once per bus cycle of 1 ms, and lets the trainer see
-// and touch what is mechanical about it. What does not fit a device is passed over. Used by SimulatedRing.
+// and operate its mechanical parts. What does not apply to a device has no effect. Used by SimulatedRing.
 class SimulatedDevice
 {
 public:
@@ -21,13 +21,13 @@ public:
     SimulatedDevice(const SimulatedDevice &) = delete;
     SimulatedDevice &operator=(const SimulatedDevice &) = delete;
 
-    // OUT goes in; IN as it was prepared in the cycle before comes out.
+    // OUT goes in; IN as prepared in the previous cycle comes out.
     virtual Word cycle(Word out) = 0;
 
-    // Time without a cycle, while a cycle is late: what moves goes on.
+    // Time passes without a cycle, while a cycle is late: what moves keeps moving.
     virtual void passTime(std::chrono::milliseconds /*time*/) {}
 
-    // How the shaft or the rod stands; nothing where the device has none. The ring adds the number.
+    // The state of its shaft or rod; empty if the device has none. The ring adds the number.
     virtual std::optional<TrainingControls::Shaft> shaftState() const { return std::nullopt; }
     virtual std::optional<TrainingControls::Rod> rodState() const { return std::nullopt; }
 

@@ -94,7 +94,7 @@ struct SimulatedEscEncoder::WriteCommand
     static const std::array<WriteCommand, 11> all;
 };
 
-// The version, V, is text and stands in answerTo().
+// The version, V, is text and handled in answerTo().
 constinit const std::array<Encoder::ReadCommand, 15> Encoder::ReadCommand::all{{
     {"O", 4, made<&Encoder::operatingParameters>},
     {"M", 8, kept<&EscRegisters::measuringRange>},
@@ -113,7 +113,7 @@ constinit const std::array<Encoder::ReadCommand, 15> Encoder::ReadCommand::all{{
     {"P", 8, made<&Encoder::positionNow>},
 }};
 
-// Of the ranges that the manual prints twice, the one with the limits in it. GL may lie above GH (assumed).
+// Of the ranges that the manual prints twice, the one that includes the limits. GL may be above GH (assumed).
 constinit const std::array<Encoder::WriteCommand, 11> Encoder::WriteCommand::all{{
     {"GP", 8, 1, 33'554'431, call<&Encoder::writePreset>},
     {"GR", 8, 1, 8'192, set<&EscRegisters::setStepsPerTurn>},

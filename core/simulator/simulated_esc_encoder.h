@@ -15,7 +15,7 @@ namespace codewheel {
 struct EscEncoderPlan
 {
     enum class Interface : std::uint8_t { rs485, rs422 };
-    // How the digits of the command X are taken: the manual prints 21, with 1Fh as the last address.
+    // How the digits of the command X are read: the manual prints 21, with 1Fh as the last address.
     enum class AddressDigits : std::uint8_t { hexadecimal, decimal };
 
     LineAddress address{1};
@@ -28,17 +28,16 @@ struct EscEncoderPlan
     // What the manual leaves open.
     AddressDigits addressDigits = AddressDigits::hexadecimal;
     int fractionBits = 29;          // of the scaling factor
-    bool swapsWarningBytes = false; // as the manual's example "0098"
+    bool swapsWarningBytes = false; // as in the manual's example "0098"
 };
 
-// A Kübler 5882, 5862 or 9081 with the ESC protocol on its shaft: bytes in, answers out, by the two tables of
-// the manual. It answers on its address and on the master address. What it does where the manual is silent is
-// marked as assumed. Used by SimulatedLine.
+// A Kübler 5882, 5862 or 9081 with the ESC protocol and its shaft: bytes in, answers out, according to the
+// two tables of the manual. It answers on its address and on the master address. What it does where the
+// manual is silent is marked as assumed. Used by SimulatedLine.
 class SimulatedEscEncoder
 {
 public:
-    // What it sends in answer. It comes at the baud rate of the request, also where that was to change it
-    // (assumed).
+    // What it sends in answer: at the baud rate of the request, even if that was to change it (assumed).
     struct Reply
     {
         QByteArray bytes;
@@ -51,7 +50,7 @@ public:
 
     // One byte at its own baud rate and format.
     std::optional<Reply> hear(char byte);
-    // One byte at another, or two at once.
+    // One byte at another rate, or two at once.
     void hearJunk() { m_listener.hearJunk(); }
     // A millisecond passes.
     void cycle();
@@ -61,7 +60,7 @@ public:
     const EscRegisters &registers() const { return m_registers; }
     TurningShaft &shaft() { return m_shaft; }
     const TurningShaft &shaft() const { return m_shaft; }
-    // The trainer's hand on it.
+    // For the trainer.
     EscCondition &condition() { return m_condition; }
     const EscCondition &condition() const { return m_condition; }
 
@@ -69,7 +68,7 @@ private:
     struct ReadCommand;
     struct WriteCommand;
 
-    // `command` is what stands behind the address. In simulated_esc_commands.cpp.
+    // `command` is what follows the address. In simulated_esc_commands.cpp.
     QByteArray answerTo(QByteArrayView command);
     QByteArray write(const WriteCommand &row, QByteArrayView data);
 

@@ -75,11 +75,11 @@ void SimulatedK3::see(Word out)
         if (--m_remaining <= 0)
             finishProcessing();
         runWhenDue();
-        return; // the next word at the next cycle: a refusal is seen for one cycle at least
+        return; // the next word in the next cycle: a refusal shows for at least one cycle
     }
     runWhenDue();
     if (!m_watch.isDone() && m_watch.hasStood(m_timing.takenAfter)) {
-        const bool started = (out & k3::startBit) != 0; // all else is ignored
+        const bool started = (out & k3::startBit) != 0; // everything else is ignored
         if (started || take(out))
             m_watch.setDone();
     }

@@ -10,17 +10,17 @@
 
 namespace codewheel {
 
-// When an encoder acts, in bus cycles (assumed: the manuals give an order, no times).
+// When an encoder acts, in bus cycles (assumed: the manuals give an order, but no times).
 struct EncoderTiming
 {
-    int takenAfter = 2; // a word must have stood this long
+    int takenAfter = 2; // how long a word must have been there
     int processing = 2;
     int runAfter = 1;
     int startUp = 0; // from power-up to operation
 };
 
-// A simulated K3 encoder on its shaft: the handshake as both makes have it. What a word means to the make,
-// and what it shows in operation, is said by the derived classes. Used by SimulatedRing, one cycle() per bus
+// A simulated K3 encoder and its shaft: the handshake as both makes have it. What a word means to the make,
+// and what it shows in operation, is up to the derived classes. Used by SimulatedRing, one cycle() per bus
 // cycle of 1 ms.
 class SimulatedK3 : public SimulatedDevice
 {
@@ -32,7 +32,7 @@ public:
 
     std::optional<TrainingControls::Shaft> shaftState() const final;
     const TurningShaft &shaft() const { return m_shaft; }
-    const ParameterSet &parameters() const { return m_memory.active(); } // that it works with
+    const ParameterSet &parameters() const { return m_memory.active(); } // the active ones
     int eepromWrites() const { return m_memory.eepromWrites(); }
     bool isPowered() const { return m_phase != Phase::off; }
     virtual bool hasBattery() const { return false; }
@@ -57,19 +57,19 @@ protected:
     // To be called at the end of the constructor of the make.
     void begin() { refresh(); }
 
-    // A word that has stood long enough, D31 = 0. False: offer it again in the next cycle.
+    // A word that has been there long enough, D31 = 0. False: offer it again in the next cycle.
     virtual bool take(Word out) = 0;
-    // Every cycle in which OUT is new or not dealt with.
+    // Every cycle in which OUT is new or not yet dealt with.
     virtual void seen(Word /*out*/) {}
-    // The end of the processing of a parameter word; false: its data are refused.
+    // The end of processing a parameter word; false: its data are refused.
     virtual bool confirm(unsigned number, Word data) = 0;
-    // What then stands in IN: a confirmation or an error.
+    // What is then in IN: a confirmation or an error.
     virtual Word answerTo(Word processed);
     // IN in operation.
     virtual Word operationWord() const = 0;
     // An error found at power-up, before that of lost parameters.
     virtual std::optional<unsigned> startUpError() const { return std::nullopt; }
-    // What stands in IN by itself, and at every run as long as its cause is there.
+    // What IN shows spontaneously, and at every run as long as its cause is there.
     virtual std::optional<Word> fault() const { return std::nullopt; }
     virtual void poweredUp() {}
     virtual void wentToDefault() {}
@@ -81,7 +81,7 @@ protected:
     ParameterMemory &memory() { return m_memory; }
     const EncoderArithmetic &arithmetic() const { return m_arithmetic; }
 
-    // Starts to process a word; `meanwhile` stands in IN until it is answered, 0: what operation shows.
+    // Starts to process a word; IN shows `meanwhile` until it is answered, 0: as in operation.
     void process(Word out, Word meanwhile);
     void acknowledge(Word shown) { enter(Phase::parameterization, shown); }
     void fail(unsigned errorNumber);
@@ -89,9 +89,9 @@ protected:
     void operate() { enter(Phase::operation, 0); }
     bool takePresetEdge() { return m_watch.takePresetEdge(); }
     void initialisePreset(ParameterMemory::Storing storing);
-    // To be called by the make when fault() is another.
+    // To be called by the make when fault() has changed.
     void faultChanged();
-    // Stands in IN instead of everything else; 0: nothing.
+    // Shown in IN instead of everything else; 0: nothing.
     void showReadOut(Word answer) { m_readOut = answer; }
     Word readOut() const { return m_readOut; }
 
@@ -119,7 +119,7 @@ private:
     Word m_shown = 0;   // IN outside operation
     Word m_readOut = 0; // IN during read-out
     Word m_processed = 0;
-    int m_remaining = 0; // cycles of starting up, processing, or a power cycle
+    int m_remaining = 0; // cycles left of starting up, processing, or a power cycle
     int m_runIn = noRun; // cycles until a run that was seen takes effect
     bool m_slow = false;
 };

@@ -163,7 +163,7 @@ Word SimulatedLa66::read(unsigned service)
     }
 }
 
-// Reading it clears the error bit, once the magnet is back (assumed).
+// Reading it clears the error bit once the magnet is back (assumed).
 Word SimulatedLa66::readErrorStatus()
 {
     const Word status = m_error ? magnetOutside : 0;
@@ -171,7 +171,7 @@ Word SimulatedLa66::readErrorStatus()
     return status;
 }
 
-// Steps from the head of the rod, or to its end where it counts down (assumed: length - p). Before the preset
+// Steps from the head of the rod, or from its end if it counts down (assumed: length - p). Before the preset
 // adjustment.
 Word SimulatedLa66::counted() const
 {

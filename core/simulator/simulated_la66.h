@@ -6,16 +6,16 @@
 
 namespace codewheel {
 
-// A simulated TR LA-66 on its rod: the services by the handshake of the service bit (LA-66 manual 3 and 4), a
-// magnet that may leave the measuring range, parameters in EEPROM. Used by SimulatedRing.
+// A simulated TR LA-66 and its rod: the services with the handshake of the service bit (LA-66 manual 3 and
+// 4), a magnet that may leave the measuring range, parameters in EEPROM. Used by SimulatedRing.
 class SimulatedLa66 final : public SimulatedDevice
 {
 public:
-    // As it is delivered; what the manual does not tell is assumed.
+    // As delivered; what the manual does not say is assumed.
     struct Parameters
     {
         Word direction = 0;            // 1: counts down towards the end of the rod
-        Word measuringLength = 50'000; // steps over the rod
+        Word measuringLength = 50'000; // steps over the length of the rod
         Word externalPreset = 0;
         Word offset = 0; // of the preset adjustment, 24 bit
     };
@@ -63,12 +63,12 @@ private:
     bool m_slow = false;
     bool m_magnetInRange = true;
     bool m_error = false;      // the magnet left the range, and nobody has read the error status since
-    std::int64_t m_seenAt = 0; // nm: where the magnet was seen last
+    std::int64_t m_seenAt = 0; // nm: where the magnet was last seen
     Word m_in = 0;             // prepared for the next cycle
-    Word m_request = 0;        // while it is processed
+    Word m_request = 0;        // while it is being processed
     Word m_answer = 0;         // in IN until the service bit is 0
-    int m_remaining = 0;       // cycles of processing, or of a power cycle
-    bool m_serviceBit = true;  // of the last OUT; after power-up a bit that stands makes no edge
+    int m_remaining = 0;       // cycles left of processing, or of a power cycle
+    bool m_serviceBit = true;  // of the last OUT; a bit already set at power-up is not an edge
 };
 
 } // namespace codewheel

@@ -88,7 +88,7 @@ void SimulatedLine::turnShaftsTo(Instant now)
             encoder.cycle();
 }
 
-// Start, data and parity bits tell whether a character can be read; a stop bit less does no harm.
+// Start, data and parity bits determine whether a character can be read; one stop bit less does no harm.
 bool SimulatedLine::fitsEncoders() const
 {
     return m_settings.dataBits == 8 && m_settings.parity == SerialSettings::Parity::none;

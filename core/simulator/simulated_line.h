@@ -10,12 +10,12 @@
 
 namespace codewheel {
 
-// The encoders 03, 05 and 12h of the training bus. 05 stands at 1235h, as in the manual's example.
+// The encoders 03, 05 and 12h of the training bus. 05 is at position 1235h, as in the manual's example.
 std::vector<EscEncoderPlan> trainingLine();
 
-// A serial line with simulated ESC encoders on it, and what happens to it. Every character takes its time; a
-// character at another baud rate than the listener's, or at another format than 8 data bits without parity,
-// is junk for it. Time is an argument: SimulatedLineLink makes it virtual or real. One thread uses the line;
+// A serial line with simulated ESC encoders on it, and what happens to it. Every character takes its time; at
+// a baud rate other than the listener's, or in a format other than 8 data bits without parity, it is junk to
+// the listener. Time is an argument: SimulatedLineLink makes it virtual or real. One thread uses the line;
 // the trainer's functions may be called by any.
 class SimulatedLine
 {
@@ -25,7 +25,7 @@ public:
     explicit SimulatedLine(const std::vector<EscEncoderPlan> &encoders = trainingLine(),
                            std::uint32_t seed = 1);
 
-    // What reached the master, and when the last byte of it did.
+    // What reached the master, and when its last byte did.
     struct Arrival
     {
         QByteArray bytes;
@@ -39,29 +39,30 @@ public:
     void send(const QByteArray &bytes, Instant now);
     // Lets time pass up to `until`, or to the first bytes that reach the master before it.
     Arrival advance(Instant until);
-    // Characters that are on the wire or wait for it, of all senders.
+    // Characters on the wire or waiting for it, of all senders.
     std::size_t waiting() const;
-    // When there will be something to do; nothing: the line is quiet.
+    // When there will be something to do; empty: the line is quiet.
     std::optional<Instant> nextEnd() const;
     // When what is on the wire will have passed, up to the next gap.
     std::optional<Instant> runEnd() const;
 
-    // Waits, really, for so long; false: wake() ended it, or was called before, or the adapter is unplugged.
+    // Really waits for this long; false: wake() ended it or had been called before, or the adapter is
+    // unplugged.
     bool wait(Instant atMost);
     void waitForWake(Instant atMost); // the same while the adapter is unplugged
     // True if wake() was called since the last wait.
     bool takeWake();
     void wake();
 
-    // The trainer.
+    // For the trainer.
     void setFaults(const LineFaults &faults);
     LineFaults faults() const;
     void setAnswerDelay(Instant delay);
-    void setUnplugged(bool unplugged); // the adapter: nothing comes, nothing goes
+    void setUnplugged(bool unplugged); // the adapter: nothing goes in or out
     bool isUnplugged() const;
     std::vector<LineAddress> addresses() const;
-    // Calls `change` with each encoder at the address, which are two where the user made them so. False: none
-    // is there.
+    // Calls `change` with each encoder at the address; there are two if the user set them up that way. False:
+    // none is there.
     template <typename Change>
     bool withEncoder(LineAddress address, Change change)
     {
@@ -74,7 +75,7 @@ public:
             }
         return found;
     }
-    void setSilent(bool silent); // all of them: they hear and act, and say nothing
+    void setSilent(bool silent); // all of them: they hear and act, but say nothing
 
 private:
     void turnShaftsTo(Instant now);
@@ -90,7 +91,7 @@ private:
     LineWire m_wire;
     SerialSettings m_settings; // of the master
     Instant m_answerDelay = usualAnswerDelay;
-    std::int64_t m_cycles = 0; // of the time in ms, which the shafts have turned up to
+    std::int64_t m_cycles = 0; // the time in ms up to which the shafts have turned
     QByteArray m_heard;        // by the master
     bool m_unplugged = false;
 };

@@ -9,17 +9,17 @@
 
 namespace codewheel {
 
-// The link to a simulated serial line. Without a clock its time is virtual: it passes in read() and wait()
-// alone, which return at once, read() with one byte after the other. With one, it keeps that clock's time and
-// waits; what comes without a gap is handed over together, as an adapter does.
+// The link to a simulated serial line. Without a clock its time is virtual: it passes only in read() and
+// wait(), which return at once, read() with one byte after another. With a clock, it keeps to its time and
+// waits; bytes without a gap between them are handed over together, as an adapter does.
 class SimulatedLineLink final : public ByteLink
 {
 public:
-    using Clock = std::function<Instant()>; // from any beginning; never goes back
+    using Clock = std::function<Instant()>; // with any starting point; never goes back
 
     explicit SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock = {});
 
-    // Refused: portNotFound while the adapter is unplugged; later that is portLost, once, and lineClosed.
+    // Refused: portNotFound while the adapter is unplugged; after that portLost, once, then lineClosed.
     Result<void> open(const SerialSettings &settings) override;
     void close() override { m_open = false; }
     Result<void> setBaudRate(int baudRate) override;

@@ -39,7 +39,7 @@ void SimulatedMaster::use(RingStructure configuration, std::vector<std::size_t> 
             m_status.segments.push_back({.segment = participant.deviceNumber().segment});
 }
 
-// What a device reported is kept while it is there: only 0760 takes it back.
+// What a device reported is kept while it is there: only 0760 clears it.
 std::vector<bool> SimulatedMaster::stillReported(const RingStructure &configuration,
                                                  const std::vector<std::size_t> &places) const
 {
@@ -63,7 +63,7 @@ void SimulatedMaster::enter(MasterState state)
     publish();
 }
 
-// A fault that is there shows at once in data and ID cycles; in READY nobody looks.
+// A fault shows at once in data and ID cycles; in READY nobody looks.
 void SimulatedMaster::look()
 {
     m_seen = m_wiring.changes();
@@ -101,7 +101,7 @@ void SimulatedMaster::lookForPlace()
         return;
     }
     if (m_located && !found)
-        enter(MasterState::ready); // mended
+        enter(MasterState::ready); // repaired
     else if (found != m_located)
         fail();
 }
@@ -145,8 +145,8 @@ std::optional<SimulatedMaster::Defect> SimulatedMaster::defect() const
     return std::nullopt;
 }
 
-// The outgoing interface of the device before it; the device itself where that is the master, or stands
-// further on in a local bus.
+// The outgoing interface of the device before it; the device itself if that is the master, or if the device
+// is further along a local bus.
 SimulatedMaster::Defect SimulatedMaster::brokenBefore(std::size_t device) const
 {
     const Participant &behind = m_configuration[device];
@@ -199,7 +199,7 @@ std::uint16_t SimulatedMaster::statusBits() const
     return static_cast<std::uint16_t>(bits);
 }
 
-// A fault of the bus goes before one of the periphery.
+// A fault of the bus takes precedence over one of the periphery.
 void SimulatedMaster::publish()
 {
     showWhoTakesPart();

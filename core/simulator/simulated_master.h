@@ -10,8 +10,8 @@
 namespace codewheel {
 
 // The master of a simulated ring: READY, ACTIVE, RUN, BUS FAIL with their status bits and diagnostic
-// parameter, the search for a fault, and the configuration it keeps. Knows the ring by its wiring alone; what
-// is assumed of it stands in docs/protocols/master.md. Used by SimulatedRing, in whose cycles it lives.
+// parameter, the search for a fault, and the configuration it stores. Knows the ring only by its wiring; what
+// is assumed about it is in docs/protocols/master.md. Used by SimulatedRing, whose cycles drive it.
 class SimulatedMaster
 {
 public:
@@ -20,21 +20,21 @@ public:
     static constexpr std::uint16_t wrongIdCode = 0x0C40;
     static constexpr std::uint16_t remoteBusBroken = 0x0D10;
     static constexpr std::uint16_t localBusBroken = 0x0D50;
-    static constexpr int lookingCycles = 20; // for the place of a fault
+    static constexpr int lookingCycles = 20; // to find the place of a fault
     // Faulty data cycles since the start, or since they were confirmed, above which QUALITY is set.
     static constexpr std::uint32_t tolerableCrcErrors = 20;
 
-    // The wiring outlives the master.
+    // The wiring must outlive the master.
     explicit SimulatedMaster(const RingWiring &wiring);
 
-    // As it is switched on with the ring as it is, and running: for the ring, once all devices are there.
+    // Switched on and running, with the ring as it is: for the ring, once all devices are there.
     void powerUp();
-    void keep(const QString &fileName); // that configuration
+    void keep(const QString &fileName); // the current configuration
 
     const MasterStatus &status() const { return m_status; }
     std::uint64_t statusChanges() const { return m_changes; }
     const RingStructure &configuration() const { return m_configuration; } // created or loaded last
-    // The places in the ring of the devices configured.
+    // The places in the ring of the configured devices.
     const std::vector<std::size_t> &places() const { return m_places; }
     bool takesPart(std::size_t device) const { return m_status.devices[device].inRing; }
     bool isWhole() const { return m_isWhole; } // all of the ring takes part
@@ -46,9 +46,9 @@ public:
             look();
     }
     bool runs() const { return m_status.state == MasterState::run; }
-    // Outputs are held while the configuration is active, else they are 0.
+    // Outputs are held while the configuration is active, otherwise they are 0.
     bool holdsOutputs() const { return runs() || m_status.state == MasterState::active; }
-    // Of the data cycle under way; its words are not taken over.
+    // Of the current data cycle, whose words are then discarded.
     bool isCycleFaulty();
 
     // The services of MasterLink.

@@ -40,7 +40,7 @@ QString headsOf(const RingStructure &configuration)
 
 } // namespace
 
-// Segments are counted along the ring: where devices are missing, the ones behind move up.
+// Segments are counted along the ring: if devices are missing, those behind them move up.
 RingStructure SimulatedMaster::foundAt(const std::vector<std::size_t> &places) const
 {
     RingStructure found;
@@ -76,7 +76,7 @@ Result<MasterLink::IdCycle> SimulatedMaster::createConfiguration()
     return MasterLink::IdCycle{std::move(found), isComplete};
 }
 
-// Switched off segments need not be there.
+// Segments that are switched off need not be there.
 Result<void> SimulatedMaster::checkRing() const
 {
     if (m_places.size() != m_configuration.size()) {
@@ -117,7 +117,7 @@ Result<void> SimulatedMaster::deactivateConfiguration()
 {
     if (m_status.state != MasterState::active && m_status.state != MasterState::busFail)
         return wrongState(MasterService::deactivateConfiguration, m_status.state);
-    alarmStop(); // the same for the outputs
+    alarmStop(); // with the same effect on the outputs
     return {};
 }
 
@@ -163,7 +163,7 @@ Result<void> SimulatedMaster::switchSegment(int segment, bool on)
     return {};
 }
 
-// A fault of the bus that the check does not find is taken for gone.
+// A fault of the bus that the check does not find is considered gone.
 Result<void> SimulatedMaster::confirmDiagnostics()
 {
     m_peripheral.assign(m_configuration.size(), false);
@@ -186,7 +186,8 @@ Result<void> SimulatedMaster::keepConfiguration(const KeptConfiguration &configu
     return {};
 }
 
-// Where all of the ring is configured, what is not reached is a fault; else it may be what was left out.
+// If all of the ring is configured, a device that is not reached is a fault; otherwise it may have been left
+// out on purpose.
 void SimulatedMaster::useLoaded()
 {
     std::vector<std::size_t> places = m_wiring.reachable();

@@ -6,13 +6,13 @@
 
 namespace codewheel {
 
-// A simulated K1, K2 or K4: the raw position of its shaft in IN, binary, right justified, 0 above it (FRABA
-// manual 2.1.1, 2.1.2). OUT does nothing: K1 and K2 have none, and what it does at a K4 is in no source.
+// A simulated K1, K2 or K4: the raw position of its shaft in IN, binary, right-justified, 0 above it (FRABA
+// manual 2.1.1, 2.1.2). OUT does nothing: K1 and K2 have none, and no source says what it does in a K4.
 // Without power IN is 0.
 class SimulatedPositionEncoder final : public SimulatedDevice
 {
 public:
-    // A K1 needs a resolution of 16 bit at most.
+    // A K1 needs a resolution of at most 16 bits.
     SimulatedPositionEncoder(PhysicalResolution resolution, std::int64_t raw);
 
     Word cycle(Word out) override;

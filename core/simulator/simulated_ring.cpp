@@ -39,7 +39,7 @@ std::vector<Word> SimulatedRing::lastOut() const
     return out;
 }
 
-// The plan first, so that a fault strikes in the cycle of its time.
+// The plan first, so that a fault occurs in the cycle it is due.
 void SimulatedRing::passTime()
 {
     if (m_plan.isRunning()) {
@@ -79,7 +79,7 @@ Result<void> SimulatedRing::exchange(std::span<const Word> out, std::span<Word> 
     return {};
 }
 
-// The words of a faulty cycle are thrown away at both ends: all stays as it was.
+// The words of a faulty cycle are discarded at both ends: everything stays as it was.
 Result<void> SimulatedRing::exchangeSome(std::span<const Word> out, std::span<Word> in)
 {
     const bool isFaulty = m_master.isCycleFaulty();
@@ -114,7 +114,7 @@ void SimulatedRing::idleCycle()
     idle();
 }
 
-// Shafts go on turning, and the devices see what they hold.
+// Shafts keep turning, and the devices see the outputs they hold.
 void SimulatedRing::idle()
 {
     if (!m_master.holdsOutputs())

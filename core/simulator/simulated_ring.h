@@ -14,29 +14,28 @@
 
 namespace codewheel {
 
-// A ring of simulated devices with its master, and the trainer's hand on them. Its clock is the bus cycle:
-// one is 1 ms, whether the ring runs or not. What moves goes on by the clock, though cycles may be missed.
-// Shared by the link (bus thread) and the training panel (any thread); one uncontended lock per cycle.
+// A ring of simulated devices with its master, and the trainer's controls. Its clock is the bus cycle: one is
+// 1 ms, whether the ring runs or not. What moves goes by the clock, even if cycles are missed. Shared by the
+// link (bus thread) and the training panel (any thread); one uncontended lock per cycle.
 class SimulatedRing final : public TrainingControls
 {
 public:
     // Before the ring is used.
     void add(Participant participant, std::unique_ptr<SimulatedDevice> device);
 
-    // The file name of the configuration its master keeps from the beginning. Without it: none.
+    // The file name of the configuration its master stores from the beginning. Without a call: none.
     void keepConfiguration(const QString &fileName);
 
-    // What the master has configured, and its words.
+    // The configuration of the master, and its OUT words.
     RingStructure structure() const;
     std::vector<Word> lastOut() const;
-    // A data cycle, refused for words that are not one per device configured, and while the ring does not
-    // run.
+    // A data cycle; refused if there is not one word per configured device, and while the ring does not run.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in);
-    // Cycles that were to be, and came too late to be: shafts go on turning.
+    // Cycles that were due but came too late: shafts keep turning.
     void missCycles(std::chrono::milliseconds time);
     // A cycle without data.
     void idleCycle();
-    // Services of the master, and what it says. Bus thread only.
+    // Services of the master, and its status. Bus thread only.
     template <typename Service, typename... Arguments>
     auto withMaster(Service service, Arguments &&...arguments)
     {
@@ -75,14 +74,14 @@ private:
     std::optional<int> standing(TrainingFault fault, std::size_t place) const;
     std::optional<int> standingOfRing(TrainingFault fault, std::size_t place) const;
 
-    mutable std::mutex m_mutex; // guards all below
+    mutable std::mutex m_mutex; // guards everything below
     RingWiring m_wiring;
     SimulatedMaster m_master{m_wiring};
     std::vector<std::unique_ptr<SimulatedDevice>> m_devices;
-    std::vector<std::unique_ptr<SimulatedDevice>> m_wrongDevices; // in place of them; null: none
-    std::vector<SimulatedDevice *> m_present;                     // the one or the other
-    std::vector<Word> m_lastOut;                                  // by place, as the devices hold it
-    std::vector<Word> m_lastIn;                                   // by device configured
+    std::vector<std::unique_ptr<SimulatedDevice>> m_wrongDevices; // that replace them; null: none
+    std::vector<SimulatedDevice *> m_present;                     // one or the other
+    std::vector<Word> m_lastOut;                                  // by place, as held by the devices
+    std::vector<Word> m_lastIn;                                   // by configured device
     FaultPlanRun m_plan;
 };
 

@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// What is put in place of the right device stands still.
+// A device put in place of the right one stands still.
 constexpr PhysicalResolution wrongResolution{.stepsPerTurn = 8192, .turns = 4096};
 constexpr std::int64_t wrongPosition = 4'096;
 
@@ -122,7 +122,7 @@ std::vector<TrainingPlace> SimulatedRing::places() const
     return places;
 }
 
-// Nothing: the fault does not fit the device. Lost parameters are no state, but an event.
+// Empty: the fault does not apply to the device. Lost parameters are an event, not a state.
 std::optional<int> SimulatedRing::standing(TrainingFault fault, std::size_t place) const
 {
     const auto shaft = m_devices[place]->shaftState();

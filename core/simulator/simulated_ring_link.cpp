@@ -45,7 +45,7 @@ Result<void> SimulatedRingLink::exchange(std::span<const Word> out, std::span<Wo
     return m_ring->exchange(out, in);
 }
 
-// A cycle is 1 ms: what the clock went on by beyond that no cycle has seen.
+// A cycle is 1 ms: any time beyond that on the clock was seen by no cycle.
 void SimulatedRingLink::passTime()
 {
     using std::chrono::milliseconds;

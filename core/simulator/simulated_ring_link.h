@@ -10,8 +10,8 @@
 
 namespace codewheel {
 
-// The link to a simulated ring and to its master, in virtual time. Never blocks, so there is nothing to
-// interrupt. Ring and master go on as they are when the link is closed.
+// The link to a simulated ring and its master, in virtual time. Never blocks, so there is nothing to
+// interrupt. Ring and master stay as they are when the link is closed.
 class SimulatedRingLink final : public ProcessDataLink, private MasterLink
 {
 public:
@@ -20,7 +20,7 @@ public:
     Result<RingStructure> open() override;
     void close() override;
     Result<std::vector<Word>> readBackOut() override;
-    // Refused (linkFailed) while it is not open, and for words that are not one per device.
+    // Refused (linkFailed) while it is not open, and if there is not one word per device.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
     Instant now() const override { return m_now; }
     void wait(Instant until) override { m_now = std::max(m_now, until); }

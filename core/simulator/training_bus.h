@@ -9,15 +9,15 @@
 
 namespace codewheel {
 
-// A simulated ring: the link to it and the trainer's hand on it. It starts the same in every process.
+// A simulated ring: the link to it and the trainer's controls. It starts the same in every process.
 struct TrainingBus
 {
     std::unique_ptr<ProcessDataLink> link;
     std::shared_ptr<TrainingControls> controls;
 };
 
-// The plant of resources/examples/training.json. The catalog must hold the descriptions that come with the
-// program, and must outlive the plan.
+// The plant of resources/examples/training.json. The catalog must hold the built-in descriptions, and must
+// outlive the plan.
 TrainingPlan trainingPlan(const Catalog &catalog);
 
 TrainingBus makeTrainingBus(const TrainingPlan &plan);

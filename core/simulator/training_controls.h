@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// What a trainer can do to a simulated ring while it runs. Any thread: what is asked is done at the next
+// What a trainer can do to a simulated ring while it runs. Any thread: requests take effect at the next
 // cycle.
 class TrainingControls
 {
@@ -34,7 +34,7 @@ public:
         bool codeDiscFaulty = false;
         bool hasCams = false;
         bool camOutOfRange = false;
-        int eepromWrites = 0; // since the ring began
+        int eepromWrites = 0; // since the ring was created
     };
 
     // A linear encoder: a magnet that travels along a rod.
@@ -47,7 +47,7 @@ public:
         bool magnetInRange = true;
         bool powered = true;
         bool slow = false;    // answers slowly
-        int eepromWrites = 0; // since the ring began
+        int eepromWrites = 0; // since the ring was created
     };
 
     virtual ~TrainingControls() = default;
@@ -56,7 +56,7 @@ public:
     virtual std::vector<Shaft> shafts() const = 0;
     virtual std::vector<Rod> rods() const = 0;
 
-    // A device that has no such part, and a place that is not in the ring, are passed over.
+    // No effect on a device without such a part, or for a place that is not in the ring.
     virtual void turnTo(NodeId number, std::int64_t raw) = 0;
     virtual void turnBy(NodeId number, std::int64_t rawSteps) = 0;
     virtual void setSpeed(NodeId number, double revolutionsPerMinute) = 0;
@@ -66,20 +66,20 @@ public:
     virtual void setMagnetSpeed(NodeId number, double millimetresPerSecond) = 0;
     virtual void powerCycle(NodeId number) = 0; // off, then on
 
-    // Each place of the ring, in ring order, with the faults that fit it and how they stand.
+    // Each place of the ring, in ring order, with the faults that apply to it and their current values.
     virtual std::vector<TrainingPlace> places() const = 0;
-    // Any fault; the value as in a fault plan. One that does not fit the place is passed over.
+    // Any fault; the value as in a fault plan. No effect if it does not apply to the place.
     virtual void setFault(TrainingFault fault, NodeId number, int value) = 0;
 
-    // A fault plan on its way, by the ring's clock.
+    // A fault plan in progress, by the ring's clock.
     struct PlanProgress
     {
         std::shared_ptr<const FaultPlan> plan; // null: none was started
-        std::size_t next = 0;                  // step to come
+        std::size_t next = 0;                  // next step
         std::chrono::milliseconds elapsed{};   // since its start
-        bool isRunning = false;                // not stopped, and not at its end
+        bool isRunning = false;                // neither stopped nor finished
     };
-    // In place of another one. Its times count from the next cycle.
+    // Replaces any other. Its times count from the next cycle.
     virtual void startFaultPlan(FaultPlan plan) = 0;
     virtual void stopFaultPlan() = 0; // what it has caused stays
     virtual PlanProgress planProgress() const = 0;

@@ -28,7 +28,7 @@ bool canBeSimulated(const DeviceDescription &device)
     return hasResolution && (isK3 || onlyTellsPosition(device.profile));
 }
 
-// The rules of a training plan, row by row. One object a file.
+// The rules of a training plan, row by row. One object per file.
 class TrainingPlanReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::TrainingPlanReader)

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What an encoder can tell apart: 8192 steps a turn and 4096 turns for "13 + 12 bit", the largest there is.
+// The resolution of an encoder: 8192 steps per turn and 4096 turns for "13 + 12 bit", the largest there is.
 struct PhysicalResolution
 {
     int stepsPerTurn = 8192; // 1..8192
@@ -16,8 +16,8 @@ struct PhysicalResolution
     constexpr std::int64_t range() const { return std::int64_t{stepsPerTurn} * turns; }
 };
 
-// The shaft of a simulated encoder: stands or turns, and wraps at the physical range. The position is kept in
-// a unit in which every speed is a whole number per cycle, so that it never drifts.
+// The shaft of a simulated encoder: stands still or turns, and wraps at the physical range. The position is
+// kept in a unit in which every speed is a whole number per cycle, so that it never drifts.
 class TurningShaft
 {
 public:
@@ -28,7 +28,7 @@ public:
     PhysicalResolution resolution() const { return m_resolution; }
     std::int64_t raw() const { return m_position / unitsPerStep; } // steps, 0..range - 1
     double speed() const;                                          // rpm, clockwise positive
-    TrainingControls::Shaft state() const;                         // all that a shaft alone tells
+    TrainingControls::Shaft state() const;                         // all that depends on the shaft alone
 
     void turnTo(std::int64_t raw); // any number; wraps
     void turnBy(std::int64_t steps);
@@ -50,7 +50,7 @@ public:
             advance();
     }
 
-    // Code changes per second above this figure (1000 times steps per cycle).
+    // Whether the code changes faster than this (1000 times steps per cycle).
     bool isFasterThan(std::int64_t stepsPerCycle) const
     {
         const std::int64_t limit = stepsPerCycle * unitsPerStep;

@@ -5,12 +5,12 @@
 
 namespace codewheel {
 
-// What a simulated encoder has seen of OUT: how long the word has stood, the edges of D31 and D30, and
+// What a simulated encoder has seen of OUT: how long the word has been there, the edges of D31 and D30, and
 // whether the word has been dealt with.
 class WordWatch
 {
 public:
-    // After power-up: the first word seen makes no edge.
+    // After power-up: the first word seen is not an edge.
     void reset() { *this = WordWatch(); }
 
     void see(Word out)
