@@ -18,7 +18,7 @@ int behindTrainingBuses()
     return last + 1;
 }
 
-// Behind all others; a file may have used up the largest one.
+// After all others; a file may have used up the largest number.
 int firstToTry(const Project &project)
 {
     int first = behindTrainingBuses();

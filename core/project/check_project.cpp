@@ -17,7 +17,7 @@ namespace {
 // With Step 5 the process image overwrites what is below (FRABA manual 4).
 constexpr int lastOfStep5Image = 127; // P127
 
-// The context of these texts.
+// The translation context of these texts.
 struct CheckProject
 {
     Q_DECLARE_TR_FUNCTIONS(CheckProject)
@@ -38,7 +38,7 @@ bool isEncoder(const Participant &participant)
            std::ranges::find(encoderCodes, participant.idCode) != encoderCodes.end();
 }
 
-// All that is found of one project.
+// Everything found in one project.
 class Check
 {
 public:
@@ -118,8 +118,8 @@ void Check::step5(const Direction &direction)
     }
 }
 
-// Loop 2 and Inline have no interface for the remote bus (FRABA manual 3.1). It can be planned all the same:
-// what is connected may be taken over line by line.
+// Loop 2 and Inline have no interface for the remote bus (FRABA manual 3.1). It can be planned all the same,
+// since connected devices may be taken over line by line.
 void Check::localBusDevices()
 {
     for (std::size_t device = 0; device < m_devices.size(); ++device)

@@ -6,9 +6,9 @@
 
 namespace codewheel {
 
-// Limits and rules of the ring, devices of a local bus on the remote bus, overlaps of addresses, addresses
-// that are not word aligned, and, where the project asks for it, encoders that do not stand above P127 (Step
-// 5; FRABA manual 4). In ring order.
+// Limits and rules of the ring, devices for a local bus on the remote bus, overlapping addresses, addresses
+// that are not word-aligned, and, if the project asks for it, encoders that are not above P127 (Step 5; FRABA
+// manual 4). In ring order.
 std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses,
                                   BusId ring = firstRing);
 

@@ -48,7 +48,7 @@ QString systemReason()
     return qt_error_string(errno);
 }
 
-// A second name for what stands at `from`; where the file system knows none, a copy.
+// A second name for what is at `from`; a copy where the file system does not support that.
 bool linkOrCopy(const QString &from, const QString &to)
 {
     return ::link(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0 ||
@@ -60,15 +60,15 @@ bool rename(const QString &from, const QString &to)
     return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
 }
 
-// The old file stays under its name, and has another one beside it.
+// The old file stays under its name, and gets a second one beside it.
 bool keepBackup(const QString &path)
 {
     const QString name = QStringLiteral("%1.%2~").arg(path).arg(::getpid());
-    QFile::remove(name); // of a program that was killed here
+    QFile::remove(name); // left by a program that was killed here
     if (!linkOrCopy(path, name))
         return false;
     const bool isKept = rename(name, backupPath(path));
-    QFile::remove(name); // it stays where both are the same file already
+    QFile::remove(name); // it remains if both are already the same file
     return isKept;
 }
 
@@ -114,7 +114,7 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
 
 Result<void> checkReplaceable(const QString &path)
 {
-    return FileReplacement(path).begin(); // never brought there
+    return FileReplacement(path).begin(); // never put in place
 }
 
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)

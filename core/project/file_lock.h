@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// A lock between programs, held as long as the object lives. The system gives it back when a program ends in
-// any way, so none is ever left behind; the empty file may be.
+// A lock between programs, held as long as the object lives. The system releases it however a program ends,
+// so none is ever left behind; the empty file may be.
 class FileLock
 {
 public:

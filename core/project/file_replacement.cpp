@@ -14,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-// Why nothing may take the place of what stands there; empty where something may.
+// Why nothing may replace what is there; empty if something may.
 QString whyNotReplaceable(const QString &path)
 {
     struct stat there = {};
@@ -35,7 +35,7 @@ bool writeAll(int file, QByteArrayView bytes)
     return true;
 }
 
-// That the new name is on the disk too. Some file systems cannot tell.
+// Makes sure that the new name is on the disk too. Some file systems do not support it.
 void syncFolder(const QString &path)
 {
     const int folder = ::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(),
@@ -46,7 +46,7 @@ void syncFolder(const QString &path)
     ::close(folder);
 }
 
-// The folder or the name is to blame before anything is written, the disk from then on.
+// Before anything is written the folder or the name is to blame, after that the disk.
 tl::unexpected<Refusal> notReplaced(RefusalKind kind, const QString &path, const QString &reason)
 {
     return refuse(kind, RefusalId::fileNotWritten, {path, reason});
@@ -91,7 +91,7 @@ qint64 FileReplacement::readData(char * /*bytes*/, qint64 /*largest*/)
     return -1;
 }
 
-// QSaveFile would not tell that the disk is full.
+// QSaveFile would not report a full disk.
 qint64 FileReplacement::writeData(const char *bytes, qint64 count)
 {
     if (m_failure)

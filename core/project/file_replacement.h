@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// A file in the making beside the one whose place it takes, written piece by piece, so that a large one needs
-// no memory. Until replace() nothing is to be seen of it, and without it nothing is left. What fits into
-// memory is saved with replaceFile() (project/file_access.h).
+// A file being written beside the one it replaces, piece by piece, so that a large one needs no memory. Until
+// replace() nothing can be seen of it, and without it nothing is left. What fits into memory is saved with
+// replaceFile() (project/file_access.h).
 class FileReplacement : public QIODevice
 {
     Q_OBJECT
@@ -20,13 +20,13 @@ public:
     explicit FileReplacement(const QString &path);
 
     QString path() const { return m_file.fileName(); }
-    // From here on it can be written to. Refused as bad input: fileNotWritten. What is no file, such as a
-    // device, a pipe, a socket or a loop of links, is not replaced; a link is followed.
+    // From here on it can be written to. Refused as bad input: fileNotWritten. Anything but a regular file,
+    // such as a device, a pipe, a socket or a loop of links, is not replaced; a link is followed.
     Result<void> begin();
-    // All that was written is on the disk: fileNotWritten, with the first failure since begin(), such as a
-    // disk without room.
+    // Everything written is on the disk: fileNotWritten, with the first failure since begin(), such as a full
+    // disk.
     Result<void> bringToDisk();
-    // Brought to the disk, and put in its place in one step: fileNotWritten, with what was there as it was.
+    // Written to the disk and put in its place in one step: fileNotWritten, leaving what was there.
     Result<void> replace();
 
 protected:

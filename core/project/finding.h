@@ -7,11 +7,11 @@
 
 namespace codewheel {
 
-// Something that is wrong with a planned bus, as it is shown while it is edited.
+// Something wrong with a planned bus, as shown while it is edited.
 struct Finding
 {
     Severity severity = Severity::fault;
-    std::size_t device = 0; // its place on the bus
+    std::size_t device = 0; // its index on the bus
     QString text;           // a sentence in the user's language
 
     friend bool operator==(const Finding &, const Finding &) = default;

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// A lock between programs on the folder of a file, so that one alone replaces what is there; for moments. It
-// leaves no file behind, and the system gives it back when a program ends in any way.
+// A lock between programs on the folder of a file, so that only one replaces what is there; held for moments.
+// It leaves no file behind, and the system releases it however a program ends.
 class FolderLock
 {
 public:
@@ -20,7 +20,7 @@ public:
     FolderLock &operator=(const FolderLock &) = delete;
     ~FolderLock();
 
-    // Another program still has it. Where the file system knows no locks nobody can have one.
+    // Another program still has it. If the file system supports no locks nobody can have one.
     bool isRefused() const { return m_isRefused; }
 
 private:

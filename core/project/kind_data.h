@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// What only one kind of bus knows the meaning of: a value of any type that can be compared. Copies share it;
-// it never changes.
+// Something whose meaning only one kind of bus knows: a value of any comparable type. Copies share it; it
+// never changes.
 class KindData
 {
 public:
@@ -17,7 +17,7 @@ public:
         : m_value(std::make_shared<const Of<T>>(std::move(value)))
     {}
 
-    // Null: it is none, or of another type.
+    // Null: it is empty, or of another type.
     template <typename T>
     const T *as() const
     {

@@ -30,7 +30,7 @@ using std::chrono::milliseconds;
 
 constexpr int largestUsbNumber = 0xFFFF;
 
-// Of which the file has whole milliseconds.
+// The file holds it in whole milliseconds.
 Instant time(const JsonObject &json, const char *key, Instant otherwise, line_limits::Limits limits)
 {
     const auto usual = std::chrono::duration_cast<milliseconds>(otherwise);
@@ -114,7 +114,7 @@ void writeAdapter(ProjectWriter &writer, const LineAdapter &adapter)
     });
 }
 
-// A serial line as projects have it (line_plan.h).
+// A serial line in a project (line_plan.h).
 class LineKind final : public BusKind
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineKind)

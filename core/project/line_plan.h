@@ -8,8 +8,8 @@ namespace codewheel {
 
 class BusKind;
 
-// The USB adapter that a serial line is connected by, as far as it tells: by its serial number, else by its
-// place on USB, it is known again after it was plugged in elsewhere. 0 or empty: not told.
+// The USB adapter of a serial line, as far as it identifies itself: by its serial number, otherwise by its
+// place on USB, it is recognised after it was plugged in elsewhere. 0 or empty: not known.
 struct LineAdapter
 {
     int vendor = 0;
@@ -20,19 +20,19 @@ struct LineAdapter
     friend bool operator==(const LineAdapter &, const LineAdapter &) = default;
 };
 
-// A serial line, as it is planned.
+// A serial line as planned.
 struct LinePlan
 {
-    LineSettings settings; // the file keeps of its timing: time-out, retries, and the quiet after a write
+    LineSettings settings; // of its timing, the file keeps time-out, retries, and the quiet after a write
     LineAdapter adapter;
 
     friend bool operator==(const LinePlan &, const LinePlan &) = default;
 };
 inline constexpr char escKind[] = "esc";
 
-// Null: the project has no serial line of this number.
+// Null: the project has no serial line with this number.
 const LinePlan *linePlan(const Project &project, BusId line);
-// Plans the line, if the project has none yet.
+// Plans the line if the project does not have it yet.
 void setLinePlan(Project &project, BusId line, LinePlan plan);
 
 // Serial lines, for the list of kinds (bus_kind.cpp).

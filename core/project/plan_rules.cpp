@@ -78,7 +78,7 @@ std::vector<PlanRow> PlanRules::rows(const Project &project, BusId bus, const Ca
         row.name = nameOf(device.participant, catalog);
         row.toolTip = QStringLiteral("%1  %2").arg(row.place.toString(), row.name);
     }
-    // Where it stands is told by the row: the number goes on when a device before it is inserted.
+    // The row shows where it is: the number moves on when a device before it is inserted.
     for (Finding &finding : complete(rows, project, bus, catalog)) {
         std::vector<Finding> &its = rows[std::exchange(finding.device, 0)].findings;
         its.push_back(std::move(finding));
@@ -152,7 +152,7 @@ QString PlanRules::reading(const Participant &device, const Catalog &catalog) co
     return nameOf(device, catalog);
 }
 
-// The free places behind the chosen device come first.
+// The free places after the chosen device come first.
 std::vector<PlanTarget> PlanRules::targets(const Project &project, BusId bus,
                                            std::optional<std::size_t> chosen) const
 {

@@ -28,50 +28,50 @@ struct PlanColumn
     friend bool operator==(const PlanColumn &, const PlanColumn &) = default;
 };
 
-// What stands in a column of the kind's own.
+// The content of a column of the kind's own.
 struct PlanCell
 {
     QString text;
     QString toolTip;              // empty: that of the device
-    std::optional<QString> typed; // what an edit begins with; nothing: it cannot be edited
+    std::optional<QString> typed; // what an edit starts with; empty: it cannot be edited
 
     friend bool operator==(const PlanCell &, const PlanCell &) = default;
 };
 
-// What the structure editor shows of a planned device. Two that are equal look the same.
+// What the structure editor shows of a planned device. Equal rows look the same.
 struct PlanRow
 {
     Place place;
-    std::optional<std::size_t> parent; // among the devices of the bus; nothing: it hangs on the bus itself
-    bool isCoupler = false;            // others can hang below it
+    std::optional<std::size_t> parent; // among the devices of the bus; empty: directly on the bus
+    bool isCoupler = false;            // others can be below it
     QString station;
     QString group;
     QString note;
-    QString serialNumber; // of its label
+    QString serialNumber; // on its label
     QString name;         // "FRABA OCD-IB K3"
     QString toolTip;
     std::vector<PlanCell> own;
-    QStringList codes; // by which it is found, too
+    QStringList codes; // that it is also found by
     std::vector<Finding> findings;
 
     friend bool operator==(const PlanRow &, const PlanRow &) = default;
 };
 
-// The devices of a bus after an edit, and where each stood before; nothing: it is new.
+// The devices of a bus after an edit, and where each was before; empty: it is new.
 struct EditedPlan
 {
     std::vector<ProjectDevice> devices;
     std::vector<std::optional<std::size_t>> from;
 };
 
-// Where a device can be put, as the kind means it.
+// Where a device can be put, in terms of its kind of bus.
 struct PlanTarget
 {
     QString text;
     KindData where;
 };
 
-// What stands on a connected bus, and which planned devices are other ones there, as the bus tells
+// What is on a connected bus, and which planned devices are different ones there, as the bus reports
 // (EncoderBus::isOther).
 struct ConnectedBus
 {
@@ -82,13 +82,13 @@ struct ConnectedBus
 };
 ConnectedBus connectedBus(const Project &project, const EncoderBus &bus);
 
-// By keys: before or behind its neighbour; below the one before it; out again; to the other bus of its
+// By keys: before or after its neighbour; below the one before it; out again; to the other bus of its
 // coupler.
 enum class PlanStep : std::uint8_t { up, down, in, out, changeBus };
 
-// How the devices of one kind of bus are planned: what is shown of them, where they can stand, what can be
-// done to them, and how the plan stands to what is connected. Devices are given by their index among those of
-// the bus. As it stands: each device has one of places(), which is typed, and nothing hangs below another.
+// How the devices of one kind of bus are planned: what is shown of them, where they can be, what can be done
+// to them, and how the plan compares to what is connected. Devices are given by their index among those of
+// the bus. By default: each device has one of places(), which is typed, and nothing is below another.
 class PlanRules
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::PlanRules)
@@ -100,11 +100,11 @@ public:
 
     std::vector<PlanColumn> columns(const Project &project, BusId bus) const;
     std::vector<PlanRow> rows(const Project &project, BusId bus, const Catalog &catalog) const;
-    // What breaks a rule of the bus, device by device; rows() has it as well.
+    // What breaks a rule of the bus, device by device; rows() includes it as well.
     virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
     // "FRABA OCD-IB K3"
     virtual QString nameOf(const Participant &device, const Catalog &catalog) const;
-    // Order follows from where a device hangs: devices are moved by keys and by dragging.
+    // Order follows from where a device is attached: devices are moved by keys and by dragging.
     virtual bool isOrdered() const { return false; }
     virtual bool isEditable(const PlanRow &row, const PlanColumn &column) const;
 
@@ -115,13 +115,13 @@ public:
                                     const QString &text) const;
 
     virtual std::vector<Participant> offered(const Catalog &catalog) const;
-    // Of an ID code and a length code; nothing: this kind knows devices by their descriptions alone.
+    // From an ID code and a length code; empty: this kind knows devices only by their descriptions.
     virtual std::optional<Participant> coded(unsigned, unsigned) const { return std::nullopt; }
     virtual QString reading(const Participant &device, const Catalog &catalog) const; // in full
     // Seen from the chosen device, the usual one first.
     virtual std::vector<PlanTarget> targets(const Project &project, BusId bus,
                                             std::optional<std::size_t> chosen) const;
-    // Of these targets, where `device` belongs, if it was to be put to `target`.
+    // Of these targets, where `device` belongs if it was to be put at `target`.
     virtual std::size_t preferred(const std::vector<PlanTarget> &, const Participant &,
                                   std::size_t target) const
     {
@@ -130,15 +130,15 @@ public:
 
     virtual Result<EditedPlan> insert(const Project &project, BusId bus, const Participant &device,
                                       const KindData &where) const;
-    // With all that hangs below them.
+    // With everything below them.
     virtual Result<EditedPlan> remove(const Project &project, BusId bus,
                                       std::span<const std::size_t> devices) const;
-    // Another kind of device in this place; station, group, note and addresses stay.
+    // Another kind of device at this place; station, group, note and addresses stay.
     virtual Result<EditedPlan> change(const Project &project, BusId bus, std::size_t device,
                                       const Participant &to) const;
     virtual Result<EditedPlan> move(const Project &project, BusId bus, std::span<const std::size_t> devices,
                                     const KindData &where) const;
-    // Nothing: there is no such place.
+    // Empty: there is no such place.
     virtual std::optional<KindData> stepped(const Project &, BusId, std::size_t, PlanStep) const
     {
         return std::nullopt;
@@ -150,32 +150,32 @@ public:
         return std::nullopt;
     }
 
-    // The plan beside what is connected; as it stands, place by place.
+    // The plan compared to what is connected; by default place by place.
     virtual Comparison compare(const Project &project, BusId bus, const ConnectedBus &connected) const;
     // "3.0: configured K3 37h, found K2 36h"
     virtual QString comparisonText(const ComparisonLine &line, const Project &project, BusId bus,
                                    const ConnectedBus &connected, const Catalog &catalog) const;
-    // Planned devices of which nobody can say whether they stand at their places, and why, although the line
-    // of the comparison is the same.
+    // Planned devices of which nobody can say whether they are at their places, and why, although the line of
+    // the comparison is the same.
     virtual std::map<NodeId, Refusal> uncertain(const Project &, BusId, const ConnectedBus &,
                                                 const Catalog &) const
     {
         return {};
     }
-    // The plan with these lines taken over from what is connected. Where another device stands in its place,
-    // what belongs to the place stays.
+    // The plan with these lines taken over from what is connected. If another device is in its place, what
+    // belongs to the place stays.
     virtual EditedPlan takenOver(const Project &project, BusId bus, const ConnectedBus &connected,
                                  const Comparison &comparison, std::span<const std::size_t> lines) const;
 
 protected:
     static EditedPlan unchanged(const Project &project, BusId bus);
-    // Why a device cannot stand there beside the others; empty: it can.
+    // Why a device cannot be there along with the others; empty: it can.
     virtual QString whyNotAt(NodeId place, Devices others) const;
 
 private:
     virtual QString placeTitle() const;
     virtual std::vector<PlanColumn> ownColumns(const Project &, BusId) const { return {}; }
-    // Brings the kind's own into the rows. Returns what check() does.
+    // Adds the kind's own to the rows. Returns the same as check().
     virtual std::vector<Finding> complete(std::vector<PlanRow> &, const Project &project, BusId bus,
                                           const Catalog &) const
     {
@@ -189,7 +189,7 @@ private:
     virtual bool isOffered(const DeviceDescription &) const { return false; }
 };
 
-// What was known and wanted of it is none of the other's that stands in its place from now on.
+// What was known and wanted of it does not apply to the device that replaces it.
 void becomeAnother(ProjectDevice &device);
 
 } // namespace codewheel

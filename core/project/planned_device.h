@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// What a device of the plan is: the description it is named by, or that of its device code where its make is
-// not known. What its label tells of the resolution goes before. Nothing: there is no description.
+// What a device of the plan is: the description it is named by, or that of its device code if its make is not
+// known. The resolution on its label takes precedence. Empty: there is no description.
 std::optional<DeviceDescription> plannedDescription(const ProjectDevice &device, const Catalog &catalog);
 
 } // namespace codewheel

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// Where a device stands in the process image of one direction.
+// Where a device is in the process image of one direction.
 struct AddressRange
 {
     int first = 0; // byte
@@ -19,21 +19,21 @@ struct AddressRange
 };
 struct DeviceAddresses
 {
-    std::optional<AddressRange> in; // nothing: it has no such words
+    std::optional<AddressRange> in; // empty: it has no such words
     std::optional<AddressRange> out;
 
     friend bool operator==(const DeviceAddresses &, const DeviceAddresses &) = default;
 };
 
-inline constexpr int largestAddress = 65'535; // byte, to be given by hand
+inline constexpr int largestAddress = 65'535; // byte, for addresses given by hand
 
-// Of each device in ring order. Automatic ones follow each other from AddressRules::first on, word aligned,
-// and go round those that were given by hand. IN and OUT are counted apart.
+// For each device in ring order. Automatic ones follow each other from AddressRules::first on, word-aligned,
+// and skip those given by hand. IN and OUT are counted separately.
 std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring = firstRing);
 
-// As it is shown and typed: a byte or a word number. Of a word, an odd byte is shown as "6 + 1".
+// As shown and typed: a byte or a word number. In words, an odd byte is shown as "6 + 1".
 QString addressText(int byte, AddressRules::Unit unit);
-// In bytes; nothing for anything but a number within 0..largestAddress.
+// In bytes; empty for anything but a number within 0..largestAddress.
 std::optional<int> parseAddress(QStringView text, AddressRules::Unit unit);
 
 } // namespace codewheel

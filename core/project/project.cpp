@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// Where those of a bus begin and end, or would stand.
+// Where those of a bus begin and end, or would be.
 std::pair<std::size_t, std::size_t> rangeOf(const Project &project, BusId bus)
 {
     const auto first = std::ranges::lower_bound(project.devices, bus, {}, &ProjectDevice::bus);

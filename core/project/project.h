@@ -16,7 +16,7 @@
 
 namespace codewheel {
 
-// What the user reads from the label of a device; 0 or empty: not told.
+// What the user reads from the label of a device; 0 or empty: not given.
 struct DeviceLabel
 {
     int turns = 0;
@@ -45,7 +45,7 @@ struct StoredCams
     friend bool operator==(const StoredCams &, const StoredCams &) = default;
 };
 
-// The position an encoder showed last, for the one that replaces it.
+// The position an encoder showed last, for its replacement.
 struct LastPosition
 {
     std::int64_t position = 0; // steps
@@ -64,7 +64,7 @@ struct ProjectDevice
     QString group;
     QString note;
     DeviceLabel label;
-    std::optional<int> inAddress; // given by hand, in bytes; nothing: automatic
+    std::optional<int> inAddress; // given by hand, in bytes; empty: automatic
     std::optional<int> outAddress;
     ParameterValues wanted;             // by parameter
     std::vector<CamProgram> wantedCams; // by number
@@ -96,13 +96,13 @@ struct PlannedBus
 {
     BusId id;
     QString kind;      // "interbus", "esc"
-    QString name;      // each once in a project
-    KindData settings; // a RingPlan, a LinePlan: of its kind
+    QString name;      // unique within a project
+    KindData settings; // a RingPlan or a LinePlan, depending on the kind
 
     friend bool operator==(const PlannedBus &, const PlannedBus &) = default;
 };
 
-// A ring without devices: what a project begins with.
+// A ring without devices: what a project starts with.
 std::vector<PlannedBus> usualBuses();
 
 // The document: planned buses with what is wanted of their encoders. A value; edits make a new one. Its file
@@ -112,13 +112,13 @@ struct Project
     QString title;
     QString note;
     std::vector<PlannedBus> buses = usualBuses(); // by number
-    std::vector<ProjectDevice> devices;           // bus by bus, as the buses; those of a bus in its order
+    std::vector<ProjectDevice> devices;           // in the order of the buses; those of a bus in its order
     std::vector<ProjectSequence> sequences;
 
     friend bool operator==(const Project &, const Project &) = default;
 };
 
-const PlannedBus *findBus(const Project &project, BusId bus); // null: it has none of this number
+const PlannedBus *findBus(const Project &project, BusId bus); // null: it has none with this number
 PlannedBus *findBus(Project &project, BusId bus);
 
 // Null: the project has none there.
@@ -129,7 +129,7 @@ ProjectDevice *findDevice(Project &project, Place place);
 std::span<const ProjectDevice> devicesOn(const Project &project, BusId bus);
 std::span<ProjectDevice> devicesOn(Project &project, BusId bus);
 std::vector<Participant> participantsOn(const Project &project, BusId bus);
-// Puts these in the place of those of this bus, which the project has.
+// Replaces those of this bus, which the project has, with these.
 void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices);
 
 } // namespace codewheel

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// Through a symbolic link to the file itself, so that the link stays one.
+// Follows a symbolic link to the file itself, so that the link stays a link.
 QString fileItself(const QString &path)
 {
     const QString target = QFileInfo(path).canonicalFilePath();
@@ -28,7 +28,7 @@ struct ProjectFile
     Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectFile)
 };
 
-// Why it could not be opened again; empty where it could.
+// Why it could not be opened again; empty if it could.
 QString faultOf(const QByteArray &json, const QString &path)
 {
     if (json.size() > largestProjectFile)
@@ -41,8 +41,8 @@ QString faultOf(const QByteArray &json, const QString &path)
     return sentence(ProjectFile::tr("It could not be opened again. %3: %4"), parts);
 }
 
-// What programs left beside the file that were ended between making a backup and naming it: NAME.PID~, as far
-// as it holds no more than the file itself or its backup.
+// What programs left beside the file that ended between making a backup and naming it: NAME.PID~, unless it
+// holds more than the file itself or its backup.
 void dropLeftBackups(const QString &file)
 {
     const QFileInfo info(file);

@@ -13,22 +13,22 @@ inline constexpr qint64 largestProjectFile = 8'000'000; // bytes
 // projectFileNewer.
 Result<Project> loadProject(const QString &path);
 
-// Replaces the file, or makes it: at each moment it is the old one or the new one as a whole, also when the
-// program or the machine stops. The old one is kept as NAME~, unless it is no project and there is a NAME~
-// already. Nothing is done where the file holds the project already. Refused, with the file as it was:
-// fileNotWritten, also where it could not be opened again.
+// Replaces or creates the file: at every moment it is either the old one or the new one as a whole, even if
+// the program or the machine stops. The old one is kept as NAME~, unless it is not a project and there is
+// already a NAME~. Nothing is done if the file already holds the project. Refused, with the file as it was:
+// fileNotWritten, also if it could not be opened again.
 Result<void> saveProject(const Project &project, const QString &path);
 
-// The same, where nothing would be lost that another program has saved there since: fileChanged, where the
-// file holds something else than the project that `known` is the mark of. One program saves at a time, so
-// nothing comes between looking and replacing.
+// The same, unless something would be lost that another program has saved there since: fileChanged, if the
+// file holds something other than the project that `known` is the mark of. One program saves at a time, so
+// nothing comes between checking and replacing.
 Result<void> saveProjectOver(const QByteArray &known, const Project &project, const QString &path);
 
-// What a project would have in its file, in short: the same for the same project.
+// A short mark of what a project would have in its file: the same for the same project.
 QByteArray projectMark(const Project &project);
 
-// Whether saving to `path` would lose what another program has saved there: the file holds something else
-// than the project that `known` is the mark of. Where there is no file, nothing can be lost.
+// Whether saving to `path` would lose what another program has saved there: the file holds something other
+// than the project that `known` is the mark of. If there is no file, nothing can be lost.
 bool holdsAnother(const QString &path, const QByteArray &known);
 
 } // namespace codewheel

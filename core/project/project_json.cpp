@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-// What is said of the file as a whole, before any part of it is looked at.
+// What applies to the file as a whole, before any part of it is looked at.
 class FileHeader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectReader)
@@ -17,7 +17,7 @@ public:
     static std::int64_t readVersion(const Json::Value &root, FaultKeeper &faults);
 };
 
-// What is of another kind has other keys.
+// A file of another kind has other keys.
 std::int64_t FileHeader::readVersion(const Json::Value &root, FaultKeeper &faults)
 {
     if (!root.isObject() || root["format"] != Json::Value(project_keys::formatName)) {
@@ -37,7 +37,7 @@ std::int64_t FileHeader::readVersion(const Json::Value &root, FaultKeeper &fault
     return version.asInt64();
 }
 
-// Takes the member along to another object, under this name; nothing, where it is not there.
+// Moves the member to another object, under this name; no effect if it is missing.
 void move(Json::Value &from, const char *key, Json::Value &to, const char *name)
 {
     Json::Value member;

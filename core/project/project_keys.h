@@ -6,7 +6,7 @@
 
 namespace codewheel::project_keys {
 
-// The names a project file gives to values, in both directions.
+// The names of values in a project file, in both directions.
 inline constexpr char formatName[] = "codewheel-project";
 
 inline constexpr NamedValue<Evidence> evidences[] = {

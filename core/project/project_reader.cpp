@@ -85,7 +85,7 @@ DeviceLabel ProjectReader::readLabel(const JsonObject &json)
             json.freeText("serialNumber")};
 }
 
-// Without its time nobody can tell whether the shaft still stands there.
+// Without its time nobody can tell whether the shaft is still there.
 LastPosition ProjectReader::readLastPosition(const JsonObject &json)
 {
     LastPosition last{json.number("position"), readTime(json)};

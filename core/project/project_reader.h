@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// The rules of a project file of the newest version, part by part. One object a file; what is wrong is
-// reported to the JsonObject's keeper, and reading goes on with harmless values.
+// The rules of a project file of the newest version, part by part. One object per file; errors are reported
+// to the JsonObject's keeper, and reading goes on with harmless values.
 class ProjectReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectReader)

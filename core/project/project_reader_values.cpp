@@ -12,7 +12,7 @@ namespace {
 
 using namespace project_keys;
 
-// Parameters of one list, each once.
+// Parameters of one list, each only once.
 class ParameterReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectReader)

@@ -48,7 +48,7 @@ void ProjectWriter::writeBus(const Project &project, const PlannedBus &bus)
         kind->write(*this, bus.settings, devicesOn(project, bus.id));
 }
 
-// What is not there takes no line.
+// A missing text takes no line.
 void ProjectWriter::writeText(const char *key, const QString &text)
 {
     if (!text.isEmpty())

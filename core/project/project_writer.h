@@ -6,14 +6,14 @@
 
 namespace codewheel {
 
-// Writes a project file part by part, in the order of docs/project-files.md. One object a file; used by
+// Writes a project file part by part, in the order of docs/project-files.md. One object per file; used by
 // projectToJson().
 class ProjectWriter
 {
 public:
     QByteArray write(const Project &project);
 
-    // For the kinds of bus: the file, and what devices of all of them have in common.
+    // For the kinds of bus: the file, and what all their devices have in common.
     JsonWriter &json() { return m_json; }
     void writeText(const char *key, const QString &text);
     void writeNumber(const char *key, std::optional<std::int64_t> number);

@@ -120,7 +120,7 @@ std::vector<LeftProject> leftProjects(const QString &folder)
     const QDir files(folder);
     for (const QString &name : files.entryList({u'*' + ending}, QDir::Files)) {
         const QString file = files.filePath(name);
-        if (FileLock lock(lockOf(file)); lock.isHeld() && QFile::exists(file)) // nobody dropped it meanwhile
+        if (FileLock lock(lockOf(file)); lock.isHeld() && QFile::exists(file)) // nobody dropped it
             left.push_back(LeftProject(file, std::move(lock)));
     }
     std::ranges::sort(left, std::greater(), &LeftProject::keptAt);

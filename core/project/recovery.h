@@ -7,17 +7,17 @@
 
 namespace codewheel {
 
-// Keeps the edits nobody has saved, for the case that the program ends without asking. One object for the
-// document of each running program; they share a folder and do not see each other's. Used by the window.
+// Keeps unsaved edits in case the program ends without asking. One object for the document of each running
+// program; they share a folder and do not see each other's. Used by the window.
 class Recovery
 {
 public:
-    // The folder need not exist; it is made when there is something to keep.
+    // The folder need not exist; it is created when there is something to keep.
     explicit Recovery(QString folder);
 
-    // Writes the project down, with the file it belongs to (empty: it was never saved), the mark of what was
-    // read from there or saved there (projectMark()), and the time. Nothing is written where nothing changed
-    // since the last time. Refused: fileNotWritten.
+    // Writes down the project, with the file it belongs to (empty: never saved), the mark of what was read
+    // from there or saved there (projectMark()), and the time. Nothing is written if nothing changed since
+    // the last time. Refused: fileNotWritten.
     Result<void> keep(const Project &project, const QString &path, const QDateTime &at,
                       const QByteArray &mark = {});
     // There is nothing to recover: it was saved, or is not wanted.
@@ -33,14 +33,14 @@ private:
     QString m_keptFor;
 };
 
-// What a program left behind that ended without asking. As long as the object lives, no other program offers
+// What a program that ended without asking left behind. As long as the object lives, no other program offers
 // it; what is not dropped is there again at the next start.
 class LeftProject
 {
 public:
     const QString &path() const { return m_path; }    // the file it belongs to; empty: none
     const QByteArray &mark() const { return m_mark; } // of what its file held; empty: not known
-    const QDateTime &keptAt() const { return m_at; }  // invalid where that cannot be read
+    const QDateTime &keptAt() const { return m_at; }  // invalid if it cannot be read
     // Refused as by loadProject().
     Result<Project> load() const;
     void drop();
@@ -56,7 +56,7 @@ private:
     QDateTime m_at;
 };
 
-// To be asked at start, the newest first.
+// To be called at start; the newest first.
 std::vector<LeftProject> leftProjects(const QString &folder);
 
 } // namespace codewheel

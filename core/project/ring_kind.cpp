@@ -47,7 +47,7 @@ AddressRules readAddresses(const JsonObject &json)
     return rules;
 }
 
-// The number follows from the place in the list; that it is told as well makes the file readable.
+// The number follows from the place in the list; it is stored as well to make the file readable.
 NodeId readPlace(const JsonObject &json, DeviceNumber before)
 {
     const QString told = json.text("place");
@@ -133,7 +133,7 @@ void writeDevice(ProjectWriter &writer, const ProjectDevice &device)
     writer.writeLastPosition(device);
 }
 
-// A ring as projects have it (ring_plan.h).
+// A ring in a project (ring_plan.h).
 class RingKind final : public BusKind
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingKind)

@@ -14,14 +14,14 @@ struct AddressRules
 {
     enum class Unit : std::uint8_t { byte, word };
 
-    Unit unit = Unit::byte; // shown and typed
+    Unit unit = Unit::byte; // as shown and typed
     int first = 0;          // of automatic addresses, bytes
-    bool step5 = false;     // encoders must stand above P127 (Step 5)
+    bool step5 = false;     // encoders must be above P127 (Step 5)
 
     friend bool operator==(const AddressRules &, const AddressRules &) = default;
 };
 
-// The link the project is used with: its kind ("training") and settings, as its file keeps them.
+// The link the project is used with: its kind ("training") and settings, as stored in its file.
 struct ProjectLink
 {
     QString kind = QStringLiteral("training");
@@ -30,7 +30,7 @@ struct ProjectLink
     friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
 };
 
-// A ring, as it is planned.
+// A ring as planned.
 struct RingPlan
 {
     ProjectLink link;
@@ -41,9 +41,9 @@ struct RingPlan
 };
 inline constexpr char interbusKind[] = "interbus";
 
-// As where nothing is planned, if the project has no ring of this number.
+// The defaults if the project has no ring with this number.
 const RingPlan &ringPlan(const Project &project, BusId ring);
-// Plans the ring, if the project has none yet.
+// Plans the ring if the project does not have it yet.
 void setRingPlan(Project &project, BusId ring, RingPlan plan);
 
 // Rings, for the list of kinds (bus_kind.cpp).

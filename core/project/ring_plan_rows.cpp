@@ -16,7 +16,7 @@ namespace {
 // The columns of a ring.
 constexpr std::size_t inColumn = 3;
 
-// The context of these texts.
+// The translation context of these texts.
 struct AddressText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingPlanRules)
@@ -38,7 +38,7 @@ QString idCodeCell(const Participant &device)
     return QStringLiteral("%1 = %2").arg(hexCode(device.idCode, 2)).arg(device.idCode);
 }
 
-// Of a word, an odd byte is shown as "6 + 1", and typed without.
+// In words, an odd byte is shown as "6 + 1", and typed without the "+ 1".
 QString typedAddress(const QString &shown)
 {
     return shown.section(u' ', 0, 0);
@@ -149,7 +149,7 @@ Result<EditedPlan> RingPlanRules::type(const Project &project, Place device, con
     const bool isIn = column.own == inColumn;
     const DeviceAddresses addresses = processAddresses(project, device.bus)[index];
     const auto &now = isIn ? addresses.in : addresses.out;
-    // What was only looked at stays automatic.
+    // What was merely looked at stays automatic.
     const bool isUnchanged =
         now && given && (now->first == *given || typedAddress(addressText(now->first, unit)) == text);
     if (now && !isUnchanged)

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// Whether it belongs on a local bus: it stands on one, or its ID code says so.
+// Whether it belongs on a local bus: it is on one, or its ID code says so.
 bool prefersLocalBus(const Participant &participant)
 {
     return isOnLocalBus(participant) || standsOnLocalBus(participant.idCode);
@@ -67,7 +67,7 @@ std::optional<RingPlace> stepOf(const RingStructure &ring, std::size_t device, P
         --place.row;
         return place;
     case PlanStep::down:
-        place.row += 2; // behind the neighbour: the row is counted with the device where it stands
+        place.row += 2; // after the neighbour: the row counts the device where it is now
         return place;
     case PlanStep::in:
         return movedIn(ring, device);
@@ -134,7 +134,8 @@ std::vector<PlanTarget> RingPlanRules::targets(const Project &project, BusId bus
     return targets;
 }
 
-// A device of a local bus behind a bus terminal is meant for that one's, which stands third.
+// A local-bus device put behind a bus terminal belongs on that terminal's local bus, which is the third
+// target.
 std::size_t RingPlanRules::preferred(const std::vector<PlanTarget> &targets, const Participant &device,
                                      std::size_t target) const
 {

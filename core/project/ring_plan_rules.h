@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// How a ring is planned: numbers follow from where devices hang, and a target is a RingPlace.
+// How a ring is planned: numbers follow from where devices are attached, and a target is a RingPlace.
 class RingPlanRules final : public PlanRules
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingPlanRules)
@@ -36,8 +36,8 @@ public:
                             const KindData &where) const override;
     std::optional<KindData> stepped(const Project &project, BusId ring, std::size_t device,
                                     PlanStep step) const override;
-    // Onto a bus terminal: to the end of the bus where it belongs. Between the last of a local bus and the
-    // first of a branch a device goes where it belongs as well.
+    // Onto a bus terminal: to the end of the bus where it belongs. Between the last device of a local bus and
+    // the first of a branch, a device also goes where it belongs.
     std::optional<KindData> dropped(const Project &project, BusId ring, std::size_t device,
                                     std::optional<std::size_t> parent, int row) const override;
     Comparison compare(const Project &project, BusId ring, const ConnectedBus &connected) const override;

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// The words of a sequence, and how long one stands that nothing acknowledges.
+// The words of a sequence, and how long a word is held that is not acknowledged.
 struct WordList
 {
     static constexpr int longestHold = 10'000; // cycles
@@ -26,8 +26,8 @@ struct WordList
 template <typename T>
 using Parsed = tl::expected<T, QString>;
 
-// A column of hexadecimal words as it is pasted from an editor or a spreadsheet: one word a line, the first
-// cell that is not empty; quotes around a cell and empty lines are left out. All or nothing.
+// A column of hexadecimal words as pasted from an editor or a spreadsheet: one word per line, in the first
+// cell that is not empty; quotes around a cell and empty lines are ignored. All or nothing.
 Parsed<std::vector<Word>> parseColumn(const QString &text);
 
 // docs/sequence-files.md

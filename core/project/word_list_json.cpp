@@ -17,7 +17,7 @@ class SequenceFile
     Q_DECLARE_TR_FUNCTIONS(SequenceFile)
 
 public:
-    // Before anything else: what is of another kind has other keys.
+    // Before anything else: a file of another kind has other keys.
     static void checkFormat(const Json::Value &root, FaultKeeper &faults);
     static WordList read(const JsonObject &json);
     static QString textOf(const Catalog::Fault &fault);

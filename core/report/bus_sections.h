@@ -6,14 +6,14 @@
 
 namespace codewheel::report_sections {
 
-// How the report tells of a kind of bus.
+// How the report describes a kind of bus.
 struct BusSections
 {
     ReportTable (*structure)(const Project &project, BusId bus, const std::vector<ReportedDevice> &devices);
     ReportSection (*more)(const Project &project, BusId bus) = nullptr; // null: nothing
 };
 
-// A kind of which it knows nothing else has a table of places.
+// A kind about which nothing else is known gets a table of places.
 BusSections sectionsOf(const PlannedBus &bus);
 
 } // namespace codewheel::report_sections

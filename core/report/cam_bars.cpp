@@ -17,7 +17,7 @@ std::vector<CamBar> camBars(const CamPicture &picture)
             continue;
         const bool throughZero = cam.start > cam.stop;
         const double start = part(cam.start);
-        const double end = part(cam.stop + 1); // the last position belongs to it
+        const double end = part(cam.stop + 1); // the last position is included
         const auto add = [&](double from, double to) {
             if (from < to || !cam.isInverted)
                 bars.push_back({number, from, to, cam.active});

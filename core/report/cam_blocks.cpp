@@ -13,7 +13,7 @@ namespace {
 
 using Column = ReportTable::Column;
 
-// One cam program of an encoder; at least one of both is there.
+// One cam program of an encoder, wanted or known; at least one of the two is there.
 struct BothPrograms
 {
     const CamProgram *wanted;
@@ -76,7 +76,7 @@ CamAbilities camsOf(const ReportedDevice &device)
                               : CamAbilities{};
 }
 
-// The positions of the encoder, as far as they are known; else those that the cams show.
+// The positions of the encoder, if known; otherwise those that the cams span.
 CamPicture pictureOf(const ReportedDevice &device, const CamProgram &program, const QString &title)
 {
     CamPicture picture{title, program, 1, numberText(0), {}, camsOf(device).cams};

@@ -6,7 +6,8 @@
 
 namespace codewheel {
 
-// The cam programs of an encoder, wanted beside known: a picture and a table for each that has something set.
+// The cam programs of an encoder, wanted next to known: a picture and a table for each that has something
+// set.
 std::vector<ReportBlock> camBlocks(const ReportedDevice &device, const QDateTime &now);
 
 } // namespace codewheel

@@ -84,7 +84,7 @@ void addValues(ReportSection &section, const std::vector<ReportedDevice> &device
                             nullptr, notKnown));
 }
 
-// With the names of the buses, where there are several.
+// With the names of the buses if there are several.
 ReportTable tableOf(const BusComparisons &compared)
 {
     ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};

@@ -35,7 +35,7 @@ QStringList differencesOf(const Project &project, const PlannedBus &bus, const C
         const auto why = uncertain.find(node);
         const bool isUncertain = isSame && why != uncertain.end();
         if (isUncertain && node == connected.devices[*line.connected].number)
-            lines << refusalText(why->second); // nothing known of it is reported
+            lines << refusalText(why->second); // what is known of it is not reported
         else if (isUncertain || !isSame)
             lines << rules.comparisonText(line, project, bus.id, connected, catalog);
     }

@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// Where an encoder is known to have something else than what is wanted.
+// Where an encoder is known to have something other than what is wanted.
 struct ValueDeviation
 {
     Parameter parameter = Parameter::steps;
@@ -41,10 +41,10 @@ struct DeviationCounts
 };
 DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices);
 
-// What the connected buses have otherwise than the configured ones.
+// How the connected buses differ from the configured ones.
 struct BusComparisons
 {
-    std::vector<std::pair<QString, QStringList>> lines; // of each that was compared: its name, and in words
+    std::vector<std::pair<QString, QStringList>> lines; // for each one compared: its name, and in words
     QStringList notCompared;                            // names of others that have devices
 
     std::int64_t differences() const;

@@ -9,11 +9,11 @@ namespace {
 
 // In units of the picture.
 constexpr double svgWidth = 680;
-constexpr double barsLeft = 20; // of the bars; before them stands the number of the cam
+constexpr double barsLeft = 20; // of the bars; the number of the cam is before them
 constexpr double right = 676;
 constexpr double rowHeight = 14;
 constexpr double barHeight = 8;
-constexpr double textRise = 4; // of a base line above the foot of its row
+constexpr double textRise = 4; // of a base line above the bottom of its row
 
 QString svgNumber(double value)
 {
@@ -38,7 +38,7 @@ QString barSvg(const CamBar &bar)
 {
     const double scale = right - barsLeft;
     const double top = rowHeight * static_cast<double>(bar.cam) + (rowHeight - barHeight) / 2;
-    const double shownWidth = std::max(1.0, scale * (bar.end - bar.begin)); // a single position, too
+    const double shownWidth = std::max(1.0, scale * (bar.end - bar.begin)); // even for a single position
     return QStringLiteral(
                "<rect x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" fill=\"%5\" stroke=\"black\"/>\n")
         .arg(svgNumber(barsLeft + scale * bar.begin), svgNumber(top), svgNumber(shownWidth),

@@ -13,7 +13,7 @@ QString escaped(const QString &text)
     return printableText(text).toHtmlEscaped();
 }
 
-// Never QString::arg() with a text of the user: it may hold a %1 itself.
+// Never QString::arg() with a text of the user's: it may contain a %1 itself.
 QString element(const QString &name, const QString &text, const QString &attributes = {})
 {
     return u'<' + name + attributes + u'>' + escaped(text) + QStringLiteral("</") + name + u'>';

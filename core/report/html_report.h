@@ -9,11 +9,11 @@
 
 namespace codewheel {
 
-// The report as one web page (HTML 5 that is XML as well, UTF-8) for a screen and for A4 paper. It needs
-// nothing from elsewhere. The same report gives the same bytes.
+// The report as one web page (HTML 5 that is also XML, UTF-8) for a screen and for A4 paper. Self-contained.
+// The same report gives the same bytes.
 QByteArray reportAsHtml(const Report &report);
 
-// What stands in its <body>; `drawn` gives the element of a picture.
+// The content of its <body>; `drawn` returns the element of a picture.
 QString reportBody(const Report &report, const std::function<QString(const CamPicture &)> &drawn);
 
 } // namespace codewheel

@@ -3,9 +3,9 @@
 
 namespace codewheel {
 
-// The style sheet of the report, for browsers and for the sheets of the PDF; those know simple selectors,
-// margins, paddings, borders and fonts, no more. Black on white, because it is meant for paper; headers of
-// tables come again on each sheet.
+// The style sheet of the report, for browsers and for the sheets of the PDF; the latter support only simple
+// selectors, margins, paddings, borders and fonts. Black on white, because it is meant for paper; table
+// headers are repeated on each sheet.
 inline constexpr char reportStyle[] = R"css(
 html { color: black; background: white; font: 9.5pt sans-serif; }
 body { max-width: 180mm; margin: 8mm auto; padding: 0 4mm; }

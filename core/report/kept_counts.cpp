@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// As well as the project knows the encoder, best first (docs/journal.md).
+// All identities the project knows for the encoder, best first (docs/journal.md).
 std::vector<EncoderIdentity> identitiesOf(const ProjectDevice &device, const Catalog &catalog,
                                           const QString &projectFile)
 {

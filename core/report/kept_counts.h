@@ -8,9 +8,10 @@ namespace codewheel {
 class Catalog;
 class Ledger;
 
-// Adds the EEPROM writes the ledger knows of encoders whose count is not told by the connected ring: by the
-// serial number that was read of them, else by that of their label, else by their place in this project
-// (its file; empty: never saved). Where it has none, nobody knows how often that encoder was written to.
+// Adds the EEPROM writes from the ledger for encoders whose count does not come from the connected ring: by
+// the serial number read from them, otherwise by that on their label, otherwise by their place in this
+// project (its file; empty: never saved). If the ledger has none, nobody knows how often that encoder was
+// written to.
 void addKept(ReportInput &input, const Ledger &ledger, const Catalog &catalog, const QString &projectFile);
 
 } // namespace codewheel

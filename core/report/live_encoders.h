@@ -15,9 +15,9 @@ class EncoderSession;
 using ConnectedEncoder = std::pair<const ProjectDevice *, EncoderSession *>;
 std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Buses &buses);
 
-// Adds what the connected buses tell: who is there, what is known of their encoders now, and EEPROM writes.
-// Of an encoder that neither told nor confirmed anything in this session nothing is known: what the project
-// has stored of it says more.
+// Adds what the connected buses report: who is there, what is known of their encoders now, and EEPROM writes.
+// An encoder that reported and confirmed nothing in this session is left out: what the project has stored of
+// it says more.
 void addConnected(ReportInput &input, const Buses &buses);
 
 } // namespace codewheel

@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-// One for each bus, by its name where there are several.
+// One for each bus, by its name if there are several.
 void addLinks(ReportFacts &facts, const Project &project)
 {
     for (const PlannedBus &bus : project.buses)

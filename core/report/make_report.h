@@ -8,8 +8,8 @@ namespace codewheel {
 
 class Catalog;
 
-// The commissioning report of a project, in the language and the number format in use. The same input gives
-// the same report; what is not known is told as unknown.
+// The commissioning report of a project, in the current language and number format. The same input gives the
+// same report; what is not known is reported as unknown.
 Report makeReport(const ReportInput &input, const Catalog &catalog);
 
 } // namespace codewheel

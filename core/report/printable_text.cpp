@@ -30,7 +30,7 @@ QString printableText(const QString &text)
 {
     QString result;
     result.reserve(text.size());
-    for (const char32_t c : text.toUcs4()) { // half a surrogate pair is U+FFFD by now
+    for (const char32_t c : text.toUcs4()) { // half a surrogate pair has become U+FFFD by now
         if (c == U'\r')
             continue;
         result += isPrintable(c) ? QString::fromUcs4(&c, 1) : QString(QChar::ReplacementCharacter);

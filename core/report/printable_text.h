@@ -5,9 +5,9 @@
 
 namespace codewheel {
 
-// A text that somebody typed, or that stood in a file, as it may be printed: what no XML file may hold
-// (control characters, halves of surrogate pairs) and what would turn the text around it (bidirectional
-// overrides) become U+FFFD. Line breaks stay.
+// A text that somebody typed, or that was in a file, made printable: what XML must not contain (control
+// characters, halves of surrogate pairs) and what would change the direction of the text around it
+// (bidirectional overrides) become U+FFFD. Line breaks stay.
 QString printableText(const QString &text);
 
 } // namespace codewheel

@@ -11,8 +11,9 @@
 
 namespace codewheel {
 
-// What a commissioning report says, in the user's language, before it is a web page (report/html_report.h) or
-// sheets of paper (app/report). Texts are plain: whoever writes them down escapes them.
+// What a commissioning report says, in the user's language, before it becomes a web page
+// (report/html_report.h) or sheets of paper (app/report). Texts are plain: whoever writes them out escapes
+// them.
 
 // "Software: Codewheel 0.1.0"
 struct ReportFact
@@ -28,7 +29,7 @@ struct ReportTable
     struct Row
     {
         QStringList cells;
-        bool stressed = false; // what the reader must not overlook; a cell says why, too
+        bool stressed = false; // what the reader must not overlook; a cell also says why
     };
 
     QStringList header;
@@ -44,10 +45,10 @@ struct CamPicture
     std::int64_t positions = 1;
     QString firstText;                   // of position 0
     QString lastText;                    // of the last position
-    std::size_t cams = CamProgram::cams; // that are shown
+    std::size_t cams = CamProgram::cams; // to be shown
 };
 
-// Lines to sign on: a place for who it is, and nothing filled in.
+// Lines to sign on: one for each role, with nothing filled in.
 struct SignaturePlaces
 {
     QStringList roles; // "Commissioned by"
@@ -72,7 +73,7 @@ struct Report
     QString language; // of the texts: "en"
     QString title;    // "Commissioning report"
     QString subject;  // title of the project
-    QString origin;   // program and date, for the foot of a sheet
+    QString origin;   // program and date, for the footer of a sheet
     ReportFacts facts;
     std::vector<ReportSection> sections;
 };

@@ -17,14 +17,14 @@ struct LiveEncoder
     std::vector<StoredCams> cams;
 };
 
-// All that a commissioning report is made of; nothing else is asked.
+// Everything a commissioning report is made of; no other source is used.
 struct ReportInput
 {
     Project project;
     QString file{};  // of the project, as it is to be named; empty: never saved
     QString version; // of the program
-    QDateTime now;   // its time zone is that of all times in the report
-    // What is known now, by place. A place that is not in it is reported as the project has it stored.
+    QDateTime now;   // its time zone is used for all times in the report
+    // What is known now, by place. A place that is missing here is reported as stored in the project.
     std::map<Place, LiveEncoder> live{};
     std::map<Place, EepromCount> writes{};
     // The connected buses, to be compared with the configured ones.

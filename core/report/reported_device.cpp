@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-// Of a serial encoder the name alone tells what it is.
+// For a serial encoder only the name tells what it is.
 const DeviceDescription *descriptionOf(const ProjectDevice &planned, const Catalog &catalog)
 {
     const DeviceDescription *named = catalog.find(planned.participant.deviceKey);
@@ -60,7 +60,7 @@ std::vector<Parameter> ReportedDevice::parameters() const
     std::vector<Parameter> listed;
     for (const Parameter parameter : allParameters()) {
         if (parameter == Parameter::serialNumber)
-            continue; // no setting: it tells which encoder this is
+            continue; // not a setting: it identifies the encoder
         const ParameterDescription *described = description ? description->find(parameter) : nullptr;
         const bool isSetting = described && (described->canBeWritten() || described->onLabel);
         if (isSetting || known(parameter) || valueOf(planned->wanted, parameter))

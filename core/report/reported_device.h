@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// One device of the project with what is known of it: of the connected encoder, or else as the project has it
-// stored. Points into input and catalog.
+// One device of the project with what is known of it: from the connected encoder, otherwise as stored in the
+// project. Points into input and catalog.
 struct ReportedDevice
 {
     const ProjectDevice *planned = nullptr;
-    QString shownPlace{}; // with the name of its bus, where several of the project have such places
+    QString shownPlace{}; // with the name of its bus, if several buses of the project have such places
     const DeviceDescription *description = nullptr; // null: no encoder, or not known to this program
     bool isLive = false;
     std::vector<StoredValue> values;

@@ -5,10 +5,11 @@
 #include "report/reported_device.h"
 
 // The sections of a commissioning report, one file each; put together by makeReport(). All take the devices
-// of reportedDevices(input).
+// from reportedDevices(input).
 namespace codewheel::report_sections {
 
-// What differs from what is wanted, of the connected bus from the configured one, and what breaks its rules.
+// What differs from what is wanted, how the connected bus differs from the configured one, and what breaks
+// its rules.
 ReportSection deviations(const ReportInput &input, const Catalog &catalog,
                          const std::vector<ReportedDevice> &devices);
 // The bus, device by device, with addresses.
@@ -16,7 +17,7 @@ ReportSection structure(const ReportInput &input, const std::vector<ReportedDevi
 // A chapter, and a part for each encoder: its parameters and cams, wanted and known.
 std::vector<ReportSection> encoders(const ReportInput &input, const std::vector<ReportedDevice> &devices);
 ReportSection eepromWrites(const ReportInput &input, const std::vector<ReportedDevice> &devices);
-// Of the project and of devices; those of encoders stand with them. No blocks: there are none.
+// Of the project and of devices; those of encoders are with the encoders. No blocks: there are no notes.
 ReportSection notes(const ReportInput &input, const std::vector<ReportedDevice> &devices);
 ReportSection signatures();
 

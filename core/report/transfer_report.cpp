@@ -15,7 +15,7 @@ namespace {
 
 using Column = ReportTable::Column;
 
-// The context of these texts.
+// The translation context of these texts.
 struct TransferReport
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferReport)

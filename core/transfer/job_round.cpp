@@ -6,8 +6,8 @@
 namespace codewheel {
 namespace {
 
-// Without its link a bus has no other encoder either. The write that was under way then is told by its own
-// id.
+// Without its link a bus has no other encoder either. The write that was under way then is reported with an
+// id of its own.
 bool losesBus(const Refusal &why)
 {
     return why.id == RefusalId::linkFailed || why.id == RefusalId::portLost ||

@@ -16,23 +16,23 @@ struct EncoderJobs
     std::vector<Job> jobs;
 };
 
-// How far the jobs of one encoder came.
+// How far the jobs of one encoder got.
 struct EncoderResult
 {
     Place place;
-    std::vector<Outcome> outcomes{}; // of the jobs that were taken
-    Progress lastJob{};              // how far the last of them came
-    std::optional<Refusal> why{};    // why not all was done
+    std::vector<Outcome> outcomes{}; // of the jobs that were accepted
+    Progress lastJob{};              // how far the last of them got
+    std::optional<Refusal> why{};    // why not everything was done
     EncoderState leftIn = EncoderState::notSeen;
     std::optional<std::int64_t> positionBefore{}; // steps
     std::optional<std::int64_t> positionAfter{};
-    QDateTime begun{}; // invalid: not begun
+    QDateTime begun{}; // invalid: not started
     QDateTime ended{};
 
     bool isBegun() const { return begun.isValid(); }
 };
 
-// Where a round stands.
+// How far a round has got.
 struct RoundProgress
 {
     int encoder = 0; // from 0
@@ -42,8 +42,8 @@ struct RoundProgress
     int steps = 0;
 };
 
-// Does the jobs of several encoders, one encoder after the other, and keeps what came of each. Transfers and
-// storing are made of it. Lives in the thread of the bus sessions; `buses` must outlive it.
+// Does the jobs of several encoders, one encoder after the other, and keeps what became of each. Used for
+// transfers and storing. Lives in the thread of the bus sessions; `buses` must outlive it.
 class JobRound : public QObject
 {
     Q_OBJECT
@@ -51,25 +51,26 @@ class JobRound : public QObject
 public:
     enum class AfterRefusal : std::uint8_t {
         goOn, // with the next encoder
-        stop, // the rest is not begun
+        stop, // the rest is not started
     };
 
     explicit JobRound(const Buses &buses, QObject *parent = nullptr);
 
-    // Ends with finished(), which may come before start() is back.
+    // Ends with finished(), which may come before start() returns.
     void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
-    // Nothing else is begun: neither another job of this encoder nor another encoder. What runs goes on.
+    // Nothing more is started: neither another job of this encoder nor another encoder. What is running goes
+    // on.
     void beginNothingElse();
-    // The encoder that runs gets all its jobs after all; no other is begun.
+    // The current encoder gets all its jobs after all; no other is started.
     void finishThisEncoder();
-    // Cancels the running job, and begins nothing else.
+    // Cancels the running job, and starts nothing more.
     void cancel(OnCancel how);
 
     bool isRunning() const { return m_isRunning; }
     bool beginsNoOther() const { return m_beginsNoOther; }
     // The encoder whose job is running; null between jobs.
     EncoderSession *encoder() const { return m_encoder; }
-    // Of the running job: what the encoder has confirmed, and whether the values from before are known.
+    // Of the running job: what the encoder has confirmed, and whether the previous values are known.
     const Progress &jobProgress() const { return m_jobProgress; }
     RoundProgress progress() const;
     const std::vector<EncoderResult> &results() const { return m_results; }

@@ -16,18 +16,18 @@ struct SeenPosition
 {
     std::int64_t position = 0; // steps
     QDateTime at;
-    bool beforeItWent = false; // the encoder went away (or showed 00000000) after it, and may be another now
+    bool beforeItWent = false; // then the encoder went away (or showed 00000000), and may be another now
 
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
 };
 
-// What the encoder shows, to be kept in a project; nothing for one that shows no position.
+// What the encoder shows, to be kept in a project; empty if it shows no position.
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 
-// Watches where the encoders of all buses stand, so that one that is replaced can be given the position of
-// the one before, and so that they are kept with the project. Nothing is sent. After a second without a
-// position (in a ring an encoder without power shows 00000000, on a serial line it is silent), or of a bus
-// that stands, it is taken to have gone, and the position before is kept until the next time.
+// Watches the positions of the encoders of all buses, so that a replacement can be given the position of the
+// encoder it replaces, and so that they are kept with the project. Nothing is sent. After a second without a
+// position (in a ring an encoder without power shows 00000000, on a serial line it is silent), or on a bus
+// that is stopped, it is assumed to be gone, and its last position is kept until the next time.
 class LastPositions : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ public:
 
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
-    // The one to give to a new encoder: that before the encoder went away, if it did.
+    // The one to give to a new encoder: the position before the encoder went away, if it did.
     std::optional<SeenPosition> at(Place number) const;
     // The newest one, of whichever encoder is there.
     std::optional<SeenPosition> newest(Place number) const;
@@ -47,7 +47,7 @@ private:
     {
         std::optional<SeenPosition> last;
         std::optional<SeenPosition> beforeGone; // of the encoder that was there then
-        Instant lastAt{};                       // of its bus, which begins at 0 when it is connected again
+        Instant lastAt{};                       // of its bus, starting from 0 when it is connected again
     };
 
     void look(const EncoderBus &bus);
@@ -56,7 +56,8 @@ private:
     std::map<Place, Watched> m_watched;
 };
 
-// The project as it is to be saved: with the newest position of each encoder that stands where it has one.
+// The project as it is to be saved: with the newest position of each encoder that is where the project has
+// it.
 Project withLastPositions(Project project, const LastPositions &positions, const Buses &buses);
 
 } // namespace codewheel

@@ -13,10 +13,10 @@ namespace codewheel {
 class Buses;
 class EncoderBus;
 
-// Whether the bus is no simulated one in the place of the project's, whose link is a real one.
+// False if the bus is a simulated one in place of the project's, whose link is a real one.
 bool isTheProjects(const Project &project, const EncoderBus &bus);
 
-// Whether the device that is connected at a place is the one that the project has there, as its bus tells
+// Whether the device connected at a place is the one that the project has there, as its bus reports
 // (EncoderBus::strangers, isOther). Everything that goes from a project to an encoder or back asks here:
 // transfers, storing, replacing, restoring, the names of encoders, the report; in the window and at the
 // command line.
@@ -25,27 +25,27 @@ class ProjectPlaces
 public:
     ProjectPlaces(const Project &project, const Buses &buses);
 
-    // Why it is not for certain the project's device. Nothing where it is, and where the project has no
-    // device.
+    // Why it is not certain to be the project's device. Empty if it is, and if the project has no device
+    // there.
     std::optional<Refusal> hindrance(Place place) const;
-    // The same for one that takes the place of the project's device: it may be named otherwise, and tell
-    // another serial number.
+    // The same for one that replaces the project's device: it may have another name and another serial
+    // number.
     std::optional<Refusal> hindranceToReplace(Place place) const;
     // Whether the project has a device there, and it is the connected one.
     bool isAtItsPlace(Place place) const;
-    // Whether it is no simulated one in the place of the project's, whose link is a real one: of that nothing
-    // is kept, nor reported.
+    // False for a simulated one in place of the project's, whose link is a real one: nothing of that is kept
+    // or reported.
     bool isTheProjects(Place place) const;
 
 private:
     struct Standing
     {
         std::optional<Refusal> asStranger; // what is connected at the place is not where the plan has it
-        std::optional<Refusal> asOther;    // it is, and is another one
+        std::optional<Refusal> asOther;    // it is, but it is a different one
     };
 
     std::map<Place, Standing> m_places;
-    std::set<BusId> m_simulated; // the buses of real links
+    std::set<BusId> m_simulated; // simulated ones in place of buses with real links
 };
 
 } // namespace codewheel

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// Parameter 3 of FRABA and Baumer: the same numbers, where the coding is unsigned (FRABA manual 10.1, Baumer
+// Parameter 3 of FRABA and Baumer: the same numbers if the coding is unsigned (FRABA manual 10.1, Baumer
 // manual 4).
 ParameterValue forDevice(const DeviceDescription &device, const ParameterValue &value)
 {

@@ -6,16 +6,16 @@
 
 namespace codewheel {
 
-// The encoder that takes the place of another, as its label tells.
+// The encoder that replaces another, as given on its label.
 struct Replacement
 {
-    const DeviceDescription *device = nullptr; // outlives this
-    int turns = 0;                             // 0: not told
+    const DeviceDescription *device = nullptr; // must outlive this
+    int turns = 0;                             // 0: not given
     int stepsPerTurn = 0;
-    QString serialNumber; // empty: not told
+    QString serialNumber; // empty: not given
 };
 
-// How the new encoder differs from the one before; what is not told of either is not compared.
+// How the new encoder differs from the old one; what is not known of either is not compared.
 struct ReplacementDifferences
 {
     QString makeBefore{};                              // empty: the same make, or not known before
@@ -34,16 +34,16 @@ struct ReplacementDifferences
 ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceDescription *before,
                                      const Replacement &now);
 
-// The values for the new encoder: what the project wants, else what was stored of the one before. A FRABA's
-// direction 3 and 4 is a Baumer's unsigned coding 3 and 4, and the other way round. With a position to be
-// set, the zero offset stays behind: it belongs to the encoder before, and setting the position makes it.
+// The values for the new encoder: what the project wants, otherwise what was stored of the old one. A FRABA's
+// direction 3 and 4 become a Baumer's unsigned coding 3 and 4, and vice versa. If a position is to be set,
+// the zero offset is left out: it belongs to the old encoder, and setting the position creates a new one.
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                            std::optional<std::int64_t> position, const ProjectPlaces &places);
 
-// The project's device, before anything is written: make and label are those of the new one. All that
-// wishToReplace writes to it is wanted of it from now on, so that it can be written again when the writing
-// breaks off, and an old zero offset is not when the position is set; what was stored of the one before is
-// not known of the new one, and goes.
+// The project's device, before anything is written: make and label become those of the new one. Everything
+// that wishToReplace writes to it is wanted of it from now on, so that it can be written again if the writing
+// is interrupted, except an old zero offset when the position is set; what was stored of the old one is not
+// known of the new one, and is removed.
 ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optional<std::int64_t> position);
 
 // "encoderReplaced" for the message log.

@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// The jobs of one encoder, the later ones having the last word.
+// Over the jobs of one encoder; later ones have the last word.
 Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
 {
     Became became = row.isThere ? Became::alreadyThere : Became::notDone;
@@ -57,7 +57,7 @@ bool wasPositionSet(const EncoderPlan &plan, const std::vector<Outcome> &outcome
            outcomes[static_cast<std::size_t>(index)].result.has_value();
 }
 
-// Of what the job that ended last has sent.
+// For what the last job that ended has sent.
 bool isUnknown(const EncoderSession *encoder, std::optional<Parameter> parameter, const EncoderResult *result)
 {
     return encoder != nullptr && result != nullptr && !result->outcomes.empty() &&
@@ -65,7 +65,7 @@ bool isUnknown(const EncoderSession *encoder, std::optional<Parameter> parameter
                .isFateUnknown(*encoder, parameter, result->outcomes.back(), result->lastJob);
 }
 
-// A job that was cancelled has read what its preset did.
+// A job that was cancelled has read back what its preset did.
 bool wasPositionReadBack(const EncoderPlan &plan, const EncoderSession *encoder, const EncoderResult *result)
 {
     if (encoder == nullptr || result == nullptr || !result->why || result->why->id != RefusalId::cancelled ||

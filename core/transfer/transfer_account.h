@@ -13,8 +13,8 @@ class Buses;
 enum class Became : std::uint8_t {
     written,      // and active
     alreadyThere, // known, or found by reading first: not written
-    restored,     // written, and then the value from before again
-    confirmed,    // taken, but not active: the encoder waits for run
+    restored,     // written, and then the previous value again
+    confirmed,    // accepted, but not active: the encoder waits for run
     unknown,      // sent, and nobody knows whether the encoder has it
     notDone,
 };
@@ -48,24 +48,24 @@ struct EncoderAccount
     std::optional<std::int64_t> positionBefore{};
     std::optional<std::int64_t> positionAfter{};
     bool isBegun = false;         // something was sent to it
-    std::optional<Refusal> why{}; // why not all was done
+    std::optional<Refusal> why{}; // why not everything was done
     bool onlyZeroSinceRun = false;
     EncoderState leftIn = EncoderState::notSeen;
     int eepromWrites = 0;
     QDateTime begun{};
     QDateTime ended{};
 
-    // Whether the encoder has all that was wanted.
+    // Whether the encoder has everything that was wanted.
     bool isDone() const;
 };
 
 enum class TransferKind : std::uint8_t { write, clone, restore, replace };
 
-// What was written where, exactly: made of a plan and of what came of its jobs.
+// Exactly what was written where: made from a plan and the outcomes of its jobs.
 struct TransferAccount
 {
     TransferKind kind = TransferKind::write;
-    QString source{}; // where the values are from, in the user's language; may be empty
+    QString source{}; // where the values come from, in the user's language; may be empty
     QDateTime at{};
     std::vector<EncoderAccount> encoders{};
 
@@ -74,7 +74,7 @@ struct TransferAccount
     bool isDone() const;
 };
 
-// `results` are those of the encoders of the plan that are written. What is known now is asked of the buses.
+// `results` are those of the plan's encoders that are written. The buses say what is known now.
 TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results);
 

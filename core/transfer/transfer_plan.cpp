@@ -21,7 +21,7 @@ QString wantedName(const Catalog &catalog, const TransferWish &wish)
     return device ? device->fullName() : hexCode(wish.deviceCode, 4);
 }
 
-// What stands at the place: nothing, another device, or one that cannot be driven.
+// The reason is what is at the place: nothing, a different device, or one that cannot be driven.
 std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &wish)
 {
     const EncoderBus *bus = buses.busOf(wish.place);
@@ -44,7 +44,7 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
     return std::nullopt;
 }
 
-// What the encoder, or the program, is doing.
+// The reason is what the encoder, or the program, is doing.
 std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSession &encoder)
 {
     const QString place = encoder.place().shown();
@@ -62,7 +62,7 @@ std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSess
     return std::nullopt;
 }
 
-// The difference between a wish and an encoder, and the jobs that make an end of it.
+// The difference between a wish and an encoder, and the jobs that remove it.
 class EncoderComparison
 {
 public:
@@ -129,7 +129,7 @@ void EncoderComparison::addPositionMode()
     const bool isElsewhere = m_device.quirks.hasModes && m_encoder.latest().mode != Mode::position;
     if (m_wish.toPositionMode && isElsewhere) {
         add(SwitchMode{});
-        m_plan.eepromWrites += mostEepromWrites(m_encoder, SwitchMode{}); // leaves a cam program, perhaps
+        m_plan.eepromWrites += mostEepromWrites(m_encoder, SwitchMode{}); // may leave a cam program
     } else if (m_encoder.latest().mode == Mode::cam && !m_wish.values.empty())
         setHindrance(Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {firstWord()}});
     else if (m_wish.position && isElsewhere)
@@ -143,7 +143,7 @@ Word EncoderComparison::firstWord() const
     return k3::parameterWord(parameter ? parameter->number.value_or(0) : 0, static_cast<Word>(value.value));
 }
 
-// A program that is changed is stored when it is left (FRABA manual 5.4.4).
+// A changed program is stored when it is left (FRABA manual 5.4.4).
 void EncoderComparison::addCams()
 {
     WriteCams job{.programs = {}, .afterwards = modeAfterwards()};
@@ -163,7 +163,7 @@ void EncoderComparison::add(const Job &job)
     m_plan.jobs.push_back(job);
 }
 
-// Back to where it was; position mode where nobody knows.
+// Back to where it was; position mode if nobody knows.
 SwitchMode EncoderComparison::modeAfterwards() const
 {
     const Reading &reading = m_encoder.latest();
@@ -179,7 +179,7 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
     const EncoderSession *encoder = buses.encoder(wish.place);
     if (encoder != nullptr)
         plan.device = encoder->device().fullName();
-    if (encoder == nullptr || wish.hindrance) { // what stands there now says nothing
+    if (encoder == nullptr || wish.hindrance) { // what is there now says nothing
         for (const ParameterValue &value : wish.values)
             plan.write.rows.push_back({.wanted = value});
         return plan;

@@ -15,7 +15,7 @@ struct TransferCamRow
     bool isThere = false;
 };
 
-// What is to be done with one encoder, to be looked at before anything is sent.
+// What is to be done with one encoder, for review before anything is sent.
 struct EncoderPlan
 {
     Place place;
@@ -25,7 +25,7 @@ struct EncoderPlan
     WritePlan write{};                  // of the values and the position
     std::vector<TransferCamRow> cams{};
     std::optional<std::int64_t> position{};
-    std::vector<Job> jobs{};      // one after the other; none: all is there, or a hindrance
+    std::vector<Job> jobs{};      // one after the other; empty: everything is there, or a hindrance
     int eepromWrites = 0;         // at most
     bool presetIsRearmed = false; // FRABA: the preset may have to be programmed again before it acts
 
@@ -33,8 +33,8 @@ struct EncoderPlan
 };
 using TransferPlan = std::vector<EncoderPlan>;
 
-// Compares each wish with what is known of the encoder at its place. An encoder of which one value cannot be
-// written is not written at all. Sends nothing.
+// Compares each wish with what is known of the encoder at its place. If one value of an encoder cannot be
+// written, the encoder is not written at all. Sends nothing.
 TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes);
 
 int eepromWritesOf(const TransferPlan &plan); // at most

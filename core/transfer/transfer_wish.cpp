@@ -9,7 +9,7 @@ namespace codewheel {
 
 namespace {
 
-// One kind of encoder on a remote bus and on Loop 2 has the same parameters, and another device code.
+// The same kind of encoder on a remote bus and on Loop 2 has the same parameters, but another device code.
 bool takeTheSame(const DeviceDescription &a, const DeviceDescription &b)
 {
     return a.vendor == b.vendor && a.profile == b.profile && a.dialect == b.dialect &&

@@ -9,43 +9,43 @@ namespace codewheel {
 class Catalog;
 class ProjectPlaces;
 
-// What the encoder at a place shall have, wherever that was taken from.
+// What the encoder at a place shall have, wherever that comes from.
 struct TransferWish
 {
     Place place;
     QString station{};
     unsigned deviceCode = 0; // of the device the values are for; 0: any
-    QString deviceKey{};     // of the catalog; empty: the make is not known
-    QString serialNumber{};  // on the label of the encoder the values are for; empty: not told
+    QString deviceKey{};     // from the catalog; empty: the make is not known
+    QString serialNumber{};  // on the label of the encoder the values are for; empty: not given
     ParameterValues values{};
     std::vector<CamProgram> cams{};
     // Set the position to this, in steps, after the values.
     std::optional<std::int64_t> position{};
-    // An encoder nobody has seen before is brought to position mode first, where it has modes.
+    // An encoder never seen before is brought to position mode first, if it has modes.
     bool toPositionMode = false;
-    // Why it cannot be, where that is known already: nothing is compared then.
+    // Why it cannot be done, if that is already known: nothing is compared then.
     std::optional<Refusal> hindrance{};
 };
 
 enum class TransferSource : std::uint8_t { wanted, stored };
 
-// What the project wants of the device, or what was stored of it; not where it stands on its bus.
+// What the project wants of the device, or what was stored of it; not its place on the bus.
 TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places,
                     const Catalog &catalog);
 
 // What was stored of the device that an encoder of this description may be given (isSetting).
 ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description);
 
-// What is known of one encoder, for another of the same kind (encodersDiffer). The zero offset stays behind:
+// What is known of one encoder, for another of the same kind (encodersDiffer). The zero offset is left out:
 // it belongs to the way the encoder is mounted.
 TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, bool withCams);
 
-// Without address and baud rate: with another one an encoder has to be looked for.
+// Without address and baud rate: after changing them an encoder has to be searched for.
 ParameterValues withoutItsPlace(ParameterValues values);
 
-// Whether this is something an encoder is set to, and another one, or the same one later, can be given: not
-// what it only tells, as the preset of one whose command for it sets the position, and not where it stands on
-// its bus (address, baud rate). `device`: null where it is not known.
+// Whether this is something an encoder is set to and that can be given to another one, or later to the same
+// one: not what it merely reports, such as the preset of an encoder whose preset command sets the position,
+// and not its place on the bus (address, baud rate). `device`: null if not known.
 bool isSetting(const DeviceDescription *device, const ParameterValue &value);
 
 } // namespace codewheel

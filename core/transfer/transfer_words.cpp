@@ -14,7 +14,7 @@
 namespace codewheel::transfer_words {
 namespace {
 
-// The context of these texts.
+// The translation context of these texts.
 struct TransferWords
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferWords)

@@ -21,11 +21,11 @@ QString value(const DeviceDescription *device, const ParameterValue &value);
 // "in operation"
 QString leftIn(EncoderState state);
 
-// What is worth knowing before an encoder is written to, a sentence each.
+// What is worth knowing before an encoder is written to, one sentence each.
 QStringList notes(const EncoderPlan &plan);
-// What it comes to: "5 values to write, at most 6 EEPROM writes", "All is there", or the hindrance.
+// In short: "5 values to write, at most 6 EEPROM writes", "All is there", or the hindrance.
 QString summary(const EncoderPlan &plan);
-// What came of it: "Done.", "Not begun.", or why not.
+// The result: "Done.", "Not begun.", or why not.
 QString outcome(const EncoderAccount &account);
 
 QStringList differences(const ReplacementDifferences &differences, const Replacement &now);

@@ -16,7 +16,7 @@ SwitchMode modeOf(const Reading &reading)
     return reading.mode ? SwitchMode{*reading.mode, reading.camProgram.value_or(0)} : SwitchMode{};
 }
 
-// Those of `now`, and of `before` what has no other there; in the order of the key.
+// Those of `now`, plus those of `before` that have no counterpart there; in the order of the key.
 template <typename Stored, typename Key>
 std::vector<Stored> mergedStore(std::vector<Stored> now, const std::vector<Stored> &before, Key key)
 {

@@ -7,17 +7,17 @@
 
 namespace codewheel {
 
-// What storing an encoder asks of it. Reading takes the position away for some cycles each. Cams are read in
-// the cam mode of each program, and leaving a program that was changed before costs an EEPROM write.
+// The jobs for storing an encoder. Reading each value takes the position away for some cycles. Cams are read
+// in the cam mode of each program, and leaving a program that was changed before costs an EEPROM write.
 EncoderJobs jobsToStore(const EncoderSession &encoder, bool withCams);
 
 // What is known of the encoder, by whatever evidence, with date and time in UTC. What nobody knows is left
-// out, and so is the temperature, which is of the moment.
+// out, and so is the temperature, which is only of the moment.
 std::vector<StoredValue> valuesToStore(const EncoderSession &encoder);
 std::vector<StoredCams> camsToStore(const EncoderSession &encoder);
 
-// What the project keeps after an encoder was read: what is known now goes before what was stored, which
-// stays where nothing is known now.
+// What the project keeps after an encoder was read: what is known now takes precedence over what was stored,
+// which stays where nothing is known now.
 ProjectDevice withStored(ProjectDevice device, const EncoderSession &encoder);
 
 // "valuesStored" for the message log.

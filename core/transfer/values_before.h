@@ -11,32 +11,32 @@ namespace codewheel {
 
 class ProjectPlaces;
 
-// What an encoder had before something was written to it: of each value that was written and was known
-// before.
+// What an encoder had before something was written to it: every value that was written and whose previous
+// value was known.
 struct ValuesBefore
 {
     Place place;
     QDateTime at; // of the write
     QString deviceKey;
     ParameterValues values;
-    Place writtenAt{}; // where the encoder stood then
+    Place writtenAt{}; // where the encoder was then
 
     friend bool operator==(const ValuesBefore &, const ValuesBefore &) = default;
 };
 
-// What there is to restore at a place, the newest first.
+// What can be restored at a place, the newest first.
 using FindValuesBefore = std::function<std::vector<ValuesBefore>(Place)>;
 
-// As the ledger keeps them; of a job whose end was not seen, all that it was to write. The keeper must
+// As kept in the ledger; for a job whose end was not seen, everything it was to write. The keeper must
 // outlive it.
 FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper);
-// Of the one that keeps the bus at the place.
+// From the keeper of the bus at the place.
 FindValuesBefore valuesBeforeOf(FindLedgers ledgers);
 
-// The place is that of the project, where there is one: another encoder there may have another past.
+// The place is the project's, if there is one: another encoder there may have another past.
 TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places);
 
-// "14:02", with the date where it was not on the day of `now`; by locale.
+// "14:02", with the date if it was not on the day of `now`; by locale.
 QString timeOf(const ValuesBefore &before, const QDateTime &now);
 // "Steps 8 192, Coding 3 (unsigned, CW)"; `device` may be null.
 QString textOf(const ValuesBefore &before, const DeviceDescription *device);
