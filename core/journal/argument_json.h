@@ -7,11 +7,11 @@
 
 namespace codewheel {
 
-// Arguments of messages and refusals as the journal keeps them (docs/journal.md): a number as a number, a
-// text as a text, {"double": 0.5}, {"word": "020000FF"}, {"parameter": "steps"}. In every language the same.
+// Arguments of messages and refusals as stored in the journal (docs/journal.md): a number as a number, a text
+// as a text, {"double": 0.5}, {"word": "020000FF"}, {"parameter": "steps"}. The same in every language.
 QJsonArray argumentsToJson(const std::vector<RefusalArgument> &arguments);
 
-// What is not understood, as from a newer version or a file that was tampered with, becomes a text.
+// What is not understood, e.g. from a newer version or a file that was tampered with, becomes a text.
 std::vector<RefusalArgument> argumentsFromJson(const QJsonArray &json);
 
 // As one line.

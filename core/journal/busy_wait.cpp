@@ -22,7 +22,7 @@ bool BusyWait::goesOn()
     return now - m_lastChange < longestStandstill && now - m_begun < longest;
 }
 
-// Since it was asked last.
+// Since the last call.
 bool BusyWait::hasChanged()
 {
     struct stat told = {};

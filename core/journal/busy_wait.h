@@ -8,15 +8,16 @@
 
 namespace codewheel {
 
-// How long to wait for a database that another program has locked: as long as that one gets on, which is seen
-// by the file changing, since then it is but a long queue; and not for one that holds it and does nothing.
+// How long to wait for a database that another program has locked: as long as that one makes progress, seen
+// by the file changing, since then it is merely a long queue; but not for one that holds the lock and does
+// nothing.
 class BusyWait
 {
 public:
     static constexpr std::chrono::seconds longestStandstill{5};
     static constexpr std::chrono::seconds longest{60};
 
-    // `file`: empty for one in memory.
+    // `file`: empty for a database in memory.
     explicit BusyWait(QString file);
     // It is still locked: whether to try again.
     bool goesOn();

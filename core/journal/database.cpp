@@ -26,14 +26,15 @@ constexpr int sqliteCorrupt = 11;
 constexpr int sqliteFull = 13;
 constexpr int sqliteNoDatabase = 26;
 
-constexpr QByteArrayView sqliteHeader("SQLite format 3", 16); // with its zero
+constexpr QByteArrayView sqliteHeader("SQLite format 3", 16); // including its zero
 constexpr qsizetype journalModeAt = 18;                       // in the header
 constexpr char writeAheadLog = 2;
 
-// SQLite itself waits but shortly, and then tries ever less often; the rest is BusyWait's.
+// SQLite itself waits only briefly, then tries ever less often; the rest is BusyWait's.
 constexpr auto connectOptions = "QSQLITE_BUSY_TIMEOUT=20;QSQLITE_OPEN_URI";
 
-// For each connection. A schema of a hostile file shall call nothing, and one row shall not take all memory.
+// For each connection. The schema of a hostile file must not call anything, and one row must not take all
+// memory.
 constexpr const char *settings[] = {
     "PRAGMA trusted_schema = OFF",
     "PRAGMA cell_size_check = ON",
@@ -56,7 +57,7 @@ int primaryCode(const QSqlError &error)
     return error.nativeErrorCode().toInt() & 0xFF; // without the extended part
 }
 
-// Tries until no other program holds the file.
+// Retries until no other program holds the file.
 template <typename Try>
 Stored<void> whenFree(const QString &file, const QSqlQuery &query, Try isDone)
 {
@@ -68,7 +69,7 @@ Stored<void> whenFree(const QString &file, const QSqlQuery &query, Try isDone)
     return tl::unexpected(Database::errorOf(query.lastError()));
 }
 
-// As a URI, since the name of a file may hold what means something there.
+// As a URI, since characters in a file name could otherwise have a special meaning there.
 QString uriOf(const DatabasePlace &place)
 {
     if (place.inMemory)
@@ -158,8 +159,8 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     return database;
 }
 
-// Where another kind of file has its name, it is not ours to put aside, and not touched. An empty file is a
-// new database.
+// If another kind of file has its name, it is not ours to put aside, and not touched. An empty file is a new
+// database.
 Stored<Database> Database::connect(const DatabasePlace &place)
 {
     const QFileInfo info(place.name);
@@ -189,8 +190,8 @@ Stored<Database> Database::connect(const DatabasePlace &place)
     return database;
 }
 
-// Files of earlier versions are kept with one. Locked for this program alone, it is left without the file in
-// shared memory. Where another program has it open, it stays as it is.
+// Files of earlier versions have a write-ahead log. Locked for this program alone, it can be left without the
+// file in shared memory. If another program has it open, it stays as it is.
 void Database::leaveWriteAheadLog() const
 {
     for (const char *step : {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA journal_mode = DELETE",
@@ -214,7 +215,7 @@ Stored<void> Database::prepare(const DatabaseSchema &schema) const
 
 Stored<void> Database::make(const DatabaseSchema &schema) const
 {
-    // Only a database without tables takes this.
+    // Only a database without tables accepts this.
     if (auto set = execute(QStringLiteral("PRAGMA auto_vacuum = INCREMENTAL")); !set)
         return set;
     return inTransaction([&]() -> Stored<void> {
@@ -286,7 +287,7 @@ Stored<QStringList> Database::objects() const
     QStringList found;
     while (rows.next())
         found.append(rows.value(0).toString());
-    if (rows.lastError().isValid()) // in the midst of the file
+    if (rows.lastError().isValid()) // in the middle of the file
         return tl::unexpected(errorOf(rows.lastError()));
     found.sort();
     return found;
@@ -296,7 +297,7 @@ QSqlQuery Database::query(const QString &sql) const
 {
     QSqlQuery query(m_connection);
     query.setForwardOnly(true);
-    (void)whenFree(m_file, query, [&] { return query.prepare(sql); }); // running it tells why
+    (void)whenFree(m_file, query, [&] { return query.prepare(sql); }); // running it reports why
     return query;
 }
 

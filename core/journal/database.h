@@ -21,7 +21,7 @@ struct DatabaseError
     enum class Kind : std::uint8_t {
         broken,  // a damaged database
         newer,   // made by a newer version of this program
-        foreign, // no database, or that of another program
+        foreign, // not a database, or another program's
         locked,  // another program holds it, and does nothing
         other,   // not writable, disk full, ...
     };
@@ -39,52 +39,52 @@ struct DatabasePlace
     bool inMemory = false;
 
     static DatabasePlace file(const QString &path) { return {path, false}; }
-    static DatabasePlace memory(); // another one with each call
+    static DatabasePlace memory(); // a different one with each call
 
     friend bool operator==(const DatabasePlace &, const DatabasePlace &) = default;
 };
 
-// What a database of ours holds. The statements are compared with those in the file, letter by letter.
+// The contents of one of our databases. The statements are compared with those in the file, letter by letter.
 struct DatabaseSchema
 {
-    // What a version of the format has added.
+    // What a version of the format added.
     struct Version
     {
         QStringList statements;   // CREATE ...
-        QStringList filling = {}; // for what is in a file of the version before
+        QStringList filling = {}; // fills in what a file of the previous version lacks
     };
 
     int applicationId = 0;         // in the header of the file: what kind of file it is
     std::vector<Version> versions; // 1, 2, ...
-    // After a loss of power, too, nothing is missing that was committed. After the end of the program, by
-    // whatever it came, nothing is missing in any case.
+    // Nothing committed is missing even after a loss of power. After the end of the program, however it
+    // ended, nothing is missing in any case.
     bool survivesPowerLoss = false;
 };
 
 // One connection to a SQLite database; only the thread that opened it uses it. Several programs may have the
 // same file open, and wait for each other (BusyWait).
 //
-// It is kept with a rollback journal. With a write-ahead log (WAL), all programs share a file that is mapped
-// into their memory, and where the disk is so full that a hole of it cannot be filled, they are ended by
-// SIGBUS; without one, a full disk is an error that is told.
+// It uses a rollback journal. With a write-ahead log (WAL), all programs share a file mapped into their
+// memory, and if the disk is so full that a hole in it cannot be filled, they are killed by SIGBUS; without
+// one, a full disk is an error that can be reported.
 class Database
 {
 public:
-    // Makes the file and its folders where there are none.
+    // Creates the file and its folders if they do not exist.
     static Stored<Database> open(const DatabasePlace &place, const DatabaseSchema &schema);
 
     Database(Database &&other) noexcept;
     Database &operator=(Database &&other) noexcept;
     ~Database();
 
-    // Ready to be run and read, row by row, once.
+    // Ready to be run, and read row by row, once.
     QSqlQuery query(const QString &sql) const;
     Stored<void> run(QSqlQuery &query) const;
     Stored<void> execute(const QString &sql) const;
-    // The first value of the first row; 0 where there is none.
+    // The first value of the first row; 0 if there is none.
     Stored<qint64> number(const QString &sql) const;
 
-    // BEGIN IMMEDIATE ... COMMIT around `what`; ROLLBACK where it fails.
+    // BEGIN IMMEDIATE ... COMMIT around `what`; ROLLBACK if it fails.
     template <typename What>
     Stored<void> inTransaction(What what) const
     {
@@ -100,7 +100,7 @@ public:
 
     static DatabaseError errorOf(const QSqlError &error);
     static DatabaseError damaged();
-    // Qt's driver is there.
+    // Whether Qt's driver is there.
     static bool isAvailable();
 
 private:

@@ -22,13 +22,13 @@ struct Eeprom
     Q_DECLARE_TR_FUNCTIONS(codewheel::Eeprom)
 };
 
-// While the mode is not known it may be cam mode, and an encoder whose make is not known a FRABA.
+// While the mode is not known it may be cam mode, and an encoder of unknown make may be a FRABA.
 bool mayBeInCamMode(const EncoderSession &encoder)
 {
     return encoder.device().mayHaveModes() && encoder.latest().mode.value_or(Mode::cam) == Mode::cam;
 }
 
-// One word after the other, as far as what it does depends on those before.
+// One word after another, as far as the effect of a word depends on earlier ones.
 class WordCost
 {
 public:
@@ -41,7 +41,7 @@ public:
     {
         if (m_encoder.device().profile == Profile::la66)
             return la66::isServiceMode(out) && la66::isWrite(out) ? 1 : 0;
-        if (k3::isProgramWord(out)) // leaves the program there was, and stores it
+        if (k3::isProgramWord(out)) // leaves the current program, and stores it
             return std::exchange(m_mayBeInCamMode, m_encoder.device().mayHaveModes()) ? 1 : 0;
         if ((out & k3::startBit) != 0)
             return 0;
@@ -71,7 +71,7 @@ struct Cost
     }
     int operator()(const SetPreset &job) const
     {
-        if (can.presetNeedsValue) // the command brings it along
+        if (can.presetNeedsValue) // the command carries it
             return 1;
         const bool isManufacturers = job.command == PresetCommand::manufacturer;
         const bool isProgrammed = job.value || (quirks.presetNeedsRearming && !isManufacturers);

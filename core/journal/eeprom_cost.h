@@ -5,22 +5,22 @@
 
 namespace codewheel {
 
-// How often a job writes to the encoder's EEPROM at most; 0: not at all. What is found to be there already,
+// How often a job writes to the encoder's EEPROM at most; 0: not at all. What turns out to be there already,
 // or is refused, costs less (docs/protocols/k3.md, "EEPROM").
 int mostEepromWrites(const EncoderSession &encoder, const Job &job);
-// 0 or 1: a word that goes out by hand.
+// 0 or 1: for a word sent by hand.
 int mostEepromWrites(const EncoderSession &encoder, Word word);
-// What a running job costs beside that, if it is cancelled and the values from before are written again.
+// What a running job costs in addition if it is cancelled and the previous values are written again.
 int mostWritesToRestore(const Progress &progress);
 
-// What has to be said or asked before so many writes are added to those there were, by what the manual of the
-// encoder states.
+// What has to be said or asked before this many writes are added to the existing ones, according to the
+// manual of the encoder.
 enum class EepromConcern : std::uint8_t {
-    none,     // also where the manual is silent
-    question, // from three quarters of the budget on, or earlier if so set, each write is asked for
-    typed,    // the manual guarantees nothing any more: the place has to be typed
+    none,     // also if the manual is silent
+    question, // from three quarters of the budget on, or earlier if so set: each write is confirmed
+    typed,    // the manual no longer guarantees anything: the place has to be typed
 };
-// From this share of the budget on, in percent; the usual is 75, and more is taken as that. For the whole
+// From this share of the budget on, in percent; 75 by default, which is also the maximum. For the whole
 // program.
 void askFromEepromShare(int percent);
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can);
@@ -28,11 +28,11 @@ EepromConcern eepromConcern(const EncoderSession &encoder, int planned);
 
 // "12 writes by this program since 1 Mar 2026, by serial number 4711."
 QString eepromCountText(const EepromCount &count);
-// With the serial number as its encoder shows it: of a Kübler 8 hexadecimal digits.
+// With the serial number as its encoder shows it: for a Kübler 8 hexadecimal digits.
 QString eepromCountText(const EncoderSession &encoder);
 // "12 writes from here since 1 Mar 2026": where there is little room.
 QString eepromCountBrief(const EepromCount &count);
-// What is said at a concern; empty: none. `planned` is what is added.
+// The text for a concern; empty: none. `planned` is what is added.
 QString eepromConcernText(const EncoderSession &encoder, int planned);
 
 } // namespace codewheel

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Where the texts about files of the journal are translated.
+// The translation context of texts about the files of the journal.
 struct Journal
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::Journal)

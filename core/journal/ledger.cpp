@@ -69,7 +69,7 @@ Ledger::Entry ledgerEntryOf(const QSqlQuery &row)
 
 namespace {
 
-// Sums over entries. Whatever a file says, nothing is counted below 0.
+// Sums over entries. Whatever a file says, nothing counts as less than 0.
 constexpr QLatin1String sums("ifnull(sum(max(writes, 0)), 0), "
                              "ifnull(sum(CASE settled WHEN 0 THEN max(planned - writes, 0) ELSE 0 END), 0), "
                              "min(at)");
@@ -89,7 +89,7 @@ std::vector<Ledger::Value> beforeOf(const Database &database, qint64 id)
     return database.run(query) && query.next() ? valuesFrom(query.value(0)) : std::vector<Ledger::Value>();
 }
 
-// What was read goes before what was known.
+// What was read takes precedence over what was known.
 std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::vector<Ledger::Value> read)
 {
     for (const Ledger::Value &value : known)
@@ -101,7 +101,7 @@ std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::
 
 constexpr QLatin1String serialPrefix("serial/");
 
-// Of the key of a place (Place::key()).
+// From the key of a place (Place::key()).
 constexpr QLatin1String busOfPlace(
     "(CASE WHEN instr(place, '/') > 0 THEN CAST(substr(place, 1, instr(place, '/') - 1) AS INTEGER) "
     "WHEN place LIKE 'esc:%' THEN 2 ELSE 1 END)");
@@ -130,7 +130,7 @@ Stored<Ledger> Ledger::open(const DatabasePlace &place)
     return ledger;
 }
 
-// What could not be entered before. Where it cannot be now either, it goes on waiting.
+// What could not be entered before. If it cannot be entered now either, it goes on waiting.
 void Ledger::takeOver(const QStringList &left)
 {
     for (const QString &path : left) {
@@ -155,7 +155,7 @@ Stored<qint64> Ledger::begin(const Entry &entry)
         .map([&] { return id; });
 }
 
-// With its id, or a new one where that is 0.
+// With its id, or a new one if that is 0.
 Stored<qint64> Ledger::insert(const Record &record)
 {
     const Entry &entry = record.entry;

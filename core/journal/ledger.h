@@ -10,20 +10,21 @@
 
 namespace codewheel {
 
-// Which encoder was written to, as well as it is known: by its serial number, else by its place in a project.
+// Which encoder was written to, as precisely as known: by its serial number, otherwise by its place in a
+// project.
 struct EncoderIdentity
 {
     CountedBy by = CountedBy::place;
     QString vendor;       // serial numbers are a make's own; empty: not known
-    QString serialNumber; // by it, read or typed: the same number is the same encoder
-    QString project;      // file, of a place; empty: none
+    QString serialNumber; // if known by it, read or typed: the same number is the same encoder
+    QString project;      // file, for a place; empty: none
     Place place;
 
-    QString key() const; // as the ledger keeps it (docs/journal.md)
+    QString key() const; // as stored in the ledger (docs/journal.md)
 };
 
 // The account of what this program wrote to the EEPROMs of encoders (docs/journal.md): a database of the
-// user, or of the training bus in memory. Everything is on disk when a call returns. Used by LedgerKeeper,
+// user, or in memory for the training bus. Everything is on disk when a call returns. Used by LedgerKeeper,
 // the restoring of values and the report.
 class Ledger
 {
@@ -33,7 +34,7 @@ public:
         Parameter parameter = Parameter::steps;
         std::int64_t value = 0;
         Evidence evidence = Evidence::told;
-        QDateTime at; // when it was known so, UTC
+        QDateTime at; // when this was known, UTC
 
         friend bool operator==(const Value &, const Value &) = default;
     };
@@ -50,14 +51,14 @@ public:
         int writes = 0;       // seen
         bool settled = false; // its end was seen: there were no more
         std::vector<Value> before{};
-        ParameterValues written{}; // by hand: sent
+        ParameterValues written{}; // by hand: what was sent
 
         friend bool operator==(const Entry &, const Entry &) = default;
     };
     // An entry as other ledgers may have it too: on another computer, or in the file beside this one.
     struct Record
     {
-        QString origin; // its own for ever, whatever its id is here
+        QString origin; // identifies it for ever, whatever its id is here
         Entry entry{};
     };
     struct Account
@@ -68,26 +69,26 @@ public:
         EepromCount count;
     };
 
-    // Takes over what waits in files beside it (WaitingEntries).
+    // Takes in what waits in files beside it (WaitingEntries).
     static Stored<Ledger> open(const DatabasePlace &place);
 
     // Before a job sends its first word, and for words by hand. Returns the id.
     Stored<qint64> begin(const Entry &entry);
     Stored<void> count(qint64 id, int writes);
-    // More may come of it than was planned.
+    // It may write more than was planned.
     Stored<void> plan(qint64 id, int more);
-    // The job has ended, and has read these values before it wrote. An entry of which nothing was written is
+    // The job has ended, and read these values before it wrote. An entry under which nothing was written is
     // dropped.
     Stored<void> settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore = {});
-    // It became known which encoder that was.
+    // It has become known which encoder that was.
     Stored<void> attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
 
-    // The places of a project are those of its copy in another file too: what was counted by them is noted
-    // for both, each entry once. `from`: not empty. `without`: entries that are left out.
+    // The places of a project apply to its copy in another file too: what was counted by them is noted for
+    // both, each entry once. `from`: not empty. `without`: entries that are left out.
     Stored<void> copyPlaces(const QString &from, const QString &to, BusId bus,
                             const std::vector<qint64> &without);
 
-    // `running`: what is on its way, which is no doubt of the past.
+    // `running`: what is under way, and so is no doubt about the past.
     EepromCount writes(const EncoderIdentity &identity, const std::vector<qint64> &running = {}) const;
     QDateTime since(const EncoderIdentity &identity) const; // null: never written
     // With what the encoder had before each, the newest first; those of which nothing is known are left out.
@@ -96,8 +97,8 @@ public:
 
     Stored<std::vector<Record>> records() const; // by id
     std::optional<Record> record(qint64 id) const;
-    // Takes in what another ledger has: an entry that is known already is not doubled, but learns what is
-    // known of it there, and one that is settled without a write goes. All or, with an error, nothing.
+    // Takes in another ledger: an entry that is already known is not duplicated, but completed with what is
+    // known of it there, and one settled without a write is removed. All or, with an error, nothing.
     struct Merged
     {
         int added = 0;

@@ -73,7 +73,7 @@ std::vector<Ledger::Value> valuesOf(const JsonObject &json, const char *key,
     return values;
 }
 
-// Files from before buses were told apart have the place alone.
+// Files from before buses were told apart hold only the place.
 Place placeOf(const JsonObject &json)
 {
     const auto place = Place::parse(json.freeText("place"));

@@ -43,7 +43,7 @@ LedgerKeeper::~LedgerKeeper()
             settleByHand(place, watched);
 }
 
-// What was said while it was opened is for who asks for problem(): nobody listens yet.
+// What was reported while it was opened is for whoever calls problem(): nobody is listening yet.
 void LedgerKeeper::listenToBook()
 {
     m_problem = m_book->problem();
@@ -87,8 +87,8 @@ void LedgerKeeper::projectSavedAs(const QString &file)
         identify(place);
 }
 
-// A project without a file has no account that is to stay: what was noted since the connection was made goes
-// along. An account in a file goes on with it, and is copied; an entry that has not ended can be but one.
+// A project without a file has no lasting account: what was noted since the connection was made goes along.
+// An account in a file carries on there, and is copied; an entry that has not ended can exist only once.
 void LedgerKeeper::takeAlong(const QString &from)
 {
     auto moved = onTheirWay();
@@ -106,7 +106,7 @@ void LedgerKeeper::takeAlong(const QString &from)
         m_book->attribute(ids, identity(place));
 }
 
-// Entries that are counted by their place and have not ended.
+// Entries counted by their place that have not ended.
 std::map<Place, std::vector<qint64>> LedgerKeeper::onTheirWay() const
 {
     std::map<Place, std::vector<qint64>> entries;
@@ -131,7 +131,7 @@ void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
         identify(place);
 }
 
-// Devices were added or removed, or have other sessions; the others are as they were.
+// Devices were added or removed, or have other sessions; the others are unchanged.
 void LedgerKeeper::watchDevices()
 {
     const std::vector<Place> there = m_bus.places();
@@ -285,7 +285,7 @@ std::optional<qint64> LedgerKeeper::beginEntry(Watched &watched, int planned)
     return id;
 }
 
-// Beside what the job was to write.
+// In addition to what the job was to write.
 void LedgerKeeper::planToRestore(Place place)
 {
     const Watched &watched = m_watched[place];
@@ -294,7 +294,7 @@ void LedgerKeeper::planToRestore(Place place)
         m_book->plan(*watched.job, more);
 }
 
-// What a job writes is part of it; all else are words by hand.
+// What a job writes is part of it; all the rest are words sent by hand.
 void LedgerKeeper::count(Place place, int writes)
 {
     Watched &watched = m_watched[place];
@@ -311,7 +311,7 @@ void LedgerKeeper::count(Place place, int writes)
         entry.planned = writes;
         entry.writes = writes;
         entry.settled = true;
-        entry.before.clear(); // the words are on the wire already: it may be what they wrote
+        entry.before.clear(); // the words are already on the wire: it may be what they wrote
         if (const auto id = m_book->begin(entry))
             note(watched, *id);
     }
@@ -336,7 +336,7 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
     showCount(place);
 }
 
-// While something is on its way, what it may still write is no doubt of the past.
+// While something is under way, what it may still write is no doubt about the past.
 void LedgerKeeper::showCount(Place place)
 {
     const Watched &watched = m_watched[place];

@@ -14,18 +14,18 @@
 namespace codewheel {
 
 // Keeps the ledger of one bus: notes each job, and each word or typed write by hand, that may write to an
-// EEPROM before anything is sent, what was written as it is seen, and the end; and tells each encoder session
-// its count. Window and command line alike, in the thread of their sessions.
+// EEPROM before anything is sent, what was written once it is seen, and the end; and gives each encoder
+// session its count. For window and command line alike, in the thread of their sessions.
 //
-// Words by hand have no end of their own. They are one entry until the encoder has been in operation again,
-// and no word that may write has stood in OUT, for untilSettled. Writes typed for an encoder are one entry
-// until the last of them has ended.
+// Words sent by hand have no end of their own. They are one entry until the encoder has been in operation
+// again, and no word that may write has been in OUT, for untilSettled. Writes typed for an encoder are one
+// entry until the last of them has ended.
 //
-// Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
-// was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
-// nothing speaks against it: from the moment on at which the number was forgotten or the bus became another
-// one. An encoder that moves to another place is the same one. What was typed for a place where none is known
-// is noted by that place, for the encoder that is taken over there later.
+// The encoder is identified by the serial number it reported, otherwise by that on its label, otherwise by
+// its place. What was noted at a place before a serial number was reported belongs to the encoder that
+// reports it, unless something speaks against it: from the moment the number was forgotten or the bus became
+// another one. An encoder that moves to another place is the same one. What was typed for a place where none
+// is known is noted by that place, for the encoder that is added there later.
 class LedgerKeeper : public QObject
 {
     Q_OBJECT
@@ -33,22 +33,22 @@ class LedgerKeeper : public QObject
 public:
     static constexpr std::chrono::milliseconds untilSettled{1000};
 
-    // The bus outlives the keeper, or is closed before. Where the file cannot be used it goes on
+    // The bus must outlive the keeper, or be closed first. If the file cannot be used the keeper goes on
     // (SafeLedger), and problem() says so.
     LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent = nullptr);
-    // In the same file as another one, which tells what becomes of it.
+    // In the same file as another keeper, which reports what becomes of it.
     LedgerKeeper(EncoderBus &bus, const LedgerKeeper &other, QObject *parent = nullptr);
     ~LedgerKeeper() override;
 
-    // What places count for: the file of the project; empty: none. Links to a file are that file.
+    // What places count for: the file of the project; empty: none. A link to a file counts as that file.
     void setProject(const QString &file);
-    // The project that is open is in another file now, or in its first one: the encoders are the same, and
-    // what was counted by their places counts there as well.
+    // The open project is now in another file, or in its first one: the encoders are the same, and what was
+    // counted by their places counts there as well.
     void projectSavedAs(const QString &file);
     // The serial number typed from the label of the encoder there; empty: none.
     void setLabel(Place place, const QString &serialNumber);
 
-    // What is to be said of the file: damaged and put aside, or not usable.
+    // What has to be reported about the file: damaged and put aside, or not usable.
     const std::optional<Message> &problem() const { return m_problem; }
 
     // Something was written that is not counted in the file.
@@ -56,7 +56,7 @@ public:
 
     const EncoderBus &bus() const { return m_bus; }
     const DatabasePlace &place() const { return m_book->place(); }
-    // Null where Qt's driver for SQLite is missing.
+    // Null if Qt's driver for SQLite is missing.
     const Ledger *ledger() const { return m_book->ledger(); }
     EncoderIdentity identity(Place place) const;
 
@@ -84,7 +84,7 @@ private:
         std::optional<qint64> job{}; // its entry, while it runs
         Progress progress{};         // of the job
         std::optional<ByHand> byHand{};
-        std::vector<qint64> unassigned{}; // entries of an encoder whose serial number was not told
+        std::vector<qint64> unassigned{}; // entries of an encoder that has not reported a serial number
     };
 
     void listenToBook();
@@ -120,7 +120,7 @@ private:
     bool standsStill(Place place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
-    std::shared_ptr<SafeLedger> m_book; // of all that keep the same file together
+    std::shared_ptr<SafeLedger> m_book; // shared by all that keep the same file
     std::optional<Message> m_problem;
     QString m_project;
     std::map<Place, QString> m_labels;
@@ -128,7 +128,7 @@ private:
     std::map<Place, std::vector<ToStranger>> m_strangers;
 };
 
-// Of the buses there are now.
+// For the current buses.
 using FindLedgers = std::function<std::vector<const LedgerKeeper *>()>;
 
 } // namespace codewheel

@@ -39,7 +39,7 @@ void LedgerKeeper::beginTyped(const TypedWrite &write)
         replaceValue(noted->sent, value);
 }
 
-// The entry for what is sent by hand now, with so many writes more; null: there is none.
+// The entry for what is being sent by hand, with this many more writes; null: there is none.
 LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
 {
     if (planned == 0)
@@ -89,7 +89,7 @@ void LedgerKeeper::beginToStranger(const TypedWrite &write)
         m_strangers[write.place].push_back({.id = *id, .awaited = write.text});
 }
 
-// Not answered, it may have been carried out.
+// Without an answer it may have been carried out.
 void LedgerKeeper::settleToStranger(const TypedWrite &write, bool mayBeDone)
 {
     std::vector<ToStranger> &requests = m_strangers[write.place];
@@ -105,8 +105,8 @@ void LedgerKeeper::settleToStranger(const TypedWrite &write, bool mayBeDone)
     m_book->settle(id, {});
 }
 
-// It is taken over now. What is not answered yet ends as what was typed for a stranger, and may be counted by
-// the session as well: rather twice than never.
+// It is being added now. What has not been answered yet ends as typed for a stranger, and may be counted by
+// the session as well: better twice than never.
 void LedgerKeeper::noteWhatWasToStranger(Place place)
 {
     std::vector<ToStranger> &requests = m_strangers[place];

@@ -25,13 +25,13 @@ Ledger::Record recordOf(const QSqlQuery &row)
     return {row.value(originColumn).toString(), ledgerEntryOf(row)};
 }
 
-// How sure it is which encoder it was.
+// How certain it is which encoder it was.
 int certainty(CountedBy by)
 {
     return by == CountedBy::serialNumber ? 2 : by == CountedBy::labelSerialNumber ? 1 : 0;
 }
 
-// What either knows.
+// Everything that either of them knows.
 Ledger::Record combined(Ledger::Record here, const Ledger::Record &there)
 {
     Ledger::Entry &entry = here.entry;
@@ -65,7 +65,7 @@ Stored<std::vector<Ledger::Record>> Ledger::records() const
     std::vector<Record> records;
     while (query.next())
         records.push_back(recordOf(query));
-    if (query.lastError().isValid()) // in the midst of the file
+    if (query.lastError().isValid()) // in the middle of the file
         return tl::unexpected(Database::errorOf(query.lastError()));
     return records;
 }

@@ -7,13 +7,13 @@
 
 namespace codewheel {
 
-// The fields of a message beside its text, in the user's language.
+// The fields of a message other than its text, in the user's language.
 QString severityName(Severity severity);              // "Information", "Attention", "Fault"
 QString placeName(const std::optional<Place> &place); // "1.0"; of a bus its name, or "Bus"; ""
 QString messageTime(const QDateTime &at);             // local date, and time to the millisecond
 QString messageTime(qint64 at);                       // ms since 1970, UTC
 
-// In every language the same: "1.0", of a bus nothing; "information", "attention", "fault".
+// The same in every language: "1.0", empty for a bus; "information", "attention", "fault".
 QString placeText(const std::optional<Place> &place);
 QString severityKey(Severity severity);
 std::optional<Severity> severityFromKey(QStringView key);

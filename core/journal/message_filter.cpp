@@ -9,7 +9,7 @@ namespace codewheel {
 namespace {
 
 constexpr qint64 hour = 3'600'000;   // ms
-constexpr qint64 quarter = hour / 4; // zones differ by quarters of an hour
+constexpr qint64 quarter = hour / 4; // time zones differ by multiples of a quarter of an hour
 constexpr qsizetype remembered = 100'000;
 
 bool contains(const QString &text, const QString &part)
@@ -40,7 +40,7 @@ bool MessageTextMatcher::fitsText(const StoredMessage &message)
     return *m_texts.insert(key, contains(messageText(message), m_text));
 }
 
-// Making the text of each date costs more than all the rest: it is the same for some time.
+// Making the text of each date costs more than everything else, and it stays the same for a while.
 bool MessageTextMatcher::fitsTime(qint64 at)
 {
     if (at / quarter != m_quarter || m_date.isNull()) {

@@ -7,14 +7,14 @@
 
 namespace codewheel {
 
-// Which messages are wanted: of this severity or worse, of one place or bus, of a time, with this text
-// somewhere in the row as it is shown.
+// Which messages are wanted: of this severity or worse, of one place or bus, of a period, with this text
+// somewhere in the row as shown.
 struct MessageFilter
 {
     struct Where
     {
         bool all = true;
-        // Of a bus itself: all of that bus, its devices included. Nothing: of no device.
+        // For a bus itself: all of that bus, its devices included. Empty: of no device.
         std::optional<Place> at = {};
 
         friend bool operator==(const Where &, const Where &) = default;
@@ -31,8 +31,8 @@ struct MessageFilter
     friend bool operator==(const MessageFilter &, const MessageFilter &) = default;
 };
 
-// Whether a message fits a text, in the language of the time it is made. Remembers what it was asked, since
-// most messages come again and again; used by one thread.
+// Whether a message matches a text, in the language current when it is made. Remembers earlier answers, since
+// most messages recur; used by one thread.
 class MessageTextMatcher
 {
 public:
@@ -46,7 +46,7 @@ private:
 
     QString m_text;
     QHash<QString, bool> m_texts; // by code and arguments
-    qint64 m_quarter = -1;        // of an hour, of m_date
+    qint64 m_quarter = -1;        // the quarter of an hour that m_date is for
     QString m_date;               // as shown in that quarter
     qint64 m_offset = 0;          // of local time from UTC in that quarter, ms
 };

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-// Of messages whose arguments count on, how many of the first say what it is about. By code.
+// For messages whose last arguments merely count, how many of the first ones say what it is about. By code.
 const QHash<QString, qsizetype> &countingMessages()
 {
     static const QHash<QString, qsizetype> telling{

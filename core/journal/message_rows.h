@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What has to be known of a message to find its row.
+// What it takes to find the row of a message.
 struct SightedMessage
 {
     qint64 id = 0;
@@ -17,22 +17,22 @@ struct SightedMessage
     friend bool operator==(const SightedMessage &, const SightedMessage &) = default;
 };
 
-// The same for messages that say the same of the same place, apart from figures that only count on. Never
-// kept: another run of the program may give other numbers.
+// Equal for messages that say the same about the same place, apart from figures that merely count. Never
+// stored: another run of the program may give other numbers.
 quint64 likeness(const StoredMessage &message);
 SightedMessage sighted(const StoredMessage &message);
 
-// How messages stand in rows: each day begins with a row of its own, and messages in a row that are alike
-// share one. Single messages, most of them, are kept as runs, so that a million of them need no memory. Grows
-// at both ends.
+// How messages are arranged in rows: each day begins with a row of its own, and consecutive messages that are
+// alike share one. Single messages, most of them, are kept as runs, so that a million of them need no memory.
+// Grows at both ends.
 class MessageRows
 {
 public:
-    // The messages of a row, by their place among all that were given, oldest first.
+    // The messages of a row, by their index among all that were given, oldest first.
     struct Row
     {
         qint64 first = 0;
-        qint64 count = 0; // 0: no message, but the day of the first
+        qint64 count = 0; // 0: no message, but the day of the first one
 
         bool isDay() const { return count == 0; }
         qint64 last() const { return first + count - 1; }
@@ -46,7 +46,7 @@ public:
 
     void append(const SightedMessage &message);  // newer than all
     void prepend(const SightedMessage &message); // older than all
-    // Whether it would share the row that is there already.
+    // Whether it would share the row that is already there.
     bool joinsLast(const SightedMessage &newer) const { return !isEmpty() && areAlike(newer, m_newest); }
     bool joinsFirst(const SightedMessage &older) const { return !isEmpty() && areAlike(older, m_oldest); }
     qint64 firstDay() const { return m_oldest.day; }
@@ -58,7 +58,7 @@ private:
     enum class Kind : std::uint8_t { day, single, alike };
     struct Run
     {
-        qint64 row = 0;     // from where the first run began when it was made; may be negative
+        qint64 row = 0;     // counted from where the first run began when it was made; may be negative
         qint64 message = 0; // likewise
         qint64 count = 0;   // messages
         Kind kind = Kind::single;

@@ -9,9 +9,9 @@ namespace codewheel {
 namespace {
 
 constexpr std::size_t largestBatch = 5'000;    // one transaction
-constexpr qint64 takenAlong = 10'000;          // messages, when the file fails
+constexpr qint64 takenAlong = 10'000;          // messages, if the file fails
 constexpr qint64 largestInMemory = 50'000'000; // bytes
-constexpr qint64 droppedAtOnce = 5'000; // messages a transaction, so that other programs get their turn
+constexpr qint64 droppedAtOnce = 5'000; // messages per transaction, so that other programs get their turn
 
 } // namespace
 
@@ -86,7 +86,7 @@ void MessageStore::run(const std::stop_token &stop)
     m_table.reset();
 }
 
-// Waits for a message, and then a little for others.
+// Waits for a message, and then a little for more.
 MessageStore::Batch MessageStore::nextBatch(const std::stop_token &stop)
 {
     std::unique_lock lock(m_mutex);
@@ -158,8 +158,8 @@ void MessageStore::write(const Batch &batch)
     }
 }
 
-// A damaged file is put aside and another one begun; whatever else is wrong with it, it stays as it is, and
-// the newest messages go on in memory.
+// A damaged file is put aside and another one begun; with any other fault the file stays as it is, and the
+// newest messages go on in memory.
 void MessageStore::failed(const DatabaseError &error)
 {
     Batch newest;

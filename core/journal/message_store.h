@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// Keeps messages on disk, in a thread of its own, so that whoever adds one never waits. Where the file cannot
-// be used, the messages are kept in memory and a message says so (MessageId::notKept). Readers open a
-// MessageTable at place(). Window and tests.
+// Keeps messages on disk, in a thread of its own, so that whoever adds one never waits. If the file cannot be
+// used, the messages are kept in memory and a message says so (MessageId::notKept). Readers open a
+// MessageTable at place(). Used by the window and tests.
 class MessageStore
 {
 public:
@@ -23,7 +23,7 @@ public:
         qint64 largestSize = defaultSize; // bytes; beyond it the oldest are dropped, a tenth at a time
     };
 
-    // How long messages wait for others to be committed with. A fault waits for none.
+    // How long messages wait to be committed together with others. A fault does not wait.
     static constexpr std::chrono::milliseconds gathering{100};
 
     explicit MessageStore(Settings settings);
@@ -36,7 +36,7 @@ public:
     // Waits until all that was added before is committed.
     void flush();
 
-    // Nothing until the file is open; another one when the file fails.
+    // Empty until the file is open; a different one if the file fails.
     std::optional<DatabasePlace> place() const;
     // A reader found the file at `place` damaged: it is put aside.
     void reportBroken(const DatabasePlace &place, const DatabaseError &error);
@@ -68,10 +68,10 @@ private:
     std::optional<DatabasePlace> m_place;
     std::optional<DatabaseError> m_reported;
 
-    // Of the writing thread.
+    // Used by the writing thread only.
     std::optional<MessageTable> m_table;
 
-    std::jthread m_thread; // last, so that it ends first
+    std::jthread m_thread; // last, so that it is destroyed first
 };
 
 } // namespace codewheel

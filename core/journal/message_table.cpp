@@ -26,7 +26,7 @@ const DatabaseSchema &messagesSchema()
 
 const QString messageColumns = QStringLiteral("id, at, severity, place, code, arguments, refusal");
 
-// What a file holds may be anything.
+// A file may contain anything.
 Severity severityOf(int number)
 {
     return number <= 0 ? Severity::information : number == 1 ? Severity::attention : Severity::fault;
@@ -52,7 +52,7 @@ StoredMessage messageOf(const QSqlQuery &query)
             .refusal = query.value(6).toString()};
 }
 
-// Of a bus all that happened there; `places` are those of the table.
+// For a bus everything that happened there; `places` are those of the table.
 QString placeCondition(const MessageFilter::Where &where, const std::vector<Place> &places)
 {
     if (where.all)
@@ -90,7 +90,7 @@ Stored<std::vector<Row>> all(const Database &database, QSqlQuery query, Row (*ro
     std::vector<Row> rows;
     while (query.next())
         rows.push_back(rowAt(query));
-    if (query.lastError().isValid()) // in the midst of the file
+    if (query.lastError().isValid()) // in the middle of the file
         return tl::unexpected(Database::errorOf(query.lastError()));
     return rows;
 }
@@ -215,7 +215,7 @@ std::vector<Place> MessageTable::places() const
     return places;
 }
 
-// Looked up where a bus is asked for alone.
+// Only looked up if a bus is asked for.
 std::vector<Place> MessageTable::placesFor(const MessageFilter &filter) const
 {
     return filter.place.at && filter.place.at->isEmpty() ? places() : std::vector<Place>();
@@ -235,14 +235,14 @@ Stored<void> MessageTable::dropUpTo(qint64 last)
     });
 }
 
-// Qt takes one step of the statement each time, which frees one page at least: a file whose list of free
+// Qt takes one step of the statement each time, which frees at least one page: a file whose list of free
 // pages says otherwise is damaged.
 Stored<void> MessageTable::freePages()
 {
     const auto number = [&](const char *what) { return m_database.number(QString::fromLatin1(what)); };
     constexpr qint64 incremental = 2;
     if (number("PRAGMA auto_vacuum").value_or(0) != incremental)
-        return {}; // made by others: it keeps its free pages for later
+        return {}; // made by another program: it keeps its free pages for later
     const auto free = number("PRAGMA freelist_count");
     auto pages = number("PRAGMA page_count");
     if (!free || !pages)

@@ -15,7 +15,7 @@ class MessageTable
 public:
     static Stored<MessageTable> open(const DatabasePlace &place);
 
-    // The ids there are: all from first to last. 0, 0: there is no message.
+    // The existing ids: all from first to last. 0, 0: there is no message.
     struct Span
     {
         qint64 first = 0;
@@ -27,23 +27,23 @@ public:
     // Rises when another connection, of whatever program, has changed the database.
     qint64 changes() const;
 
-    // All or, with an error, none. Their ids are given here.
+    // All or, with an error, none. They get their ids here.
     Stored<void> append(const std::vector<StoredMessage> &messages);
     // As they are, ids included.
     Stored<void> copy(const std::vector<StoredMessage> &messages);
 
-    // The messages with these ids, in this order; one that is no more there has the id 0.
+    // The messages with these ids, in this order; one that no longer exists has the id 0.
     Stored<std::vector<StoredMessage>> read(const std::vector<qint64> &ids) const;
-    // Those from `first` to `last` that fit the filter but for its text, oldest first.
+    // Those from `first` to `last` that match the filter apart from its text, oldest first.
     Stored<std::vector<StoredMessage>> read(qint64 first, qint64 last,
                                             const MessageFilter &filter = {}) const;
-    // The same, ids alone.
+    // The same, only the ids.
     Stored<std::vector<qint64>> ids(qint64 first, qint64 last, const MessageFilter &filter) const;
     // Where something happened, in order; a bus itself before its devices.
     std::vector<Place> places() const;
 
     qint64 size() const; // bytes
-    // Drops the oldest, up to the id `last`, and gives the room back.
+    // Drops the oldest, up to the id `last`, and releases the space.
     Stored<void> dropUpTo(qint64 last);
 
 private:

@@ -9,8 +9,8 @@ class QIODevice;
 
 namespace codewheel {
 
-// Writes messages to a file, piece by piece, so that a million of them need no memory. The device tells
-// errors (QIODevice::errorString). Window and command line.
+// Writes messages to a file, piece by piece, so that a million of them need no memory. The device reports
+// errors (QIODevice::errorString). Used by window and command line.
 class MessageWriter
 {
 public:
@@ -25,7 +25,7 @@ public:
         , m_format(format)
     {}
 
-    // "csv" or "html", by the end of a file's name; nothing for another one.
+    // "csv" or "html", by the ending of a file's name; empty for any other.
     static std::optional<Format> formatOf(const QString &fileName);
 
     bool begin();

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// One for the whole program, as the locks are.
+// One for the whole program, like the locks.
 struct OpenFile::Table
 {
     std::mutex mutex;

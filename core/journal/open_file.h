@@ -10,17 +10,17 @@
 
 namespace codewheel {
 
-// That this program has a file open as a database. When a program closes any descriptor of a file it loses
-// all its POSIX locks on it (fcntl(2)), those of SQLite as well, and other programs take the file for unused.
-// So what SQLite has open must not be opened beside it, not even to look at it.
+// Marks that this program has a file open as a database. When a program closes any descriptor of a file it
+// loses all its POSIX locks on it (fcntl(2)), SQLite's included, and other programs take the file for unused.
+// So what SQLite has open must not be opened a second time, not even to look at it.
 class OpenFile
 {
 public:
-    // While a file is looked at, or opened by SQLite, nothing else may be.
+    // While a file is looked at, or opened by SQLite, nobody else may do so.
     using Turn = std::unique_lock<std::mutex>;
     static Turn turn();
 
-    // How the file begins; nothing where this program has it open already, or it cannot be read.
+    // The first bytes of the file; empty if this program already has it open, or it cannot be read.
     static std::optional<QByteArray> beginning(const Turn &turn, const QString &path, qint64 length);
 
     OpenFile() = default;

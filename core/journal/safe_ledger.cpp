@@ -14,7 +14,7 @@ SafeLedger::SafeLedger(const DatabasePlace &place)
     open();
 }
 
-// A damaged file is put aside and another one begun; whatever else is wrong with it, it stays as it is.
+// A damaged file is put aside and another one begun; with any other fault the file stays as it is.
 void SafeLedger::open()
 {
     auto opened = Ledger::open(m_place);
@@ -36,7 +36,7 @@ void SafeLedger::open()
         goOnInMemory(opened.error());
 }
 
-// What is asked for goes on being counted.
+// Counts stay available and go on.
 void SafeLedger::goOnInMemory(const DatabaseError &why)
 {
     const bool canBeRead = m_ledger && why.kind != DatabaseError::Kind::locked;
@@ -44,7 +44,7 @@ void SafeLedger::goOnInMemory(const DatabaseError &why)
                                 : std::vector<Ledger::Record>();
     m_ledger.reset();
     m_isInMemory = true;
-    if (auto memory = Ledger::open(DatabasePlace::memory())) { // else the driver is missing
+    if (auto memory = Ledger::open(DatabasePlace::memory())) { // otherwise the driver is missing
         (void)memory->copy(past);
         for (const auto &[id, record] : m_begun)
             (void)memory->copy({record});
@@ -63,7 +63,7 @@ void SafeLedger::tell(MessageId id, std::vector<RefusalArgument> arguments)
         m_told();
 }
 
-// What the file refuses is done in memory; with a ledger there.
+// What the file refuses is done in memory; requires a ledger.
 template <typename What>
 auto SafeLedger::safely(What what)
 {
@@ -76,7 +76,7 @@ auto SafeLedger::safely(What what)
     return done;
 }
 
-// As it is now; one that has gone was settled without a write.
+// As it is now; one that is gone was settled without a write.
 void SafeLedger::remember(qint64 id)
 {
     if (m_place.inMemory || !m_ledger)
@@ -98,7 +98,7 @@ void SafeLedger::remember(qint64 id)
 void SafeLedger::keepBeside(const Ledger::Record &record)
 {
     m_hasUncounted = true;
-    if (m_waiting && m_waiting->isThere() && !m_waiting->add(record)) { // it has taken what it had room for
+    if (m_waiting && m_waiting->isThere() && !m_waiting->add(record)) { // it has taken all there was room for
         const QString file = m_waiting->path();
         m_waiting.reset();
         tell(MessageId::notKept, {file, Journal::tr("the disk is full.")});

@@ -10,10 +10,10 @@
 
 namespace codewheel {
 
-// A ledger that is written to whatever becomes of its file. Where that cannot be used, or fails later
-// (locked, disk full), it goes on in memory with what is known, and all that is entered from then on is kept
-// in a file beside it, for the next program that can open the ledger. Used by LedgerKeeper; what is asked is
-// asked of ledger().
+// A ledger that can be written to whatever becomes of its file. If that cannot be used, or fails later
+// (locked, disk full), it goes on in memory with what is known, and everything entered from then on is kept
+// in a file beside it, for the next program that can open the ledger. Used by LedgerKeeper; queries go to
+// ledger().
 class SafeLedger
 {
 public:
@@ -21,17 +21,17 @@ public:
 
     const DatabasePlace &place() const { return m_place; }
 
-    // Null where Qt's driver for SQLite is missing: then nothing is entered.
+    // Null if Qt's driver for SQLite is missing: then nothing is entered.
     const Ledger *ledger() const { return m_ledger ? &*m_ledger : nullptr; }
 
-    // What is to be said of the file, without its time: damaged and put aside, or not usable. `told` is
-    // called with each that comes later, in the midst of the call that found it.
+    // What has to be reported about the file, without its time: damaged and put aside, or not usable. `told`
+    // is called with each later problem, in the middle of the call that found it.
     const std::optional<Message> &problem() const { return m_problem; }
     void onProblem(std::function<void()> told) { m_told = std::move(told); }
     // Something was entered that is not in the file.
     bool hasUncounted() const { return m_hasUncounted; }
 
-    // As those of Ledger. Nothing: none is kept.
+    // As in Ledger. Empty: none is kept.
     std::optional<qint64> begin(const Ledger::Entry &entry);
     void count(qint64 id, int writes);
     void plan(qint64 id, int more);
@@ -50,7 +50,7 @@ private:
 
     DatabasePlace m_place;
     std::optional<Ledger> m_ledger;
-    bool m_isInMemory = false;                 // in place of its file
+    bool m_isInMemory = false;                 // instead of in its file
     std::unique_ptr<WaitingEntries> m_waiting; // null: there is no file it belongs to
     std::map<qint64, Ledger::Record> m_begun;  // here, as they are now
     bool m_hasUncounted = false;

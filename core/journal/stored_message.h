@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A message as the journal keeps it (docs/journal.md). The code is a text, so that one of a newer version is
+// A message as stored in the journal (docs/journal.md). The code is a text, so that one of a newer version is
 // kept and shown as well.
 struct StoredMessage
 {
@@ -24,10 +24,10 @@ struct StoredMessage
 
 StoredMessage storedMessage(const Message &message, const QDateTime &at);
 
-// The message, where this version knows its code (and the code of what was refused).
+// The message, if this version knows its code (and the code of what was refused).
 std::optional<Message> messageOf(const StoredMessage &stored);
 
-// The sentence in the user's language; for a code that is not known the code and its arguments.
+// The sentence in the user's language; for an unknown code, the code and its arguments.
 QString messageText(const StoredMessage &stored);
 
 // The code of what was refused says more than "refused".

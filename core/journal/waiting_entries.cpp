@@ -20,7 +20,7 @@ namespace {
 const QString waitingName = QStringLiteral(".waiting-");
 constexpr qint64 largestLeft = 64'000'000; // bytes
 
-// Locked, and nobody removed it meanwhile; else -1.
+// Locked, and nobody has removed it meanwhile; otherwise -1.
 int openLocked(const QString &path, int flags)
 {
     const int file =
@@ -38,7 +38,7 @@ int openLocked(const QString &path, int flags)
 
 WaitingEntries::WaitingEntries(const QString &ledger)
 {
-    constexpr int tries = 10; // another program may take a new file for one that was left
+    constexpr int tries = 10; // another program may take a new file for one left behind
     for (int i = 0; i < tries && m_file < 0; ++i) {
         m_path = ledger + waitingName + QUuid::createUuid().toString(QUuid::Id128);
         m_file = openLocked(m_path, O_CREAT | O_EXCL);
@@ -102,7 +102,7 @@ std::optional<std::vector<Ledger::Record>> LeftEntries::records() const
     if (!file.open(m_file, QIODevice::ReadOnly) || file.size() > largestLeft)
         return std::nullopt;
     QByteArray text = file.readAll();
-    if (const qsizetype end = text.indexOf('\0'); end >= 0) // room that was not used
+    if (const qsizetype end = text.indexOf('\0'); end >= 0) // space that was not used
         text.truncate(end);
     std::vector<Ledger::Record> all;
     for (const QByteArray &line : text.split('\n'))

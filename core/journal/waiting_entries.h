@@ -5,16 +5,16 @@
 
 namespace codewheel {
 
-// A file beside a ledger for entries that could not be made there, one line each (docs/journal.md). Its room
-// is taken when it is made, so that there is some when the disk is full. It is this program's as long as the
-// object lives, by a lock; where nothing was added it goes then, else the next one that opens the ledger
-// takes its entries over. Used by SafeLedger.
+// A file beside a ledger for entries that could not be made there, one line each (docs/journal.md). Its space
+// is reserved when it is created, so that there is some when the disk is full. It belongs to this program as
+// long as the object lives, by a lock; if nothing was added it is removed then, otherwise the next one that
+// opens the ledger takes in its entries. Used by SafeLedger.
 class WaitingEntries
 {
 public:
-    static constexpr qint64 room = 16'384; // bytes, some ten jobs
+    static constexpr qint64 room = 16'384; // bytes, about ten jobs
 
-    // isThere() tells whether the file could be made, with some room.
+    // isThere() tells whether the file could be created, with some space.
     explicit WaitingEntries(const QString &ledger);
     WaitingEntries(const WaitingEntries &) = delete;
     WaitingEntries &operator=(const WaitingEntries &) = delete;
@@ -43,9 +43,9 @@ public:
     LeftEntries &operator=(LeftEntries &&) = delete;
     ~LeftEntries();
 
-    // Nobody has it any more.
+    // Nobody holds it any more.
     bool isLeft() const { return m_file >= 0; }
-    // A line that was not finished is left out. Nothing: it holds something else, and is left alone.
+    // An unfinished line is left out. Empty: it holds something else, and is left alone.
     std::optional<std::vector<Ledger::Record>> records() const;
     void drop();
 

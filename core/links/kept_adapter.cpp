@@ -40,7 +40,7 @@ Result<QString> KeptAdapter::find(const std::vector<PortInfo> &present)
     if (match.kind == AdapterMatch::Kind::absent)
         return refuse(RefusalKind::link, RefusalId::portNotFound, {m_path});
     m_adapter = match.ports.front();
-    if (there != m_adapter) // else the path as it was given
+    if (there != m_adapter) // otherwise the path as it was given
         m_path = m_adapter->path;
     return m_path;
 }

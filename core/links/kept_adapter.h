@@ -8,27 +8,27 @@
 
 namespace codewheel {
 
-// The port at this path, which may be a link to it, as those of /dev/serial/by-id are.
+// The port at this path, which may be a link to it, like those in /dev/serial/by-id.
 std::optional<PortInfo> portAt(const QString &path, const std::vector<PortInfo> &present);
 
 // Which adapter a line is connected by, and where it is after it was plugged in again: by its serial number,
-// else by its place on USB. No other one is taken for it without being asked for. Pure: the ports there are
-// are an argument. Used by SerialPortLink.
+// otherwise by its place on USB. No other adapter is taken for it unasked. No I/O: the present ports are an
+// argument. Used by SerialPortLink.
 class KeptAdapter
 {
 public:
-    // Whichever adapter is at this path when it is looked for first; a path without any, as of a pseudo
-    // terminal, stays what it is.
+    // Whichever adapter is at this path when it is first looked for; a path without one, such as that of a
+    // pseudo terminal, is used as it is.
     explicit KeptAdapter(QString path);
-    // This one; `path` of it is where it was last.
+    // This one; its `path` is where it was last.
     explicit KeptAdapter(PortInfo adapter);
 
     const QString &path() const { return m_path; }
-    // Nothing before one was found at the path.
+    // Empty until one was found at the path.
     const std::optional<PortInfo> &adapter() const { return m_adapter; }
 
-    // Where the adapter is now. Refused: portNotFound; portOfOther where another one is at its path, or one
-    // that may be it, which takeOther() makes the one that is meant.
+    // Where the adapter is now. Refused: portNotFound; portOfOther if a different one is at its path, or one
+    // that may be it, which takeOther() makes the right one.
     Result<QString> find(const std::vector<PortInfo> &present);
     void takeOther();
 

@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// Asks the driver behind this open port for it (ASYNC_LOW_LATENCY).
+// Asks the driver of this open port for it (ASYNC_LOW_LATENCY).
 LowLatency askForLowLatency(int port);
 
-// What the two system calls make of it, by their errno; 0: done.
+// The result of the two system calls, by their errno; 0: done.
 LowLatency lowLatencyOf(int gettingError, int settingError);
 
 } // namespace codewheel

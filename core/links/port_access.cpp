@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// The group whose members may use the port: dialout on Debian. Its number where it has no name.
+// The group whose members may use the port: dialout on Debian. Its number if it has no name.
 QString groupOf(const QString &path)
 {
     struct stat status = {};
@@ -29,7 +29,7 @@ QString groupOf(const QString &path)
     return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
 }
 
-// What has no line behind it: a file, a folder, or one of the system's own such as /dev/null.
+// Nothing with a line behind it: a file, a folder, or one of the system's own devices such as /dev/null.
 bool isNoPort(const QString &path)
 {
     constexpr unsigned memoryDevices = 1; // their major number on Linux

@@ -8,18 +8,17 @@ namespace codewheel {
 // "/dev/ttyUSB0" for "ttyUSB0"; a path stays as it is.
 QString portPath(const QString &port);
 
-// Whether both lead to the same port, as its by-id link and its name do.
+// Whether both lead to the same port, like its by-id link and its name.
 bool isSamePort(const QString &one, const QString &other);
 
 // What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
 // for all others.
 RefusalId portRefusalOf(int errorNumber);
 
-// The refusal with all that its sentence tells. `errorText` is that of the system.
+// The refusal with everything its sentence needs. `errorText` is the system's.
 Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText);
 
-// Why the user cannot open this port, as far as it can be told without opening it; nothing: no reason is
-// known.
+// Why the user cannot open this port, as far as can be told without opening it; empty: no reason is known.
 std::optional<Refusal> portHindrance(const QString &path);
 
 } // namespace codewheel

@@ -7,10 +7,10 @@
 namespace codewheel {
 
 // The adapter that a project has for its serial line, to open a SerialPortLink with; whichever is at its port
-// where it has none.
+// if it has none.
 KeptAdapter keptAdapterOf(const LinePlan &line);
 
-// What a project keeps of an adapter; nothing of a port without one.
+// What a project stores of an adapter; empty for a port without one.
 LineAdapter lineAdapter(const std::optional<PortInfo> &adapter);
 
 } // namespace codewheel

@@ -22,8 +22,8 @@ using std::chrono::steady_clock;
 
 constexpr int longestWrite = 1'000; // ms without a byte taken by the system
 
-// A port that somebody else has and one that the user may not use are the same error for Qt; the rights were
-// looked at before.
+// For Qt, a port in use by somebody else and one the user has no rights to are the same error; the rights
+// were checked before.
 int errorNumberOf(QSerialPort::SerialPortError error)
 {
     switch (error) {
@@ -121,7 +121,7 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
     if (!port->serial.open(QIODevice::ReadWrite))
         return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), *path,
                                           port->serial.errorString()));
-    // The system lets its administrator into a port that is taken; a lock does not.
+    // The system lets root open a port that is in use; a lock does not.
     if (::flock(static_cast<int>(port->serial.handle()), LOCK_EX | LOCK_NB) != 0)
         return tl::unexpected(
             portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
@@ -134,7 +134,7 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
     return {};
 }
 
-// Before it is opened: afterwards a port without modem lines does not take a parity any more.
+// Before it is opened: afterwards a port without modem lines does not accept a parity any more.
 Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, const SerialSettings &settings)
 {
     port.setPortName(path);
@@ -208,14 +208,14 @@ void SerialPortLink::wait(Instant until)
     waitUntil(until);
 }
 
-// For bytes, the flag, or the end of the port. Qt's own wait cannot be ended by another thread.
+// For bytes, the flag, or the end of the port. Another thread cannot end Qt's own wait.
 SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
 {
     using namespace std::chrono;
     const nanoseconds left = std::max(until - now(), Instant{});
     const timespec timeOut{duration_cast<seconds>(left).count(), (left % 1s).count()};
     std::array<pollfd, 2> waited{
-        {{m_port ? static_cast<int>(m_port->serial.handle()) : -1, POLLIN, 0}, // -1 is passed over
+        {{m_port ? static_cast<int>(m_port->serial.handle()) : -1, POLLIN, 0}, // -1 is ignored
          {m_wake.descriptor(), POLLIN, 0}}};
     ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
     const bool woken = m_wake.lower();

@@ -15,7 +15,7 @@ class QSerialPort;
 
 namespace codewheel {
 
-// The link to a serial port of this computer, or to anything that has a path and behaves as one, such as a
+// The link to a serial port of this computer, or to anything that has a path and behaves like one, such as a
 // pseudo terminal. Modem lines are not used and may be missing. The port is held exclusively. It is opened,
 // used and closed by one thread, which needs no event loop.
 class SerialPortLink final : public ByteLink
@@ -29,9 +29,9 @@ public:
     explicit SerialPortLink(const KeptAdapter &adapter, PortList ports = serialPorts);
     ~SerialPortLink() override;
 
-    QString name() const override; // the path of the port; another after the adapter was plugged in elsewhere
+    QString name() const override; // the path of the port; changes if the adapter is plugged in elsewhere
     LowLatency lowLatency() const override { return m_lowLatency; }
-    // That it is or was opened at; nothing where the path has none. Any thread.
+    // The one it is or was opened at; empty if the path has none. Any thread.
     std::optional<PortInfo> adapter() const;
 
     // Refused: portNotFound, portOfOther, portNoRights, portInUse, lineSettingWrong, linkFailed (what the

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A serial port of this computer, and the adapter it belongs to; what the adapter does not tell is empty.
+// A serial port of this computer, and the adapter it belongs to; what the adapter does not report is empty.
 struct PortInfo
 {
     QString path{}; // "/dev/ttyUSB0"
@@ -25,16 +25,16 @@ struct PortInfo
     friend bool operator==(const PortInfo &, const PortInfo &) = default;
 };
 
-// The ports there are now, by name.
+// The ports present now, by name.
 std::vector<PortInfo> serialPorts();
-// What is shown in place of an empty list.
+// Shown instead of an empty list.
 QString noSerialPortsText();
 
-// The part of a device's path in /sys that tells where on USB it is plugged in; empty for no USB device.
+// The part of a device's path in /sys that says where on USB it is plugged in; empty for any other device.
 QString usbPathOf(const QString &sysfsPath);
 
-// Where an adapter is after it was plugged in again: by its serial number, else by its place on USB. Another
-// adapter is never taken for it without asking.
+// Where an adapter is after it was plugged in again: by its serial number, otherwise by its place on USB. A
+// different adapter is never taken for it unasked.
 struct AdapterMatch
 {
     enum class Kind : std::uint8_t {

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A flag that any thread raises and a poll(2) on its descriptor notices. Used by links that wait for a
+// A flag that any thread can raise, noticed by a poll(2) on its descriptor. Used by links that wait for a
 // device.
 class WakeFlag
 {
