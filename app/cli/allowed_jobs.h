@@ -9,8 +9,8 @@ namespace codewheel {
 struct Call;
 enum class AsksAnyway;
 
-// A job that may be carried out as far as the EEPROM of its encoder is concerned. eepromConsent() makes it,
-// and runToEnd() takes nothing else: so no command can forget to ask.
+// A job that may be carried out as far as the EEPROM of its encoder is concerned. Made by eepromConsent(),
+// and all that runToEnd() accepts: so no command can forget to ask.
 class AllowedJob
 {
 public:
@@ -35,7 +35,7 @@ private:
     Job m_job;
 };
 
-// The same of the jobs of several encoders.
+// The same for the jobs of several encoders.
 class AllowedRound
 {
 public:

@@ -9,13 +9,13 @@
 
 namespace codewheel {
 
-// What a command has to say: the same for people and for programs. With a complaint, text and json tell how
-// far it came.
+// What a command has to say: the same for people and for programs. With a complaint, text and json say how
+// far it got.
 struct Answer
 {
     QString text{};
     QJsonObject json{};
-    // What was done to encoders or files, where the text is no account of it, or nothing else.
+    // What was done to encoders or files, if the text is no account of it, or of nothing else.
     QString done{};
     std::optional<Complaint> complaint{};
 };

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// A minus before a digit is a number with the wrong sign, which has a better sentence further on.
+// A minus before a digit is a number with the wrong sign, which gets a better sentence further on.
 bool looksLikeOption(const QString &word)
 {
     return word.size() > 1 && word[0] == u'-' && !word[1].isDigit();

@@ -10,15 +10,15 @@
 
 namespace codewheel {
 
-// An option of a command. Without the name of a value it is a switch.
+// An option of a command. Without a name for its value it is a switch.
 struct Option
 {
     const char *name;  // "--dry-run"
     const char *value; // "SECONDS"; null: none
-    const char *help;  // untranslated; null for another form of the option before
+    const char *help;  // untranslated; null for another form of the previous option
 };
 
-// The words behind the name of a command, sorted into options and the rest.
+// The words after the name of a command, sorted into options and the rest.
 struct Arguments
 {
     QStringList rest;
@@ -26,12 +26,12 @@ struct Arguments
 
     bool has(const char *option) const;
     std::optional<QString> value(const char *option) const;
-    // A whole number of this range, or `otherwise` where the option is not given.
+    // A whole number within this range, or `otherwise` if the option is not given.
     Checked<int> number(const char *option, int otherwise, int minimum, int maximum) const;
 };
 
-// Takes "--name value" and "--name=value" anywhere, each once; what follows "--" is no option.
-// `who` takes these options, for the sentence: "write".
+// Accepts "--name value" and "--name=value" anywhere, each once; what follows "--" is not an option. `who`
+// has these options, for the sentence: "write".
 Checked<Arguments> parseArguments(const QStringList &words, std::span<const Option> options,
                                   const QString &who);
 

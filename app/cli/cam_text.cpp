@@ -27,7 +27,7 @@ bool isOfOneCam(CamField field)
     return field.value == CamValue::start || field.value == CamValue::stop;
 }
 
-// Cams 7 to 0, as the bits stand in the word.
+// Cams 7 to 0, in the order of the bits in the word.
 QString bits(std::int64_t active)
 {
     return QStringLiteral("%1").arg(active, 8, 2, QLatin1Char('0'));

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// A value in which the encoder and the wanted program are not the same.
+// A value in which the encoder differs from the wanted program.
 struct CamDifference
 {
     unsigned program = 1;
@@ -19,7 +19,7 @@ struct CamDifference
     std::int64_t wanted = 0;
 };
 
-// `has` and `wanted` are programs of the same numbers.
+// `has` and `wanted` are programs with the same numbers.
 std::vector<CamDifference> differencesOf(const std::vector<CamProgram> &has,
                                          const std::vector<CamProgram> &wanted);
 

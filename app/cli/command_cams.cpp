@@ -43,7 +43,7 @@ constexpr std::array camsOptions{
     traceOption,
 };
 
-// One call on its way: what it is about, and what it has to say so far.
+// One call in progress: what it is about, and what it has to say so far.
 struct CamCall
 {
     const Call &call;
@@ -58,7 +58,7 @@ struct CamCall
             return tl::unexpected(complaintAbout(outcome.result.error()));
         return outcome;
     }
-    // Where it was before, as far as that is known; else it stays in the last program, which is saved.
+    // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
     SwitchMode afterwards(const std::vector<unsigned> &programs) const
     {
         const Reading &reading = encoder.latest();
@@ -70,7 +70,7 @@ struct CamCall
     {
         return totalRange(encoder.device(), valuesOf(allKnown(encoder)));
     }
-    // Costs EEPROM writes where a program was changed before.
+    // Costs EEPROM writes if a program was changed before.
     Checked<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
     {
         const auto allowed =
@@ -103,7 +103,7 @@ Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
     return static_cast<unsigned>(number);
 }
 
-// Of the file: all its programs, or the one wanted.
+// From the file: all its programs, or the one wanted.
 Checked<CamFile> programsIn(const QString &name, std::optional<unsigned> program)
 {
     auto cams = readWholeFile(name, largestCamFile).and_then([&](const QByteArray &json) {
@@ -131,7 +131,7 @@ Checked<void> checkMadeFor(const Call &call, const CamFile &file, const DeviceDe
                                     {name, file.device, encoder.key}});
 }
 
-// What is in a file is not lost by a read, and what could not be saved is not read.
+// A read must not overwrite a file, and nothing is read that could not be saved.
 Checked<void> checkCamFile(const Arguments &arguments)
 {
     if (arguments.rest.size() < 3)
@@ -175,7 +175,7 @@ void read(CamCall &cams, std::optional<unsigned> program)
         saveCams(cams, cams.call.arguments.rest[2], *read);
 }
 
-// Reads the programs of the file from the encoder, and tells what differs.
+// Reads the programs of the file from the encoder, and reports the differences.
 std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::vector<CamProgram> &wanted)
 {
     const auto read = cams.readPrograms(numbersOf(wanted));
@@ -209,7 +209,7 @@ QString wordList(const std::vector<Step> &steps)
     return words.join(u' ');
 }
 
-// What will be sent beside read-outs.
+// What will be sent besides read-outs.
 Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
 {
     return cams.encoder.planned({job}).map([](const std::vector<Step> &steps) {

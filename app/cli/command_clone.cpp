@@ -27,7 +27,7 @@ constexpr std::array cloneOptions{
     ledgerOption,
 };
 
-// All that it tells, where it can be read.
+// Everything it reports, if it can be read.
 Checked<void> readFirst(const Call &call, const EncoderSession &from)
 {
     const EncoderJobs jobs = jobsToStore(from, call.arguments.has("--cams"));

@@ -23,7 +23,7 @@ struct Compared
     int differences = 0;
 };
 
-// Of several buses each has its heading.
+// With several buses each gets a heading.
 void compareBus(const Call &call, const Project &project, const BusAccess &access, Compared &all)
 {
     const EncoderBus &bus = access.bus();

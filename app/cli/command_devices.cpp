@@ -61,7 +61,7 @@ QString optionalText(const std::optional<unsigned> &number)
     return number ? QString::number(*number) : QStringLiteral("-");
 }
 
-// On a serial line a value is written and read by commands; a preset is set by one of its own.
+// On a serial line a value is written and read by commands; a preset is set by a command of its own.
 QString writtenBy(const ParameterDescription &parameter)
 {
     return parameter.writeCommand.isEmpty() ? optionalText(parameter.number)

@@ -47,7 +47,7 @@ constexpr NamedValue<WordDirection> directions[] = {{"in", WordDirection::in}, {
 constexpr NamedValue<Mode> modes[] = {
     {"position", Mode::position}, {"cam", Mode::cam}, {"velocity", Mode::velocity}};
 
-// One of a few keys; nothing where the option is not given.
+// One of a few keys; empty if the option is not given.
 template <typename T, std::size_t n>
 Checked<std::optional<T>> keyword(const Call &call, const char *option, const NamedValue<T> (&names)[n])
 {
@@ -73,7 +73,7 @@ Checked<QString> required(const Call &call, const char *option, const QString &v
                     {QString::fromLatin1(option), values});
 }
 
-// With the turns and steps of its label, where that is given. The key may name the device too.
+// With the turns and steps of its label, if given. The key may name the device too.
 Checked<DeviceDescription> labelledDevice(const Call &call, const QString &label,
                                           const std::optional<QString> &name)
 {
@@ -107,7 +107,7 @@ Checked<DeviceDescription> deviceMeant(const Call &call)
     return **deviceNamed(call.catalog, *key);
 }
 
-// The coding is parameter 3 of encoders that have it; where the make is not known, it is taken as theirs.
+// The coding is parameter 3 of encoders that have it; for an unknown make it is assumed to be so.
 Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDescription &device)
 {
     const auto given = call.arguments.value("--coding");
@@ -164,7 +164,7 @@ Checked<k3::ExplainContext> contextOf(const Call &call, const DeviceDescription 
     return context;
 }
 
-// What was not told and may leave fewer meanings.
+// What was not given and might narrow down the meanings.
 QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &context)
 {
     QStringList missing;

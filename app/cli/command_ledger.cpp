@@ -71,7 +71,7 @@ Complaint aboutLedger(const QString &file, const DatabaseError &error)
     return complaintAbout({RefusalKind::link, RefusalId::databaseFailed, {file, error.reason}});
 }
 
-// Looking makes no file: nothing where there is none.
+// Looking creates no file: empty if there is none.
 Checked<std::optional<Ledger>> existingLedger(const QString &file)
 {
     if (!QFileInfo::exists(file))
@@ -82,7 +82,7 @@ Checked<std::optional<Ledger>> existingLedger(const QString &file)
     return std::move(*ledger);
 }
 
-// By its file, or, of a serial number, by the device that the project has there.
+// By its file or, for a serial number, by the device that the project has there.
 bool isOfProject(const Call &call, const Ledger::Account &account)
 {
     if (call.project == nullptr)

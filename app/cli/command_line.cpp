@@ -45,7 +45,8 @@ QString whatWasDone(const Subcommand &command, const Answer &answer)
                           : CommandLine::tr("This was done:") + u'\n' + done.trimmed();
 }
 
-// The exit code where all was told on standard output; else standard error tells what was done.
+// The exit code if everything could be printed on standard output; otherwise standard error says what was
+// done.
 int asTold(int exit, const QString &done, const Terminal &terminal)
 {
     if (terminal.canPrint())
@@ -125,7 +126,7 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
 
 using Links = std::vector<std::unique_ptr<BusAccess>>;
 
-// One that cannot be made is left out, and told.
+// One that cannot be made is left out, and reported.
 Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog, const Terminal &terminal)
 {
     Links links;
@@ -159,7 +160,7 @@ Checked<void> startFaultPlan(const Call &call)
     return ringOfFaults(call).and_then([&](BusAccess *ring) { return ring->followFaultPlan(*file); });
 }
 
-// At a port that the project gives to no bus.
+// At a port that the project assigns to no bus.
 void noteForeignBuses(const Call &call, const Project *project)
 {
     if (project == nullptr || !needsBus(call.command, call.arguments))
@@ -196,7 +197,7 @@ int runOnLinks(const Subcommand &command, const Arguments &arguments, const Proj
     return runCommand(command, arguments, project, catalog, accesses, terminal);
 }
 
-// What is told without a bus: help and version. `command`: whose; empty of the program itself.
+// What needs no bus: help and version. `command`: whose; empty for the program itself.
 int printed(Answer answer, const Arguments &arguments, const QString &command, const Terminal &terminal)
 {
     if (arguments.has("--json")) {
@@ -281,7 +282,7 @@ bool makesPdf(const QStringList &words)
            });
 }
 
-// The command is the first word that is no option; the common options may stand before it.
+// The command is the first word that is not an option; the common options may come before it.
 int runCommandLine(const QStringList &words, const Terminal &terminal)
 {
     qsizetype place = 0;

@@ -64,7 +64,7 @@ Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
     return at.toMSecsSinceEpoch();
 }
 
-// By its name in the project, else by its number. Nothing: it is none.
+// By its name in the project, otherwise by its number. Empty: there is none.
 std::optional<BusId> busTyped(const Call &call, const QString &typed)
 {
     if (call.project != nullptr)
@@ -156,7 +156,7 @@ Complaint databaseComplaint(const QString &file, const DatabaseError &error)
     return complaintAbout({RefusalKind::link, RefusalId::databaseFailed, {file, error.reason}});
 }
 
-// The newest `last` that fit, oldest first.
+// The newest `last` that match, oldest first.
 Stored<std::vector<qint64>> newest(const MessageTable &table, const MessageFilter &filter, int last)
 {
     const auto span = table.span();
@@ -222,7 +222,7 @@ struct ExportTarget
     MessageWriter::Format format;
 };
 
-// Where to write them; nothing: they are listed.
+// Where to write them; empty: they are listed.
 Checked<std::optional<ExportTarget>> exportTargetOf(const Arguments &arguments)
 {
     const auto path = arguments.value("--export");
@@ -238,7 +238,7 @@ Checked<std::optional<ExportTarget>> exportTargetOf(const Arguments &arguments)
     return ExportTarget{*path, *format};
 }
 
-// Piece by piece: a million messages need no memory. What fails in the file is told when it is replaced.
+// Piece by piece: a million messages need no memory. Errors of the file are reported when it is replaced.
 Stored<void> writeAll(const MessageTable &table, const std::vector<qint64> &ids, MessageWriter &writer)
 {
     bool isWriting = writer.begin();
@@ -287,7 +287,7 @@ Checked<Answer> runMessages(const Call &call)
     if (!last)
         return tl::unexpected(last.error());
     const QString file = call.arguments.value("--file").value_or(messageFile(userJournalFolder()));
-    if (!QFileInfo::exists(file)) // looking makes none
+    if (!QFileInfo::exists(file)) // looking creates none
         return Answer{.text = sentence(CommandLine::tr("No messages are kept in %1."), {file}) + u'\n',
                       .json = {{QStringLiteral("messages"), QJsonArray()}}};
     const auto table = MessageTable::open(DatabasePlace::file(file));

@@ -35,7 +35,7 @@ struct WatchTime
     Instant interval; // from look to look
 };
 
-// Ends before its time with Ctrl+C, where the link is gone, and where nobody reads any more.
+// Ends early on Ctrl+C, if the link is gone, and when nobody reads any more.
 template <typename Look>
 void watch(const Call &call, BusAccess &bus, const WatchTime &time, Look look)
 {
@@ -49,7 +49,7 @@ void watch(const Call &call, BusAccess &bus, const WatchTime &time, Look look)
     }
 }
 
-// One row for each sample that differs from the one before.
+// One row for each sample that differs from the previous one.
 Answer watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
 {
     std::vector<Exchange> rows;
@@ -88,7 +88,7 @@ QJsonObject readingJson(const BusAccess &bus, Instant at, const Reading &reading
     return json;
 }
 
-// What says the same as the one before is no row, whenever it came.
+// What says the same as the previous reading is no row, whenever it came.
 Answer watchReadings(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
 {
     const Instant begin = bus.bus().now();

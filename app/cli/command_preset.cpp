@@ -60,7 +60,7 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     return job;
 }
 
-// All of it where it was done, else as far as something is known.
+// Everything if it was done, otherwise as far as something is known.
 QString whatIsKnown(const FinishedJob &job, const Reading &before, const EncoderSession &encoder)
 {
     const Outcome &outcome = job.outcome;

@@ -26,7 +26,7 @@ constexpr std::array readOptions{
     traceOption,
 };
 
-// The encoder cannot be read: what is known of it from what was written here.
+// The encoder cannot be read: what is known of it from writes made here.
 Answer whatIsKnown(const EncoderSession &encoder)
 {
     TextTable table;
@@ -55,10 +55,11 @@ Answer whatIsKnown(const EncoderSession &encoder)
     return answer;
 }
 
-// A value of a serial encoder that is text (manual, read command V); of no other, so it is no Parameter.
+// A value of a serial encoder that is text (manual, read command V); no other encoder has it, so it is not a
+// Parameter.
 const QString versionName = QStringLiteral("version");
 
-// What was named, of which the version is asked for in another way than the numbers.
+// What was named; the version in it is read in a different way than the numbers.
 struct NamedValues
 {
     std::vector<Parameter> parameters;

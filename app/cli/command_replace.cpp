@@ -110,7 +110,7 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
     return position;
 }
 
-// The new one stands there, whatever becomes of the writing.
+// The new one is in place, whatever becomes of the writing.
 Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, const Replacement &now,
                              std::optional<std::int64_t> position)
 {
@@ -125,7 +125,7 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
     return {};
 }
 
-// The encoder tells another one than was typed.
+// The encoder reports another one than was typed.
 Checked<void> checkSerial(const Call &call, Place place, const Replacement &now)
 {
     const auto other = call.buses.busOf(place)->isOther(place, now.device->key, now.serialNumber);
@@ -180,7 +180,7 @@ Checked<Answer> runReplace(const Call &call)
     if (!position)
         return tl::unexpected(position.error());
 
-    // Nothing that was known of the encoder before may be taken for the new one's.
+    // Nothing known of the old encoder may be taken for the new one's.
     EncoderBus &bus = *call.buses.busOf(place);
     if (const auto named = bus.name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
         return tl::unexpected(complaintAbout(named.error()));

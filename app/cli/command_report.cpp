@@ -68,7 +68,7 @@ Checked<ReportTarget> reportTargetOf(const Arguments &arguments)
     return ReportTarget{*path, *format};
 }
 
-// The cams of an encoder are read where the project wants some: its mode changes for it.
+// The cams of an encoder are read if the project wants any: its mode changes for that.
 EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encoder)
 {
     EncoderJobs jobs = jobsToStore(encoder, false);
@@ -91,7 +91,7 @@ Checked<AllowedRound> roundToRead(const Call &call, const Project &project)
     return eepromConsent(call, std::move(jobs), AsksAnyway::no);
 }
 
-// Reads what the encoders of the project have; why one could not be read, or nothing.
+// Reads what the encoders of the project have; returns why one could not be read, or nothing.
 std::optional<Complaint> readEncoders(const Call &call, const AllowedRound &round)
 {
     for (const EncoderResult &result : runToEnd(call, round, JobRound::AfterRefusal::goOn).results)
@@ -103,7 +103,7 @@ std::optional<Complaint> readEncoders(const Call &call, const AllowedRound &roun
     return std::nullopt;
 }
 
-// A report is read by people: with the group separators that the command line leaves out.
+// A report is read by people: with the group separators that the command line omits.
 class LocaleOfPeople
 {
 public:
@@ -138,7 +138,7 @@ Answer savedReport(const Call &call, const ReportInput &input, const ReportTarge
     return answer;
 }
 
-// Of the file that keeps the writes to encoders of this world, or the one named. Looking makes none.
+// From the file that keeps the writes to real encoders, or the one named. Looking creates none.
 Checked<void> addLedger(const Call &call, const QString &project, ReportInput &input)
 {
     const QString file = call.arguments.value("--ledger").value_or(ledgerFile(userJournalFolder()));

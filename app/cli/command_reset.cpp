@@ -49,7 +49,7 @@ QString warningText(const EncoderSession &encoder)
     return text + u'\n';
 }
 
-// Read back where that is possible, else the factory settings, by the confirmation.
+// Read back if possible, otherwise the factory settings, by the confirmation.
 ParameterValues valuesNow(const EncoderSession &encoder)
 {
     ParameterValues values;

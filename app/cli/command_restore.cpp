@@ -42,7 +42,7 @@ constexpr std::array restoreOptions{
     ledgerOption,
 };
 
-// Of an encoder that can tell its serial number the ledger keeps the values by that.
+// For an encoder that can report its serial number, the ledger keeps the values by that.
 Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession &encoder)
 {
     const LedgerKeeper *ledger = call.busOf(encoder.place()).ledger();
@@ -67,7 +67,7 @@ struct TimeSpan
     QDateTime until;
 };
 
-// To the minute, or to the second where one is given.
+// To the minute, or to the second if one is given.
 Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
 {
     const QString text = typed.contains(u'T') ? typed : now.date().toString(Qt::ISODate) + u'T' + typed;

@@ -28,7 +28,7 @@ constexpr std::array scanOptions{
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
 };
 
-// An option of a kind of bus does nothing where the link leads to none of it.
+// An option of a kind of bus would have no effect if the link leads to none of that kind.
 Checked<void> checkOptionsOfKinds(const Call &call)
 {
     for (const LinkKind *kind : linkKinds()) {
@@ -44,7 +44,7 @@ Checked<void> checkOptionsOfKinds(const Call &call)
     return {};
 }
 
-// What is in a file is not lost by a scan.
+// A scan must not overwrite a file.
 Checked<void> checkProjectIsFree(const Arguments &arguments)
 {
     const auto file = arguments.value("--save");
@@ -76,7 +76,7 @@ bool areSameFile(const QString &one, const QString &other)
     return !path.isEmpty() && path == QFileInfo(other).canonicalFilePath();
 }
 
-// That a bus of the link is none of the project is not to be seen else.
+// Nothing else shows that a bus of the link is not in the project.
 QString newBuses(const Call &call, const Project &found)
 {
     QStringList names;
@@ -115,8 +115,8 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
     answer.json.insert(QStringLiteral("saved"), *file);
 }
 
-// Of several buses each has its heading. "buses" has what each of them tells, and what only one of them tells
-// stands by itself as well.
+// With several buses each gets a heading. "buses" has what each of them reports, and what only one of them
+// reports is also given at the top level.
 void addFound(const Call &call, const BusAccess &bus, const Answer &found, QJsonArray &buses, Answer &answer)
 {
     QJsonObject json = found.json;
@@ -148,7 +148,7 @@ bool wasCancelled(const Answer &answer)
     return answer.complaint && answer.complaint->key == QStringLiteral("scanCancelled");
 }
 
-// What one bus refuses does not keep the others from being looked at.
+// A refusal by one bus does not keep the others from being scanned.
 Checked<Answer> runScan(const Call &call)
 {
     if (const auto checked = checkOptionsOfKinds(call); !checked)
@@ -176,7 +176,7 @@ Checked<Answer> runScan(const Call &call)
                  answer);
     }
     answer.json.insert(QStringLiteral("buses"), buses);
-    if (!wasCancelled(answer)) // what was not looked for any more is not gone
+    if (!wasCancelled(answer)) // what was no longer searched for is not gone
         saveFound(call, found, answer);
     return answer;
 }

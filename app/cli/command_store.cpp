@@ -37,8 +37,8 @@ constexpr std::array storeOptions{
 
 struct Meant
 {
-    std::vector<ProjectDevice> encoders{};                   // that stand where the project has them
-    std::vector<std::pair<ProjectDevice, Refusal>> others{}; // that do not
+    std::vector<ProjectDevice> encoders{};                   // that are where the project has them
+    std::vector<std::pair<ProjectDevice, Refusal>> others{}; // that are not
 };
 
 Meant sorted(const Call &call, const Project &project, const std::vector<ProjectDevice> &devices)
@@ -92,7 +92,7 @@ void showStored(const Call &call, const EncoderSession &encoder, const ProjectDe
                            {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}}));
 }
 
-// Of those that a signal kept from being read to the end.
+// Those that a signal kept from being read to the end.
 void leaveOut(Meant &meant, const std::vector<EncoderResult> &results)
 {
     for (const EncoderResult &result : results) {
@@ -104,7 +104,7 @@ void leaveOut(Meant &meant, const std::vector<EncoderResult> &results)
     }
 }
 
-// Nothing is stored of them: what stands there now may be another.
+// Nothing is stored of them: what is there now may be a different one.
 void showOthers(const Call &call, const Meant &meant, Answer &answer)
 {
     QJsonArray json;

@@ -40,7 +40,7 @@ constexpr std::array writeOptions{
     traceOption,
 };
 
-// How the encoder stood before the job and after it: a rod may have another scale afterwards.
+// The state of the encoder before the job and after it: a rod may have another scale afterwards.
 struct Stand
 {
     Reading reading;
@@ -58,7 +58,7 @@ void takePositions(const Outcome &outcome, Stand &before, Stand &after)
     after.reading.position = outcome.positionAfter;
 }
 
-// A rod shows its last position in error as well.
+// A rod shows its last position even in error.
 bool showsPosition(const Reading &reading)
 {
     return reading.state == EncoderState::operation || reading.position;

@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// In the order of the help; those of the kinds of buses come between.
+// In the order of the help; those of the kinds of bus come in between.
 constexpr std::array firstCommands{
     &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
     &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// One file each: command_devices.cpp, ... Kinds of buses bring more (link_kind.h).
+// One file each: command_devices.cpp, ... Kinds of bus add more (link_kind.h).
 extern const Subcommand devicesCommand;
 extern const Subcommand scanCommand;
 extern const Subcommand compareCommand;
@@ -30,7 +30,7 @@ extern const Subcommand ledgerCommand;
 // In the order of the help.
 std::vector<const Subcommand *> allCommands();
 const Subcommand *findCommand(const QString &name);
-// Those that each command has, --json first.
+// The ones that every command has, --json first.
 std::span<const Option> commonOptions();
 std::vector<Option> ownOptionsOf(const Subcommand &command);
 // Its own and the common ones.

@@ -6,10 +6,10 @@
 namespace codewheel {
 
 // How the program ends; scripts rely on the numbers. `refused`: not done, not known whether it was done, or
-// done and not told, since standard output could not be written.
+// done but not reported, since standard output could not be written.
 enum class ExitCode { done = 0, refused = 1, badInput = 2 };
 
-// Why a call was not done: a sentence for people, a key and arguments for programs.
+// Why a call was not carried out: a sentence for people, a key and arguments for programs.
 struct Complaint
 {
     ExitCode exit = ExitCode::badInput;
@@ -25,7 +25,7 @@ using Checked = tl::expected<T, Complaint>;
 tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
                                    std::vector<RefusalArgument> arguments = {});
 
-// What core refused: exit 2 where the input is to blame, 1 where encoder or bus are.
+// What core refused: exit 2 if the input is to blame, 1 if encoder or bus are.
 Complaint complaintAbout(const Refusal &refusal);
 
 } // namespace codewheel

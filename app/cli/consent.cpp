@@ -38,7 +38,7 @@ QString nothingSaved()
 
 Checked<void> checkTargetFile(const Arguments &arguments, const QString &path, const QString &whereThere)
 {
-    // What is in a file is not lost.
+    // No file is overwritten unasked.
     if (!arguments.has("--yes") && QFileInfo::exists(path))
         return badInput(QStringLiteral("fileExists"), whereThere, {path});
     if (const auto can = checkReplaceable(path); !can)

@@ -9,12 +9,12 @@ namespace codewheel {
 Checked<void> checkWasShown(const Call &call);
 
 // Whether the user wants what was just shown: --yes, or yes to the question. Nobody is asked where nobody can
-// answer, or where the answer is for a program; `howWithoutAsking` tells what is needed then.
+// answer, or if the answer is for a program; `howWithoutAsking` says what is needed then.
 Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking);
 
 QString nothingSaved();
-// Before anything is done: whether the file can be made that the call is to leave behind. One that is there
-// already is replaced with --yes only; `whereThere` says so, with %1 for the file.
+// Before anything is done: whether the file that the call is to leave behind can be created. An existing file
+// is only replaced with --yes; `whereThere` says so, with %1 for the file.
 Checked<void> checkTargetFile(const Arguments &arguments, const QString &path,
                               const QString &whereThere = nothingSaved());
 

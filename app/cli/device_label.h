@@ -10,7 +10,8 @@ class Catalog;
 // What the key on a label says, and which devices it may belong to.
 Checked<Answer> labelAnswer(const Catalog &catalog, const QString &typed);
 
-// Whether the description file at `path` is sound. Not refused for what the user's folder has of it already.
+// Whether the description file at `path` is valid. What the user's folder already has of it is no reason to
+// reject it.
 Answer checkAnswer(const QString &path);
 
 } // namespace codewheel

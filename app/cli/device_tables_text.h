@@ -7,8 +7,7 @@
 
 namespace codewheel {
 
-// What the manual's tables say of a device: connectors, LEDs, supply, limits, ordering key. Empty where it
-// has none.
+// The manual's tables for a device: connectors, LEDs, supply, limits, ordering key. Empty if it has none.
 QString deviceTablesText(const DeviceDescription &device);
 // The same; texts in the user's language.
 QJsonObject deviceTablesJson(const DeviceDescription &device);

@@ -36,7 +36,7 @@ Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
     };
     const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
     if (isMeant(named) ||
-        std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
+        std::ranges::any_of(named.split(u','), isMeant)) // several, in commands for several encoders
         return {};
     if (canAsk(call) &&
         isMeant(call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place}))))

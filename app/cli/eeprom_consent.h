@@ -10,7 +10,7 @@ namespace codewheel {
 
 struct Call;
 
-// Of the commands that may write to an EEPROM.
+// For the commands that may write to an EEPROM.
 inline constexpr Option beyondLimitOption{
     "--beyond-eeprom-limit", "PLACE",
     QT_TRANSLATE_NOOP("codewheel::CommandLine", "write even where the manual guarantees nothing any more: "
@@ -28,9 +28,9 @@ enum class AsksAnyway { yes, no };
 // What has to be said and agreed to before a job, by how often this program has written to the EEPROM
 // (journal/eeprom_cost.h). `asks`: the command asks before it writes; --yes answers.
 Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks);
-// Of what else writes, as often as told.
+// For anything else that writes, this many times.
 Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, int writes, AsksAnyway asks);
-// Of each encoder, for all of its jobs together.
+// For each encoder, covering all of its jobs.
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks);
 
 } // namespace codewheel

@@ -15,7 +15,7 @@ QString optionLines(std::span<const Option> options)
 {
     TextTable table;
     for (const Option &option : options) {
-        if (!option.help) // a short form of the one before
+        if (!option.help) // a short form of the previous one
             continue;
         QString name = QString::fromLatin1(option.name);
         if (option.value)

@@ -10,8 +10,8 @@ namespace codewheel {
 
 class EncoderSession;
 
-// What goes over a bus while jobs run, for --trace. Collects as long as it lives; of a bus that tells nothing
-// of it, nothing.
+// What goes over a bus while jobs run, for --trace. Collects as long as it lives; for a bus that reports no
+// traffic, nothing.
 class JobTrace
 {
 public:
@@ -19,8 +19,8 @@ public:
     virtual ~JobTrace() = default;
     Q_DISABLE_COPY_MOVE(JobTrace)
 
-    virtual void begin(const EncoderSession &) {} // how the encoder stands before a job
-    // Of the encoder at this place.
+    virtual void begin(const EncoderSession &) {} // the state of the encoder before a job
+    // For the encoder at this place.
     virtual QString text(Place) const { return {}; }
     virtual QJsonArray json(Place) const { return {}; }
 };

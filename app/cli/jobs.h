@@ -23,22 +23,23 @@ inline constexpr Option traceOption{
 struct FinishedJob
 {
     Outcome outcome;
-    Progress lastStep; // that was begun
+    Progress lastStep; // that was started
     std::shared_ptr<const JobTrace> trace;
     bool wasCancelled = false; // by a signal, whatever came of it
 };
 
-// Runs a job to its end, by the clock of its bus. Ctrl+C cancels it: what was sent is waited for, and read.
+// Runs a job to its end, by the clock of its bus. Ctrl+C cancels it: the answer to what was sent is awaited
+// and read.
 FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
-// The same, and what goes over the bus is added to a trace.
+// The same, adding what goes over the bus to a trace.
 Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 
-// With --trace: the words or requests that went over the bus, before what the answer says already.
+// With --trace: the words or requests that went over the bus, before what the answer already says.
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
 QString eepromWritesLine(int writes); // "EEPROM writes:   1"
 Complaint aboutCancelling();
-// About a job that was refused, and about its link, where that is gone.
+// About a job that was refused, and about its link if that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
 
 } // namespace codewheel

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// The key of a value for programs, of a table of all of them.
+// The key of a value for programs, from a table of all of them.
 template <typename Enum, std::size_t size>
 QString keyOf(const NamedValue<Enum> (&names)[size], Enum value)
 {

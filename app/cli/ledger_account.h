@@ -9,14 +9,14 @@ namespace codewheel {
 
 class LedgerKeeper;
 
-// Whether the EEPROM writes of a call come into the ledger. What goes wrong with the file is told at once,
-// and at the end of the call for its exit code.
+// Whether the EEPROM writes of a call get into the ledger. Problems with the file are reported at once, and
+// at the end of the call for its exit code.
 class LedgerAccount
 {
 public:
     LedgerAccount(const std::vector<BusAccess *> &links, const Terminal &terminal);
 
-    // Nothing: all is entered.
+    // Empty: everything is entered.
     std::optional<Complaint> complaint() const;
 
 private:

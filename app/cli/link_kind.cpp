@@ -74,7 +74,7 @@ Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
                     {*protocol, where, listed(those, &LinkKind::bus)});
 }
 
-// The last one would win, and nobody would know.
+// The last one would silently win.
 Checked<void> checkEachOnce(const QStringList &settings)
 {
     QStringList keys;
@@ -97,7 +97,7 @@ std::vector<MakeLink> trainingLinks(const Project *project)
     return links;
 }
 
-// Of these kinds. `link`: as it is typed.
+// For these kinds. `link`: as typed.
 Checked<std::vector<MakeLink>> plannedLinks(const std::vector<const LinkKind *> &those, const QString &link,
                                             const QStringList &settings, const Project *project)
 {

@@ -19,7 +19,7 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
 // A value as the user types it: a number, or the key of a choice.
 Checked<std::int64_t> valueFrom(const ParameterDescription &parameter, const QString &text);
 
-// The device of this key, or the keys there are.
+// The device with this key; the complaint lists the existing keys.
 Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key);
 // A process-data word: up to eight hexadecimal digits, as the manuals print them.
 Checked<Word> wordFrom(const QString &text);

@@ -7,10 +7,10 @@
 
 namespace codewheel {
 
-// A value with its name as it is typed, and the number behind it: "cw (3)"; else as valueText().
+// A value with its name as typed, followed by the number: "cw (3)"; otherwise as valueText().
 QString typedValue(const ParameterDescription &parameter, std::int64_t value,
                    const std::optional<ValueOptions> &options = {});
-// The same of a device that may not be known, or lack it: a number then.
+// The same for a device that may be unknown, or lack it: then a number.
 QString typedValue(const DeviceDescription *device, const ParameterValue &value);
 // "1..33554431", "cw (3), ccw (4)"; the same in every language
 QString rangeText(const ParameterDescription &parameter);

@@ -29,7 +29,7 @@ std::vector<Place> placesOn(const std::vector<BusAccess *> &buses, const QString
     return places;
 }
 
-// Of all buses of the project, or of this one.
+// On all buses of the project, or on this one.
 std::vector<Place> placesAt(const Project *project, const QString &station, std::optional<BusId> bus)
 {
     std::vector<Place> places;
@@ -61,7 +61,7 @@ QString list(const Call &call, const std::vector<Place> &places)
     return listed(places, [&](Place place) { return named(call, place); });
 }
 
-// Of a place that several buses do not have.
+// For a place that none of several buses has.
 Complaint onNone(const Call &call, const std::vector<Place> &places, const QString &typed)
 {
     std::vector<Place> there;
@@ -105,7 +105,7 @@ Checked<Place> atStation(const Call &call, const Project &project, const std::ve
     return bus->checkStation(project, station).map([&] { return place; });
 }
 
-// Of a kind that the link has no bus of.
+// A kind of which the link has no bus.
 const LinkKind *kindOfPlace(const QString &typed)
 {
     for (const LinkKind *kind : linkKinds())
@@ -168,7 +168,7 @@ tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
                     {name, listed(call.links, &BusAccess::name)});
 }
 
-// Of these buses of one kind the one that the option names.
+// The one of these buses of one kind that the option names.
 Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &buses, const Option &option)
 {
     const auto name = call.arguments.value(option.name);
@@ -229,7 +229,7 @@ Checked<BusAccess *> busNamed(const Call &call, const QString &name)
                     {name});
 }
 
-// A text that is a station as it stands, and a place behind the name of a bus too, is neither.
+// A text that is both a station as it is and a place after the name of a bus counts as neither.
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed)
 {
     const qsizetype slash = typed.indexOf(u'/');

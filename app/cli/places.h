@@ -17,27 +17,27 @@ inline constexpr Option deviceOption{
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "take the encoder for this one: a name of \"devices\", or the key on its label")};
 
-// The place that is typed so: a place as its kind of bus writes it, on the one bus of the call that has it;
-// the station of a device of the project; or either of them behind the name of a bus or its number, "Crane
-// 2/1.0". Refused where several are meant, with the choices. The place as it is written in full goes before a
-// station of the same text, and that before a short form ("05").
+// The place typed as `typed`: a place as its kind of bus writes it, on the one bus of the call that has it;
+// the station of a device of the project; or either of them after the name of a bus or its number, "Crane
+// 2/1.0". Refused if several are possible, with the choices. A place written in full takes precedence over a
+// station of the same text, and that over a short form ("05").
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed);
 
-// The bus of the call that has this name, else this number.
+// The bus of the call with this name, otherwise with this number.
 Checked<BusAccess *> busNamed(const Call &call, const QString &name);
 
-// "bus", its number, "busName" and "place", of what is told to programs.
+// "bus", its number, "busName" and "place", for programs.
 QJsonObject placeJson(const Call &call, Place place, QJsonObject more = {});
 void addPlace(QJsonObject &json, const Call &call, Place place);
 void addBus(QJsonObject &json, const BusAccess &bus); // "bus" and "busName"
 
-// The encoder at the PLACE the call names, so far that it shows where it stands. With --device it is named
+// The encoder at the PLACE the call names, to the point that it shows its position. With --device it is named
 // first, for this call.
 Checked<EncoderSession *> encoderAt(const Call &call);
-// The same at what is typed, whatever --device says.
+// The same for `typed`, whatever --device says.
 Checked<EncoderSession *> encoderAt(const Call &call, const QString &typed);
 
-// Of a command on one encoder: carried out on the one that encoderAt() finds; its answer tells place and
+// For a command on one encoder: carried out on the one that encoderAt() finds; its answer gives place and
 // device.
 template <Checked<Answer> (*command)(const Call &, EncoderSession &)>
 Checked<Answer> atPlace(const Call &call)
@@ -53,7 +53,8 @@ Checked<Answer> atPlace(const Call &call)
     });
 }
 
-// What a name of the catalog, or the key on a label, means at a place of the bus. 0: the key does not tell.
+// What a name from the catalog, or the key on a label, means at a place of the bus. 0: the key does not give
+// it.
 struct NamedDevice
 {
     QString key;
@@ -61,14 +62,14 @@ struct NamedDevice
     int stepsPerTurn = 0;
 };
 Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed);
-// The device at the place is the one that --device names, if it is given.
+// Names the device at the place as --device says, if it is given.
 Checked<void> nameDevice(const Call &call, Place place);
 
 std::vector<BusAccess *> busesOf(const Call &call, const QString &kind); // of this kind
-// The bus of this kind that --bus names; without it the only one of the link. Refused where it leads to none,
-// or to several.
+// The bus of this kind that --bus names; without it the only one of the link. Refused if it leads to none, or
+// to several.
 Checked<BusAccess *> busMeant(const Call &call, const QString &kind);
-// The ring of --fault-plan, which --fault-bus names where there are several.
+// The ring of --fault-plan, which --fault-bus names if there are several.
 Checked<BusAccess *> ringOfFaults(const Call &call);
 inline constexpr Option faultBusOption{
     "--fault-bus", "BUS",

@@ -11,12 +11,12 @@
 
 namespace codewheel {
 
-// A position in steps, and in millimetres where the scale of a rod is known; where there is none, what the
-// encoder shows instead, and what is missing.
+// A position in steps, and in millimetres if the scale of a rod is known; if there is none, what the encoder
+// shows instead, and what is missing.
 QString positionText(std::optional<std::int64_t> position, const Reading &shown,
                      const std::optional<RodScale> &scale = {});
 
-// The state a job has left the encoder in, and what becomes of its position there.
+// The state a job has left the encoder in, and what that means for its position.
 QString whereItWasLeft(const Reading &left);
 
 } // namespace codewheel

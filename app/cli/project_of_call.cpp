@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-// Of the call, else of its project; nothing: nobody has named it.
+// Named by the call, otherwise by its project; empty: nobody has named it.
 std::optional<NamedBus> namedBus(const Call &call, BusId bus)
 {
     if (const BusAccess *access = call.findBus(bus))

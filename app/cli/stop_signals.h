@@ -7,9 +7,9 @@
 
 namespace codewheel {
 
-// What asks the program to end, as something to wait for, as long as it lives: SIGINT and SIGTERM, SIGHUP
-// where it is not ignored (as with nohup), and SIGPIPE, since nobody listens any more. Used by commands that
-// run until they are told to end, or that say what they have done before they do.
+// As long as it lives, turns what asks the program to end into something to wait for: SIGINT and SIGTERM,
+// SIGHUP unless it is ignored (as with nohup), and SIGPIPE, since nobody is listening any more. Used by
+// commands that run until they are told to end, or that say what they have done before they do.
 class StopSignals
 {
 public:
@@ -18,7 +18,7 @@ public:
         ::sigemptyset(&m_signals);
         ::sigaddset(&m_signals, SIGINT);
         ::sigaddset(&m_signals, SIGTERM);
-        ::sigaddset(&m_signals, SIGPIPE); // main() ignores it; what is blocked comes nevertheless
+        ::sigaddset(&m_signals, SIGPIPE); // main() ignores it; while blocked it arrives all the same
         if (!isIgnored(SIGHUP))
             ::sigaddset(&m_signals, SIGHUP);
         ::pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);

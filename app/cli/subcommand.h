@@ -26,10 +26,10 @@ struct Call
     const Arguments &arguments;
     const Catalog &catalog;
     const Terminal &terminal;
-    std::vector<BusAccess *> links; // the buses that the link leads to; of a command that needs none, none
-    const Buses &buses;             // of them, as far as they are open
-    const Project *project;         // of --project; null without it
-    const Project *named;           // the first argument; null of commands that name none
+    std::vector<BusAccess *> links; // the buses that the link leads to; empty for a command that needs none
+    const Buses &buses;             // those of them that are open
+    const Project *project;         // from --project; null without it
+    const Project *named;           // the first argument; null for commands that name none
 
     BusAccess *findBus(BusId bus) const; // null: the link does not lead there
     BusAccess &busOf(Place place) const; // of an encoder of the call
@@ -49,9 +49,9 @@ struct Subcommand
     int maximumArguments;
     bool needsBus;
     bool needsLinks = false;         // for what is known of its buses before they are opened
-    const char *busOption = nullptr; // needs it with this option only
+    const char *busOption = nullptr; // needs it only with this option
     bool namesProject = false;       // its first argument is a project
-    bool answersInLines = false;     // with --json: a line for each object, the last one as of every command
+    bool answersInLines = false;     // with --json: one line per object, the last one as for every command
     bool textIsAccount = false;      // the text of its answer tells what was done to encoders or files
     Checked<Answer> (*run)(const Call &call);
 };

@@ -7,9 +7,9 @@
 
 namespace codewheel {
 
-// Where the command line reads and writes. A test gives it streams of its own and answers its questions.
-// Whatever is said goes through here, and steers no terminal (encoder/shown_text.h): JSON stays what it was,
-// since the escapes are its own.
+// Where the command line reads and writes. A test provides its own streams and answers the questions. All
+// output goes through here, and none of it can control a terminal (encoder/shown_text.h): JSON stays what it
+// was, since the escapes are JSON's own.
 struct Terminal
 {
     std::istream &in;
@@ -21,12 +21,12 @@ struct Terminal
 
     void print(const QString &text) const; // all of it at once
     bool canPrint() const { return printError == 0; }
-    QString whyNotPrinted() const;            // the reason of the system
+    QString whyNotPrinted() const;            // the system's reason
     void complain(const QString &text) const; // one line on err
-    // One line on err in place of the one before, where somebody sees it; empty: none any more.
+    // One line on err replacing the previous one, if somebody sees it; empty: removes it.
     void showProgress(const QString &text) const;
     static bool isYes(const QString &typed);
-    // Asks for yes or no. Anything but yes is no, the end of the input too.
+    // Asks for yes or no. Anything but yes is no, including the end of the input.
     bool confirms(const QString &question) const;
     // What is typed in answer; empty at the end of the input.
     QString answer(const QString &question) const;

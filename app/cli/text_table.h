@@ -9,18 +9,18 @@
 
 namespace codewheel {
 
-// Lines of text in columns, two spaces apart, for the terminal. A line without columns is an empty one.
+// Lines of text in columns, two spaces apart, for the terminal. A line without columns is empty.
 class TextTable
 {
 public:
     enum class Align { left, right };
 
-    // `columns` that are not named are aligned left.
+    // `columns` that are not given are aligned left.
     explicit TextTable(std::vector<Align> columns = {})
         : m_columns(std::move(columns))
     {}
 
-    // What would steer the terminal, or break the line, becomes an escape.
+    // What would control the terminal, or break the line, is escaped.
     void add(QStringList cells);
     // Every line ends with a line break and without trailing spaces.
     QString toString(int indent = 0) const;
@@ -30,7 +30,7 @@ private:
     std::vector<QStringList> m_lines;
 };
 
-// "1204.5": milliseconds of the time of a bus.
+// "1204.5": milliseconds on the clock of a bus.
 QString rowTime(Instant at);
 
 } // namespace codewheel

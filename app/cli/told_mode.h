@@ -8,12 +8,12 @@
 
 namespace codewheel {
 
-// Of commands whose words would set a cam in cam mode.
+// For commands whose words would set a cam in cam mode.
 inline constexpr Option inPositionModeOption{
     "--in-position-mode", nullptr,
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "say that the encoder is not in cam mode, where the same word sets a cam")};
-// The user says so with that option. Asked for only where the mode is not known.
+// The user says so with that option. Only needed if the mode is not known.
 inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
 {
     constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2

@@ -16,7 +16,7 @@ ExplainedExchange meanings(const DeviceDescription &device, const std::vector<Ex
     return explainExchange(device, rows[i], askedWord(rows[i], i > 0 ? &rows[i - 1] : nullptr));
 }
 
-// The position of a rod that stands in IN.
+// The position of a rod that is in IN.
 std::optional<std::int64_t> rodPosition(const DeviceDescription &device, const Explanation &in)
 {
     if (device.profile != Profile::la66)

@@ -11,8 +11,8 @@
 
 namespace codewheel {
 
-// Rows of words as the manuals print them: cycle, OUT, IN, and what both mean. Positions of a rod are told in
-// millimetres too where its scale is known.
+// Rows of words as the manuals print them: cycle, OUT, IN, and what both mean. Positions of a rod are also
+// given in millimetres if its scale is known.
 QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows,
                   const std::optional<RodScale> &scale = {});
 QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows,

@@ -71,7 +71,7 @@ Checked<void> checkReport(const Arguments &arguments)
     return checkTargetFile(arguments, *path);
 }
 
-// What went wrong with the encoders goes before what goes wrong here.
+// What went wrong with the encoders comes before what goes wrong here.
 void addReport(const Call &call, const TransferAccount &account, Answer &answer)
 {
     const auto path = call.arguments.value("--report");
@@ -89,7 +89,7 @@ void addReport(const Call &call, const TransferAccount &account, Answer &answer)
         answer.complaint = complaintAbout(saved.error());
 }
 
-// The first encoder that has not got all of it says why.
+// The first encoder that does not have everything says why.
 std::optional<Complaint> complaintAboutAccount(const Call &call, const TransferAccount &account)
 {
     const auto failed = std::ranges::find_if_not(account.encoders, &EncoderAccount::isDone);
@@ -181,7 +181,7 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
 
 Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes)
 {
-    StopSignals stop; // between two reads, too
+    StopSignals stop; // also between two reads
     for (const TransferWish &wish : wishes)
         if (!readBefore(call, wish) || stop.came())
             return tl::unexpected(aboutCancelling());

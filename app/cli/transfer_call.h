@@ -16,9 +16,9 @@
 
 namespace codewheel {
 
-// What the commands about several encoders have in common.
+// What the commands for several encoders have in common.
 
-// Who is named twice is meant once.
+// Anything named twice counts once.
 template <typename T>
 void addOnce(std::vector<T> &all, const T &one)
 {
@@ -30,15 +30,15 @@ void addOnce(std::vector<T> &all, const T &one)
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project);
 // That none of these, which the project has, is what was typed.
 Complaint noSuchDevice(const QString &typed, const std::vector<ProjectDevice> &devices);
-// So that each encoder shows where it stands, or it is known whether it is there (BusAccess::lookFor). A bus
-// that cannot be reached, or not to the end, is told, and given back; it is refused where none can.
+// Lets each encoder show its position, or finds out whether it is there (BusAccess::lookFor). A bus that
+// cannot be reached, or not to the end, is reported and returned; refused if none can be reached.
 Checked<std::set<BusId>>
 contactAll(const Call &call, const std::vector<ProjectDevice> &devices,
            Checked<void> (BusAccess::*how)(const Call &, const ProjectDevice &) = &BusAccess::contact);
 
 // The devices of the project named in the call by place or station, from its second argument on; without any,
-// all that the link leads to; each once, and so that it shows where it stands. Refuses a place that the
-// project does not have. Takes the encoders of the buses for those of the project.
+// everything the link leads to; each once, and showing its position. Refuses a place that the project does
+// not have. Takes the encoders of the buses for those of the project.
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file);
 
@@ -50,7 +50,7 @@ struct TracedEncoder
     QJsonArray json;
 };
 
-// A round of jobs, by the time of the buses. Ctrl+C ends it: what was sent is waited for.
+// A round of jobs, by the time of the buses. Ctrl+C ends it: the answer to what was sent is awaited.
 struct FinishedRound
 {
     std::vector<EncoderResult> results;
@@ -60,18 +60,18 @@ struct FinishedRound
 FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace
 
-// What is to be written, with Operate where the link does not begin in it. An encoder that shows its position
-// while it is read is read before: what is shown is what is sent. A signal ends it, and nothing is planned.
-// An encoder whose bus is gone has that as its hindrance.
+// What is to be written, switching to Operate if the link does not start in it. An encoder that shows its
+// position while it is read is read first: so what is shown is what is sent. A signal ends it, and nothing is
+// planned. An encoder whose bus is gone has that as its hindrance.
 Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes);
 
-// Shows the plan, asks, writes, accounts. With --dry-run the plan only; with --stop the rest is not begun
-// after a refusal; with --report FILE the account is saved. `agreed` is called before anything is written;
-// what it complains about ends the transfer there.
+// Shows the plan, asks, writes, accounts. With --dry-run only the plan; with --stop the rest is not started
+// after a refusal; with --report FILE the account is saved. `agreed` is called before anything is written; if
+// it complains, the transfer ends there.
 Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan,
                 const std::function<Checked<void>()> &agreed = {});
 
-// The options of all of them but deviceOption.
+// The options of all of them except deviceOption.
 inline constexpr Option transferYes{"--yes", nullptr,
                                     QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")};
 inline constexpr Option transferDryRun{

@@ -19,7 +19,7 @@ QString accountText(const Call &call, const TransferAccount &account);
 QJsonArray accountJson(const Call &call, const TransferAccount &account);
 // null, or {"key", "text"}
 QJsonValue refusalJson(const std::optional<Refusal> &refusal);
-// Of `replace`.
+// For `replace`.
 QJsonObject differencesJson(const ReplacementDifferences &differences);
 
 } // namespace codewheel

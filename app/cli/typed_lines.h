@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-// Lines as they are typed or come out of a pipe, while something else goes on. Used by commands that answer
+// Lines as they are typed or come from a pipe, while something else goes on. Used by commands that answer
 // each line.
 class TypedLines
 {
@@ -20,8 +20,8 @@ public:
         : m_terminal(terminal)
     {}
 
-    // The next line; nothing at the end of the input, and once Ctrl+C was pressed. `meanwhile` is called
-    // again and again until there is one, and ends the waiting with false; without it the waiting is quiet.
+    // The next line; empty at the end of the input, and after Ctrl+C. `meanwhile` is called repeatedly until
+    // there is one, and ends the wait by returning false; without it nothing is done while waiting.
     std::optional<QString> next(const std::function<bool()> &meanwhile = {});
     bool isStopped() { return m_isStopped = m_isStopped || m_stop.came(); } // by Ctrl+C
 

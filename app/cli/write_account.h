@@ -16,7 +16,7 @@ public:
     Q_DISABLE_COPY_MOVE(WriteAccount)
 
     QString toText() const;
-    // What only this kind of bus tells of it.
+    // What only this kind of bus has to say about it.
     virtual QJsonObject toJson() const { return {}; }
     virtual QString whereItWasLeft() const; // in a sentence
 

@@ -47,7 +47,7 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
                    typedValue(parameter, row.wanted.value),
                    row.step ? sentText(*row.step) : CommandLine::tr("left out: already there")});
     }
-    const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need none
+    const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need no run
     if (!plan.jobs.empty() && endsWithRun)
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),

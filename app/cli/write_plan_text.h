@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // What `write` is about to do, shown before anything is written: each value, what is known of it, and the
-// word, or the command on a serial line, that will carry it; and what it means.
+// word, or the command on a serial line, that will carry it; and the consequences.
 QString writePlanText(const EncoderSession &encoder, const WritePlan &plan);
 QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan);
 QJsonArray valueNotesJson(const std::vector<ValueNote> &notes); // [{"key", "arguments"}]

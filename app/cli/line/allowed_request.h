@@ -8,11 +8,11 @@ namespace codewheel {
 
 using Encoders = std::vector<const EncoderSession *>;
 
-// A typed request that may be sent as far as the EEPROM of its encoder is concerned: as AllowedJob.
+// A typed request that may be sent as far as the EEPROM of its encoder is concerned, like AllowedJob.
 class AllowedRequest
 {
 public:
-    // Nothing where it writes: that is asked for.
+    // Empty if it writes: that needs consent.
     static std::optional<AllowedRequest> reading(const esc::Request &request)
     {
         if (esc::shapeOf(request.command).writes)
@@ -32,7 +32,7 @@ private:
     esc::Request m_request;
 };
 
-// Of one that writes, which has been agreed to; it counts as one write of each of these encoders.
+// For one that writes, which has been agreed to; it counts as one write for each of these encoders.
 inline Checked<AllowedRequest> requestConsent(const Call &call, const Encoders &encoders,
                                               const esc::Request &request)
 {

@@ -68,7 +68,7 @@ Checked<std::vector<LineAddress>> silentOnes(const Arguments &arguments)
     return silent;
 }
 
-// The options with a number; the first that is wrong is told.
+// The options that take a number; the first wrong one is reported.
 Checked<void> takeNumbers(const Arguments &arguments, ServePlan &plan)
 {
     int delay = 0;
@@ -155,7 +155,7 @@ Checked<Answer> runServe(const Call &call)
     ServedLine served(line, *port);
     StopSignals stop;
     call.terminal.print(port->path() + u'\n');
-    if (call.terminal.canPrint()) // else nobody knows the port
+    if (call.terminal.canPrint()) // otherwise nobody knows the port
         serve(served, *port, stop);
     return Answer{{}, {{QStringLiteral("port"), port->path()}}};
 }

@@ -40,7 +40,7 @@ constexpr std::array terminalOptions{
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send what writes without asking")},
 };
 
-// A row with its own widths, since the rows to come are not known.
+// A row with widths of its own, since the rows to come are not known.
 QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
 {
     constexpr int timeWidth = 9;
@@ -63,13 +63,13 @@ Complaint aboutNobodyKnown()
                             "them with --project.")};
 }
 
-// One call on its way.
+// One call in progress.
 class TypedCall
 {
 public:
     TypedCall(const Call &call, LineAccess &access);
 
-    // Sends what was typed and waits for its answer. False: nothing else is to be sent.
+    // Sends what was typed and waits for its answer. False: nothing more is to be sent.
     bool take(const QString &typed);
     bool listen() { return m_access.advance(m_access.lookInterval()) && goesOn(); }
     TypedLines &lines() { return m_lines; }
@@ -88,7 +88,7 @@ private:
     Checked<void> askToWrite(const esc::Request &request);
     bool wasSent() const { return m_answered && m_answered->result.sent > 0; }
     QString whatWasDone() const;
-    bool goesOn() const { return m_call.terminal.canPrint(); } // else nobody sees what comes
+    bool goesOn() const { return m_call.terminal.canPrint(); } // otherwise nobody sees what comes
     Checked<Encoders> identified(LineAddress address);
     Checked<void> contact(LineAddress address);
     Checked<void> contactEverybody();
@@ -106,7 +106,7 @@ private:
     std::vector<Written> m_written;
     std::optional<TypedAnswered> m_answered;
     std::optional<Complaint> m_complaint; // the first
-    bool m_isPolling = false;             // to know an encoder
+    bool m_isPolling = false;             // to get to know an encoder
 };
 
 TypedCall::TypedCall(const Call &call, LineAccess &access)
@@ -135,7 +135,7 @@ void TypedCall::show(const esc::LineRow &row)
         m_call.terminal.print(terminalRow(passed, explain));
 }
 
-// Who sits there may go on; a script ends with the first that is wrong.
+// A user may go on; a script ends at the first error.
 bool TypedCall::fail(const Complaint &complaint)
 {
     if (isAnswered()) {
@@ -209,10 +209,10 @@ Checked<void> TypedCall::askToWrite(const esc::Request &request)
     return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
 }
 
-// Whose EEPROM it may be, each by its serial number, which is what its writes are counted by.
+// Whose EEPROM it may be, each with its serial number, by which its writes are counted.
 Checked<Encoders> TypedCall::identified(LineAddress address)
 {
-    constexpr Instant longestPoll = 50ms; // that is under way
+    constexpr Instant longestPoll = 50ms; // one that is under way
     const QScopedValueRollback polling(m_isPolling, true);
     m_line.setRunning(true);
     const auto known = address.isMaster() ? contactEverybody() : contact(address);
@@ -237,7 +237,7 @@ Checked<void> TypedCall::contact(LineAddress address)
     return {};
 }
 
-// At the master address: the encoders of the project; without one, who is alone there.
+// At the master address: the encoders of the project; without one, whoever is alone there.
 Checked<void> TypedCall::contactEverybody()
 {
     const auto planned = m_call.project != nullptr ? devicesOn(*m_call.project, m_line.id())
@@ -248,7 +248,7 @@ Checked<void> TypedCall::contactEverybody()
     return planned.empty() ? contactWhoIsAlone() : Checked<void>();
 }
 
-// That another was asked for before does not say that it is alone.
+// That a different one was asked for before does not mean that it is alone.
 Checked<void> TypedCall::contactWhoIsAlone()
 {
     const auto forgetAll = [this] {
@@ -313,7 +313,7 @@ void takeAll(TypedCall &typed, const QStringList &requests)
             return;
 }
 
-// A simulated line lets no time pass while nobody types.
+// On a simulated line no time passes while nobody types.
 void takeTyped(const LineAccess &access, TypedCall &typed)
 {
     const auto meanwhile =

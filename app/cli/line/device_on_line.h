@@ -7,12 +7,12 @@
 
 namespace codewheel {
 
-// The device that --device names, an encoder for serial lines; else what the project has at that place, else
-// the usual one: what is sent to both makes is the same.
+// The device that --device names, an encoder for serial lines; otherwise what the project has at that place,
+// otherwise the usual one: what is sent to both makes is the same.
 Checked<QString> deviceOnLine(const Call &call, Place place);
 QString deviceOf(const Call &call, const ProjectDevice *planned); // null: the usual one
 
-// As far as the project tells: at the master address all encoders of a line would be meant.
+// As far as the project tells: at the master address all encoders of a line would be addressed.
 Checked<void> checkIsAlone(const Call &call, Place place);
 
 } // namespace codewheel

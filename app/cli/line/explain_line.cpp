@@ -35,7 +35,7 @@ Checked<esc::Request> requestFrom(const QString &typed)
     return *request;
 }
 
-// What stands between its line ends, as it comes over the line.
+// What is between its line ends, as it comes over the line.
 QByteArray answerBytes(const QString &typed, const esc::Request &request)
 {
     if (typed == acceptedWord)
@@ -85,7 +85,7 @@ Checked<Answer> explainAnswer(const QString &typed, const esc::Request &request,
     return explained(typed, esc::exchangeText(request, *answer, options), device, json);
 }
 
-// Words have a mode and a coding, and what a label tells is about them.
+// Only words have a mode and a coding, and what a label tells is about those.
 Checked<void> checkOptions(const Arguments &arguments)
 {
     for (const char *option : {"--mode", "--coding", "--label"})
@@ -118,7 +118,7 @@ Checked<bool> isAnswer(const Arguments &arguments)
     return direction == in;
 }
 
-// A request, and the line it is for where that is typed before it: "Gate 2/05P".
+// A request, and the line it is for if that is typed before it: "Gate 2/05P".
 struct TypedRequest
 {
     QString bus; // with its slash: "Gate 2/"
@@ -133,7 +133,7 @@ Checked<TypedRequest> typedRequestIn(const QString &typed)
     });
 }
 
-// The one that has the place the request is for; null: the link leads to no line.
+// The line that has the place the request is for; null: the link leads to no line.
 Checked<const LineAccess *> lineFor(const Call &call, const TypedRequest &typed)
 {
     const std::vector<BusAccess *> lines = busesOf(call, QString::fromLatin1(escKind));

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant longestContact = 30s; // of the slowest settings; silence is noticed long before
+constexpr Instant longestContact = 30s; // with the slowest settings; silence is noticed long before
 constexpr Instant longestIdentity = 1s;
 
 constexpr Instant longestLook = 1s; // for what the encoder shows after a job
@@ -30,7 +30,7 @@ KeptAdapter adapterOf(const LineLink &link)
     return keptAdapterOf(line);
 }
 
-// At the master address, where no two reads agree because several answer at once.
+// At the master address, if no two reads agree because several answer at once.
 Complaint aboutSeveral(LineAddress address)
 {
     return {ExitCode::refused,
@@ -204,7 +204,7 @@ Checked<void> LineAccess::contact(const Call &call, const ProjectDevice &planned
     return there || (isSilent && isConnected()) ? Checked<void>() : tl::unexpected(there.error());
 }
 
-// Of one that shows where it stands already, no time passes.
+// If it already shows its position, no time passes.
 Checked<EncoderSession *> LineAccess::inContact(EncoderSession *encoder)
 {
     const Place place = encoder->place();
@@ -248,7 +248,7 @@ QString LineAccess::versionOf(const EncoderSession &encoder)
     return encoder.version();
 }
 
-// What the scaling factor of this encoder fits is used for it from then on.
+// The format that fits this encoder's scaling factor is used for it from then on.
 Checked<void> LineAccess::determineFractionBits(Place place)
 {
     std::optional<Result<int>> bits;

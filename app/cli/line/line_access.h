@@ -32,14 +32,14 @@ public:
 
     std::optional<Complaint> whyNot(const Subcommand &command) const override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
-    // The project's encoders and those that were asked for; without a project, whichever.
+    // The project's encoders and those asked for; without a project, any.
     bool mayHave(NodeId node) const override;
     bool knowsItsPlaces() const override { return false; }
     bool isMeant(const QString &typed) const override;
     Complaint notAPlace(const QString &typed) const override;
     QString somePlaces() const override;
     // The encoder at the address, polled as the device that --device or the project names, and in contact: it
-    // shows where it stands, and has told its serial number if it knows one. Refused where none answers.
+    // shows its position, and has reported its serial number if it knows one. Refused if none answers.
     Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt) override;
     Checked<EncoderSession *> encoder(LineAddress address, const QString &deviceKey);
     Checked<void> contact(const Call &call, const ProjectDevice &planned) override;
@@ -50,13 +50,13 @@ public:
     void useProject(const Call &call, const Project &project) override;
 
     Complaint complaint(const Refusal &why) const override;
-    void prepare(const Job &job) override; // what writes needs Operate
+    void prepare(const Job &job) override; // writing needs Operate
     void lookAgain(const EncoderSession &encoder) override;
     std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders) override;
-    bool tellsVersion() const override { return true; } // it is asked for with the identity
+    bool tellsVersion() const override { return true; } // it is read together with the identity
     QString versionOf(const EncoderSession &encoder) override;
     Checked<void> readBefore(const Call &call, EncoderSession &encoder,
-                             const ParameterValues &wanted) override; // of one that answers
+                             const ParameterValues &wanted) override; // only if it answers
     Checked<void> prepareWrite(const Call &call, EncoderSession &encoder,
                                const ParameterValues &wanted) override;
     std::unique_ptr<WriteAccount> account(const EncoderSession &encoder, const ParameterValues &wanted,
@@ -71,11 +71,11 @@ public:
     void keepFound(const Call &call, Project &project) const override;
     Refusal whatIsLost() const override;
 
-    // The port for programs; "training" of the simulated line.
+    // The port for programs; "training" for the simulated line.
     QString portKey() const;
-    // Of those that came until now: neither answers nor echo.
+    // Bytes received so far that are neither answers nor echo.
     std::uint64_t strayBytes() const;
-    QString strayBytesText() const; // how many, and what that can mean; empty where none came
+    QString strayBytesText() const; // how many, and what that can mean; empty if there are none
 
 private:
     LineAccess(const LineLink &settings, std::unique_ptr<LineSession> session);
@@ -88,8 +88,8 @@ private:
     std::unique_ptr<LineSession> m_session;
     std::optional<std::vector<NodeId>> m_planned; // of the project of the call
     std::vector<FoundEncoder> m_found;            // by the search
-    const SerialPortLink *m_port = nullptr;       // of the session; null: it is at none
-    std::optional<Refusal> m_notOpened;           // why
+    const SerialPortLink *m_port = nullptr;       // of the session; null: it uses none
+    std::optional<Refusal> m_notOpened;           // the reason
 };
 
 } // namespace codewheel

@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// What became of values that were to be written to an encoder on a serial line: nothing is said of a value
+// What became of values that were to be written to an encoder on a serial line: nothing is claimed of a value
 // that nobody knows.
 class LineAccount final : public WriteAccount
 {

@@ -43,7 +43,7 @@ constexpr std::array missing{
     Missing{"master", QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master.")},
 };
 
-// What went over the line; of several encoders each has the requests to its address.
+// What went over the line; with several encoders each has the requests to its address.
 class RequestTrace final : public JobTrace
 {
 public:
@@ -62,7 +62,7 @@ public:
 private:
     std::vector<PassedRow> rowsOf(Place place) const
     {
-        if (m_isOfOne) // its address may become another one
+        if (m_isOfOne) // its address may change
             return m_trace.rows();
         std::vector<PassedRow> rows;
         std::ranges::copy_if(m_trace.rows(), std::back_inserter(rows), [place](const PassedRow &row) {

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// How a line or an encoder on it has done, in two lines.
+// The statistics of a line or of an encoder on it, in two lines.
 QString figuresText(const LineFigures &figures);
 QJsonObject figuresJson(const LineFigures &figures); // times in microseconds
 

@@ -135,7 +135,7 @@ Complaint noPort(const QString &bus)
             {bus}};
 }
 
-// What a project says of an encoder holds at whatever port.
+// What a project says of an encoder holds at any port.
 std::set<LineAddress> swappingOf(const Project *project, BusId line)
 {
     std::set<LineAddress> swapping;

@@ -14,11 +14,11 @@ namespace codewheel {
 struct LineLink
 {
     LineSettings settings{};           // its port: a name or a path; empty: the simulated line
-    bool swapWarningBytes = false;     // of all its encoders
-    std::set<LineAddress> swapping{};  // of these, as the project says
+    bool swapWarningBytes = false;     // for all its encoders
+    std::set<LineAddress> swapping{};  // for these, as the project says
     bool asksForFractionBits = false;  // of the scaling factor, from the encoder
-    LineAdapter adapter{};             // that the port belongs to; nothing: whichever is there
-    std::optional<Complaint> whyNot{}; // it cannot be opened
+    LineAdapter adapter{};             // that the port belongs to; empty: whichever is there
+    std::optional<Complaint> whyNot{}; // if it cannot be opened
     QString alsoOf{};                  // another bus of the project that has the same port
 
     bool isSimulated() const { return settings.port.isEmpty(); }
@@ -26,11 +26,11 @@ struct LineLink
     esc::ExplainOptions explainOptions() const;
 };
 
-// "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; of encoders that this line of the project has,
-// null where there is none, is known what it says of them.
+// "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; for encoders on this line of the project (null:
+// none) what the project says of them applies.
 Checked<LineLink> lineMeant(const LinkText &text, const Project *project = nullptr, BusId line = firstLine);
-// A line of the project; these settings ("baud=9600") go before its own. Where it has no port, the link says
-// so when it is opened, and the other buses can be used.
+// A line of the project; these settings ("baud=9600") take precedence over its own. If it has no port, the
+// link says so when it is opened, and the other buses can still be used.
 Checked<LineLink> lineOf(const Project &project, BusId line, const QStringList &settings = {});
 
 // The serial ports of this computer in a sentence, or that it has none.

@@ -28,7 +28,8 @@ std::vector<BusId> linesOf(const Project &project)
     return lines;
 }
 
-// Whose port it is in the project. Nothing: it may be that of its only line; of several it is none.
+// Whose port it is in the project. Empty: it may belong to its only line; with several lines it belongs to
+// none.
 std::optional<BusId> lineAtPort(const Project *project, const QString &port)
 {
     const std::vector<BusId> lines = project != nullptr ? linesOf(*project) : std::vector<BusId>();

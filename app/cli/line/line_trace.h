@@ -13,7 +13,7 @@ namespace codewheel {
 
 class LineSession;
 
-// Collects what passes on a line as long as it lives, but the polling of positions.
+// Collects what passes on a line as long as it lives, except the polling of positions.
 class LineTrace : public QObject
 {
 public:
@@ -26,7 +26,7 @@ private:
     std::vector<PassedRow> m_rows;
 };
 
-// A row each: time, direction, bytes as text, what it means.
+// One row each: time, direction, bytes as text, meaning.
 QString lineTraceText(const std::vector<PassedRow> &rows, const esc::ExplainOptions &options);
 QJsonObject rowJson(const PassedRow &row, const esc::ExplainOptions &options);
 QJsonArray lineTraceJson(const std::vector<PassedRow> &rows, const esc::ExplainOptions &options);
@@ -35,7 +35,7 @@ QJsonArray lineTraceJson(const std::vector<PassedRow> &rows, const esc::ExplainO
 QJsonArray bitsJson(esc::Command command, std::uint16_t word);
 // {"address", "letters", "data"}; data null for a read.
 QJsonObject requestJson(const esc::Request &request);
-// {"answer", "value" or "version", "bits"}; bits only where the answer has some.
+// {"answer", "value" or "version", "bits"}; bits only if the answer has any.
 QJsonObject answerJson(const esc::Request &request, const esc::Answer &answer,
                        const esc::ExplainOptions &options);
 

@@ -13,8 +13,8 @@ class LineAccess;
 
 // Reads what is about to be written.
 Checked<void> readWhatIsWritten(const Call &call, EncoderSession &encoder, const ParameterValues &wanted);
-// Whether nobody answers at the address that the encoder is to be given, in either reading of its digits:
-// whoever is there would answer with it.
+// Whether nobody answers at the address the encoder is to be given, in either reading of its digits: whoever
+// is there would answer along with it.
 Checked<void> checkAddressIsFree(const Call &call, LineAccess &line, const EncoderSession &encoder,
                                  const ParameterValues &wanted);
 

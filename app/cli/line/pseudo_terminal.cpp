@@ -29,7 +29,7 @@ int watchOf(const char *path)
     return watch;
 }
 
-// Bytes pass as they are; 19200 Bd until somebody sets another.
+// Bytes pass unchanged; 19200 Bd until somebody sets another rate.
 void setRaw(int terminal)
 {
     termios settings = {};
@@ -108,7 +108,7 @@ void PseudoTerminal::wait(int wake, std::chrono::microseconds atMost) const
 bool PseudoTerminal::clientLeft()
 {
     bool left = false;
-    inotify_event event = {}; // of a file, not of a folder: it has no name
+    inotify_event event = {}; // about a file, not a folder: it has no name
     while (::read(m_watch, &event, sizeof event) == sizeof event) {
         m_clients = std::max(0, m_clients + ((event.mask & IN_OPEN) != 0 ? 1 : -1));
         left = left || m_clients == 0;

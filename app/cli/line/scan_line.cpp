@@ -59,7 +59,7 @@ void showProgress(const Call &call, const ScanProgress &progress)
                                              QString::number(progress.found.size())}));
 }
 
-// What the search ended with; nothing: the port is gone.
+// The result of the search; empty: the port is gone.
 std::optional<ScanEnded> search(const Call &call, LineAccess &access, const ScanWish &wish)
 {
     LineSession &line = access.line();

@@ -19,11 +19,11 @@ struct ScannedLine
 // Whether the options of the call say where to look.
 Checked<void> checkScanOptions(const Call &call, const LineAccess &line);
 
-// Looks for encoders on the line, as the options of the call say. Only reads. Ctrl+C ends it, with what was
-// found so far.
+// Searches for encoders on the line, as the options of the call say. Only reads. Ctrl+C ends it, keeping what
+// was found so far.
 Checked<ScannedLine> scanLine(const Call &call, LineAccess &line);
 
-// Who answers at this address: nobody, if it is free.
+// Who answers at this address: empty if it is free.
 Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line, LineAddress address);
 
 inline constexpr std::array scanLineOptions{

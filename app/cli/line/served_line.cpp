@@ -6,9 +6,9 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostPieces = 1'000; // more than the system keeps; the next one may write already
+constexpr int mostPieces = 1'000; // more than the system keeps; then the next one may already be writing
 
-// A rate that no encoder has serves for those the terminal does not know.
+// A rate that no encoder has stands for those the terminal does not know.
 int usableRate(int baudRate)
 {
     constexpr int noRateOfTheirs = 19'201;
@@ -38,7 +38,7 @@ void ServedLine::takeWritten(Instant now)
         m_line.send(bytes.first(std::min(bytes.size(), room)), now);
 }
 
-// What it did not fetch, and what it wrote beyond what the line carries.
+// What it did not read, and what it wrote beyond what the line carries.
 void ServedLine::forgetLastClient(Instant now)
 {
     m_port.dropUnfetched();

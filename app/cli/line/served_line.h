@@ -6,10 +6,10 @@
 
 namespace codewheel {
 
-// A simulated line behind a pseudo terminal, as another program has it: what it writes goes out at the speed
+// A simulated line behind a pseudo terminal, as seen by another program: what it writes goes out at the speed
 // of the line, and comes back as answers. What is written faster than the line carries is dropped once
-// `mostWaiting` characters wait, as a port without flow control does, and nothing of it is left for the
-// program that comes next. Used by the command serve; time is an argument.
+// `mostWaiting` characters wait, as with a port without flow control, and nothing of it is left for the next
+// program. Used by the command serve; time is an argument.
 class ServedLine
 {
 public:
@@ -20,7 +20,7 @@ public:
         , m_port(port)
     {}
 
-    // What there is to do at `now`; when there will be more, if nobody writes.
+    // Does what is due at `now`; returns when there will be more, if nobody writes.
     std::optional<Instant> serve(Instant now);
 
 private:

@@ -25,7 +25,7 @@ constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes"
                                           "master --after 31000 --fault-plan resources/examples/faults.json"};
 
 constexpr int longestTrial = 86'400'000; // ms
-constexpr int afterwards = 10;           // cycles, for what comes back at once
+constexpr int afterwards = 10;           // cycles, for faults that come back at once
 
 constexpr std::array masterOptions{
     busOption,
@@ -36,12 +36,12 @@ constexpr std::array masterOptions{
 
 constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confirm, segment N on|off";
 
-// What is asked of the master; and the question before it, where it changes what the ring does: made when the
-// bus has come as far.
+// What is asked of the master, and the question before it if it changes what the ring does: made once the bus
+// is ready.
 struct Action
 {
     std::function<void(RingSession &)> carryOut;
-    std::function<QString(const RingSession &)> question{}; // none: nothing has to be asked
+    std::function<QString(const RingSession &)> question{}; // empty: nothing has to be asked
     bool isForAllRings = false;                             // unless one is named
 };
 
@@ -111,7 +111,7 @@ Checked<Action> actionOf(const QStringList &words)
     return unknownAction(name);
 }
 
-// What the bus told since, with its time in ms.
+// What the bus has reported since, with its time in ms.
 struct Told
 {
     std::vector<Message> messages;
@@ -200,7 +200,7 @@ Checked<Answer> answerOf(const Call &call, const BusAccess &access, int after, c
     return answer;
 }
 
-// Each with its heading. What one ring refuses keeps none of the others from it.
+// Each with its heading. A refusal by one ring does not keep the others from it.
 Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, int after,
                             const Action &action)
 {

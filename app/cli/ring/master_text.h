@@ -8,7 +8,7 @@ namespace codewheel {
 
 class RingSession;
 
-// What the ring's master says, line by line; and for programs (docs/command-line.md), null where the link
+// What the ring's master says, line by line; and for programs (docs/command-line.md), null if the link
 // reaches no master.
 QString masterLines(const RingSession &bus);
 QJsonValue masterJson(const RingSession &bus);

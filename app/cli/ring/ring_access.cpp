@@ -57,7 +57,7 @@ private:
     QObject m_scope;
 };
 
-// A name given anew would forget what is known of the encoder.
+// Naming it again would forget what is known of the encoder.
 bool isNamedSo(const Participant &connected, const DeviceDescription &device, const DeviceLabel &label)
 {
     return connected.deviceKey == device.key && (label.turns == 0 || label.turns == device.physicalTurns) &&
@@ -79,7 +79,7 @@ void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, co
                  {planned.place().shown(), key}));
 }
 
-// The ID code tells the profile, never the make of an encoder; that is the plan's to name.
+// The ID code gives the profile, never the make of an encoder; that is for the plan to name.
 QString makeOf(const Participant &participant, const DeviceDescription *named)
 {
     return named || participant.idCode == busTerminalIdCode ? participantName(participant, named)
@@ -143,7 +143,7 @@ Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, boo
 
 void RingAccess::useProject(const Call &call, const Project &project)
 {
-    if (call.command.needsLinks) // and asks nothing of the ring
+    if (call.command.needsLinks) // the command asks nothing of the ring itself
         return;
     const RingStructure connected = m_ring.structure();
     const ProjectPlaces places(project, call.buses);

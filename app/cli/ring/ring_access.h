@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// A ring of a call. A cycle is 1 ms, and as the training ring runs without waiting, what it does is there at
-// once.
+// A ring of a call. A cycle is 1 ms, and since the training ring runs without waiting, what it does is there
+// at once.
 class RingAccess final : public BusAccess
 {
 public:
-    explicit RingAccess(RingSession &ring); // open; it outlives this
+    explicit RingAccess(RingSession &ring); // open; it must outlive this
     explicit RingAccess(TrainingSession training);
 
     RingSession &ring() const { return m_ring; }
@@ -19,9 +19,9 @@ public:
     bool followsFaultPlan() const override { return m_training.controls != nullptr; }
     Checked<void> followFaultPlan(const QString &file) override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
-    // A device may stand elsewhere where the ring differs from the project at all.
+    // A device may be elsewhere if the ring differs from the project at all.
     Checked<void> checkStation(const Project &project, const QString &station) const override;
-    // Refused where the project has another device there.
+    // Refused if the project has a different device there.
     Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt) override;
     void useProject(const Call &call, const Project &project) override;
     Instant lookInterval() const override;
@@ -33,7 +33,7 @@ public:
     Refusal whatIsLost() const override;
 
 private:
-    TrainingSession m_training; // none: of another owner
+    TrainingSession m_training; // empty: it has another owner
     RingSession &m_ring;
 };
 
