@@ -2,8 +2,8 @@
 
 option(CODEWHEEL_FUZZ "Build the fuzz targets for libFuzzer (clang only)" OFF)
 
-# codewheel_fuzz(NAME LIBRARIES...): fuzz_NAME of fuzz_NAME.cpp, which defines LLVMFuzzerTestOneInput(). With libFuzzer it
-# is run by tools/fuzz; without, it runs over the files of corpus/NAME as a test.
+# codewheel_fuzz(NAME LIBRARIES...): fuzz_NAME from fuzz_NAME.cpp, which defines LLVMFuzzerTestOneInput(). With
+# libFuzzer it is run by tools/fuzz; without, it runs over the files of corpus/NAME as a test.
 function(codewheel_fuzz name)
     add_executable(fuzz_${name} fuzz_${name}.cpp)
     target_link_libraries(fuzz_${name} PRIVATE codewheel_options ${ARGN})

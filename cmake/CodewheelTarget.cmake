@@ -10,12 +10,12 @@ target_compile_definitions(codewheel_options INTERFACE
 target_compile_options(codewheel_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${CODEWHEEL_WERROR}>:-Werror>)
 
-# Whatever is tested ends at an access out of range, or to a value that is not there; a release does not look.
+# Tested builds abort on an access out of range or to a missing value; a release does not check.
 if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_definitions(codewheel_options INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
 
-# clang takes a name that another source of the same unit has for one that is hidden; GCC looks after those.
+# clang reports a name from another source of the same unit as shadowed; GCC finds the real cases.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(codewheel_options INTERFACE -Wno-shadow)
 endif()
@@ -25,7 +25,7 @@ if(CODEWHEEL_SANITIZERS)
         -fsanitize=${CODEWHEEL_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(codewheel_options INTERFACE -fsanitize=${CODEWHEEL_SANITIZERS})
 endif()
-# Links a test program in half the time; it comes with the assembler.
+# Links a test program in half the time; gold comes with the assembler.
 if(NOT CODEWHEEL_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     include(CheckLinkerFlag)
     check_linker_flag(CXX -fuse-ld=gold CODEWHEEL_HAS_GOLD)
@@ -35,7 +35,7 @@ if(NOT CODEWHEEL_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Release")
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
-    # GCC 12 sees bounds and uninitialized values wrongly where much is inlined; the dev build keeps both warnings.
+    # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build keeps both.
     target_compile_options(codewheel_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
 endif()
@@ -51,7 +51,7 @@ function(codewheel_library name)
     endif()
 endfunction()
 
-# codewheel_precompiled(NAME LIBRARY HEADERS...): carries headers that are compiled once, for all targets that reuse them.
+# codewheel_precompiled(NAME LIBRARY HEADERS...): headers that are compiled once, for all targets that reuse them.
 function(codewheel_precompiled name library)
     file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "")
     add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")

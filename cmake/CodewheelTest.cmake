@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Tests need no screen, know one language, and stop at what a sanitizer finds.
+# Tests need no screen, run in one language, and stop at the first finding of a sanitizer.
 set(codewheel_test_environment
     "QT_QPA_PLATFORM=offscreen"
     "LC_ALL=C.UTF-8"
     "ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1"
     "LSAN_OPTIONS=print_suppressions=0:suppressions='${PROJECT_SOURCE_DIR}/tests/support/lsan.supp'"
     "UBSAN_OPTIONS=print_stacktrace=1"
-    # A test that starts a program forks; the program is none of ThreadSanitizer's business, the test goes on.
+    # A test that starts a program forks; ThreadSanitizer need not care about the program, and the test goes on.
     "TSAN_OPTIONS=die_after_fork=0:second_deadlock_stack=1:suppressions='${PROJECT_SOURCE_DIR}/tests/support/tsan.supp'")
 
 # codewheel_test(NAME LIBRARIES...): a test program of its folder's sources. Add sources with target_sources(NAME ...).
@@ -20,7 +20,7 @@ function(codewheel_gui_test name)
     codewheel_test_program(${name} codewheel_gui_test_support codewheel_gui_test_pch ${ARGN})
 endfunction()
 
-# With CODEWHEEL_TEST_PARTS set, its tests run in so many parts, side by side.
+# With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side.
 function(codewheel_test_program name support precompiled)
     add_executable(${name})
     target_link_libraries(${name} PRIVATE ${support} codewheel_test_options ${ARGN})
