@@ -1,11 +1,11 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The steps that the tools share. Sourced by them, never run by itself; all of it works from any folder.
+# The steps that the tools share. Sourced by them, never run by itself; works from any folder.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 
-# ccache is used where it is there; with precompiled headers it has to be told what not to look at.
+# ccache is used if present; with precompiled headers it has to be told what to ignore.
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
@@ -21,13 +21,13 @@ configure() {
     (cd "$root" && cmake --preset "$@" --log-level=NOTICE)
 }
 
-# Whether the preset's build folder still is what the presets say; changes of CMakeLists ninja sees by itself.
+# Whether the preset's build folder still matches the presets; ninja notices changes of CMakeLists.txt files by itself.
 is_configured() {
     local build="$root/build/$1/build.ninja"
     [[ -f $build && ! $root/CMakePresets.json -nt $build ]]
 }
 
-# build PRESET [TARGET...]: all targets where none is named.
+# build PRESET [TARGET...]: all targets if none is named.
 build() {
     local preset=$1
     shift
