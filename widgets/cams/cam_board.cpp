@@ -21,8 +21,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int scrollSteps = 10'000; // of the scroll bar, for the whole range
-constexpr int roomForEncoder = 660; // below this width, ruler and strip alone tell what differs
+constexpr int scrollSteps = 10'000; // scroll bar steps for the whole range
+constexpr int roomForEncoder = 660; // below this width, only ruler and strip show what differs
 
 } // namespace
 

@@ -15,8 +15,8 @@ class CamShiftSpin;
 class CamTable;
 class CamWordPicture;
 
-// Where cams are edited: the eight programs, table and ruler row by row beside each other, the shift with a
-// picture of the word. Shows and changes the sheet; knows no encoder.
+// Where cams are edited: the eight programs, table and ruler side by side with matching rows, the shift with
+// a picture of the word. Shows and changes the sheet; knows no encoder.
 class CamBoard : public QWidget
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     explicit CamBoard(CamSheet &sheet, QWidget *parent = nullptr);
 
     void setNote(const QString &sentence); // what the encoder is doing
-    // False, and back in its field, while what is typed is bad.
+    // False while what is typed is bad; the focus is then back in its field.
     bool finishEditing();
 
 Q_SIGNALS:
@@ -48,7 +48,7 @@ private:
     CamTable *m_table;
     CamRuler *m_ruler;
     QScrollBar *m_scroll;
-    QWidget *m_shifting = nullptr; // where a part of the position is told beside the cams
+    QWidget *m_shifting = nullptr; // where part of the position is given beside the cams
     CamShiftSpin *m_shift;
     CamWordPicture *m_word;
 };

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-// A cam as an arc of the circle of positions 0..total - 1, so that moving it over an end of the range just
+// A cam as an arc of the circle of positions 0..total - 1, so that moving it past one end of the range simply
 // goes on at the other (FRABA manual 5.4.4; wrap-around assumed). Used by the cam ruler.
 namespace codewheel::cam_circle {
 
@@ -29,7 +29,7 @@ constexpr Cam moved(const Cam &cam, std::int64_t by, std::int64_t total) noexcep
     return arc(cam, cam.start + by, length(cam, total), total);
 }
 
-// One edge moved; the other stays. The cam keeps at least one position and takes at most all.
+// One edge moved; the other stays. The cam keeps at least one position and covers at most all of them.
 constexpr Cam startMoved(const Cam &cam, std::int64_t by, std::int64_t total) noexcept
 {
     const std::int64_t before = length(cam, total);
@@ -59,7 +59,7 @@ struct Stretch
     friend constexpr bool operator==(const Stretch &, const Stretch &) = default;
 };
 
-// One stretch, or two where the cam goes through zero.
+// One stretch, or two where the cam passes through zero.
 inline std::vector<Stretch> stretches(const Cam &cam, std::int64_t largest)
 {
     if (cam.start <= cam.stop)

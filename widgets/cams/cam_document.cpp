@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// The project keeps those that are set, by number.
+// The project keeps only the programs that are set, ordered by number.
 void keep(std::vector<CamProgram> &kept, const CamProgram &program)
 {
     const auto at = std::ranges::lower_bound(kept, program.number, {}, &CamProgram::number);

@@ -10,21 +10,21 @@
 
 namespace codewheel {
 
-// The eight cam programs the user wants an encoder to have: edited, not sent. A face of the project; the cam
-// editor has one for each encoder.
+// The eight cam programs the user wants an encoder to have: edited, not sent. A facade of the project; the
+// cam editor has one for each encoder.
 class CamDocument : public QObject
 {
     Q_OBJECT
 
 public:
-    // Changes of one gesture, such as a drag of the mouse, are one step of undo.
+    // Changes within one gesture, such as a mouse drag, are one undo step.
     using Gesture = ProjectDocument::Gesture;
     static constexpr Gesture noGesture = ProjectDocument::noGesture;
 
     CamDocument(ProjectDocument &project, Place number, QObject *parent = nullptr);
 
     const CamProgram &program(unsigned number) const; // 1..8
-    // what: the name of the step, for undo: "Move cam 3".
+    // what: the name of the undo step: "Move cam 3".
     void setProgram(const CamProgram &program, const QString &what, Gesture gesture = noGesture);
     // All in one step.
     void setPrograms(const std::vector<CamProgram> &programs, const QString &what,

@@ -8,9 +8,9 @@
 namespace codewheel {
 namespace {
 
-constexpr double pull = 4; // columns from which the last position attracts
+constexpr double pull = 4; // within so many columns the last position attracts
 
-// To a round number where a column is many positions; the last position is held on to.
+// To a round number where a column is many positions; snaps to the last position.
 std::int64_t rounded(double position, const RulerScale &scale)
 {
     const std::int64_t step = scale.dragStep();
@@ -61,7 +61,7 @@ Cam gripMoved(const Cam &cam, CamGrip grip, std::int64_t by, std::int64_t total)
     return cam_circle::moved(cam, by, total);
 }
 
-// From where the edge was, so that it does not jump when the drag begins.
+// Measured from the edge, so that it does not jump when the drag begins.
 Cam CamDrag::at(double position, const RulerScale &scale) const
 {
     if (creates)

@@ -242,7 +242,7 @@ void CamEditor::write()
     reviewPrograms({m_sheet->program()});
 }
 
-// What is set here, and is not known to be in the encoder.
+// The programs set here that the encoder is not known to have.
 void CamEditor::writeAll()
 {
     if (!m_board->finishEditing())
@@ -292,7 +292,7 @@ void CamEditor::bringBack()
 
 void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
 {
-    const bool wasAsked = purpose == CamJobs::Purpose::write; // in its review
+    const bool wasAsked = purpose == CamJobs::Purpose::write; // in the review
     if (!session() || (!wasAsked && !askForEeprom(window(), *session(), job)) || !session())
         return;
     m_message->withdraw();
@@ -306,7 +306,7 @@ void CamEditor::finished(Place number, CamJobs::Purpose purpose, const Outcome &
     if (outcome.result && purpose == CamJobs::Purpose::read)
         document.setPrograms(outcome.camsRead, tr("Read from the encoder"));
     if (!session() || session()->place() != number)
-        return; // the messages tell it
+        return; // reported in the messages
     const JobEnd end = endOf(*session(), outcome);
     if (!outcome.result)
         say(Cause::outcome, end.role, end.text, end.wayBack);

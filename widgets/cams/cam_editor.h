@@ -29,16 +29,16 @@ class EmptyState;
 class InlineMessage;
 class JobStrip;
 
-// The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
-// their own. What is edited is part of the project, and can be edited while the encoder is not connected.
-// Sends nothing unless asked, and shows what will be written before.
+// The cams of the encoder chosen in the bus structure: edit, read, write, compare, keep in files of their
+// own. What is edited is part of the project, and can be edited while the encoder is not connected. Sends
+// nothing unless asked, and first shows what will be written.
 class CamEditor : public Page
 {
     Q_OBJECT
 
 public:
-    // The catalog tells for what a file was made, and must outlive the editor.
-    // The programs are kept in the project.
+    // The catalog names the device a file was made for, and must outlive the editor. The programs are kept in
+    // the project.
     CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent = nullptr);
 
     void setEncoder(const codewheel::ShownEncoder &encoder);
@@ -46,7 +46,7 @@ public:
     QString about() const override;
     QString effect() const override;
 
-    // All programs a file holds; or the open program alone. Each says on the spot what went wrong.
+    // All programs in a file, or the open program alone. Each reports on the spot what went wrong.
     bool load(const QString &path);
     bool loadProgram(const QString &path);
     bool save(const QString &path);
@@ -97,14 +97,14 @@ private:
 
     void readPrograms(CamJobs::Purpose purpose, const std::vector<unsigned> &programs);
     void reviewPrograms(const std::vector<CamProgram> &programs);
-    // Asks for the mode afterwards where the mode is not known.
+    // First asks which mode to leave the encoder in, where its mode is not known.
     void withModeAfterwards(std::function<void(const SwitchMode &)> then);
     void start(CamJobs::Purpose purpose, const Job &job);
     void finished(Place number, CamJobs::Purpose purpose, const Outcome &outcome);
 
     void sayWhatDiffers(const CamProgram &wanted, const CamProgram &there);
     void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
-    void withdraw(Cause cause); // its message, if that is the one which is shown
+    void withdraw(Cause cause);                                     // its message, if that is the one shown
     EncoderSession *session() const { return m_encoder.session(); } // null: not connected
 
     const Catalog &m_catalog;

@@ -47,7 +47,7 @@ void CamEditor::askSaveProgram()
         saveProgram(path);
 }
 
-// Made for this encoder, with no position above what it has.
+// Only a file made for this encoder, with no position above its largest.
 tl::expected<CamFile, QString> CamEditor::open(const QString &path) const
 {
     const QString name = QFileInfo(path).fileName();

@@ -84,7 +84,7 @@ void CamEditor::makeTools()
                  [this] { readPrograms(CamJobs::Purpose::compare, {m_sheet->number()}); }),
     };
     m_tools->addSeparator();
-    // Their keys are those of the window: what is undone is the last step of the project.
+    // The window has the keys: what is undone is the last step of the project.
     QAction *undo = m_project.undoStack().createUndoAction(this, tr("Undo"));
     QAction *redo = m_project.undoStack().createRedoAction(this, tr("Redo"));
     undo->setIcon(lineIcon(Icon::turnLeft));
@@ -102,7 +102,7 @@ void CamEditor::makeTools()
             ->setToolButtonStyle(Qt::ToolButtonIconOnly);
     m_fileActions = {open, save};
     makeMenu();
-    for (QAction *action : m_jobActions) // the tooltip says while it cannot be why
+    for (QAction *action : m_jobActions) // while disabled, the tooltip says why instead
         action->setStatusTip(action->toolTip());
 }
 
@@ -187,7 +187,7 @@ void CamEditor::connectParts()
     });
     connect(&m_project, &ProjectDocument::changed, this, [this] {
         if (m_encoder.isThere() && !session())
-            showRange(); // by what is wanted
+            showRange(); // the range follows the wanted values
     });
     connect(m_sheet, &CamSheet::largestChanged, this, [this] { withdraw(Cause::input); });
 }

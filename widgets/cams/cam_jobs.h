@@ -9,7 +9,8 @@
 
 namespace codewheel {
 
-// The jobs the cam editor has given to encoders, and what for. They go on when another encoder is chosen.
+// The jobs the cam editor has given to encoders, and their purposes. They go on when another encoder is
+// chosen.
 class CamJobs : public QObject
 {
     Q_OBJECT
@@ -37,7 +38,7 @@ private:
     std::map<Place, Running> m_running;
 };
 
-// The mode the encoder is in, as what a job is to leave it in; nothing where it is not known.
+// The encoder's mode now, for a job to leave it in; nothing where it is not known.
 std::optional<SwitchMode> modeNow(const EncoderSession &encoder);
 
 } // namespace codewheel

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int partBits = 17; // D24..D8
 
-// Nothing where no part is shown, or where it fits several places of the range.
+// Nothing where no part is shown, or where it fits several positions of the range.
 std::optional<CamLive::Position> positionOf(const Reading::Cams &cams, unsigned shift, std::int64_t largest)
 {
     if (shift >= CamProgram::largestShift || largest >> shift >= std::int64_t{1} << partBits)

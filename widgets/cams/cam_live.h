@@ -9,7 +9,7 @@ namespace codewheel {
 
 class EncoderSession;
 
-// What the encoder shows now, as far as the cams of one program go.
+// What the encoder shows now, as far as it concerns the cams of one program.
 struct CamLive
 {
     // Where the shaft is: one position, or in cam mode the positions that give the same D24..D8.
@@ -24,9 +24,9 @@ struct CamLive
     std::array<std::optional<bool>, CamProgram::cams> on{}; // nothing: not known
     bool isTold = false; // by the encoder in cam mode; else worked out from the position
     std::optional<Position> position;
-    bool isOld = false; // the position is of before, and how the cams are now is not known
+    bool isOld = false; // the position is an old one, and the present state of the cams is not known
 
-    bool knowsAny() const; // of `on`
+    bool knowsAny() const; // any of `on`
 
     friend bool operator==(const CamLive &, const CamLive &) = default;
 };

@@ -10,8 +10,8 @@ class QPushButton;
 
 namespace codewheel {
 
-// Asks in which mode the encoder is to be left, where the mode it is in is not known: cams are read and
-// written in cam mode. Hidden until asked.
+// Asks which mode to leave the encoder in where its present mode is not known: cams are read and written in
+// cam mode. Hidden until asked.
 class CamModeBar : public QWidget
 {
     Q_OBJECT

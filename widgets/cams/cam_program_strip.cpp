@@ -19,7 +19,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int lineHeight = 3; // of a cam in miniature, with the gap below it
+constexpr int lineHeight = 3; // per cam in miniature, with the gap below it
 constexpr int stateMarkSize = 12;
 constexpr int paleState = 110;
 

@@ -9,7 +9,8 @@ namespace codewheel {
 
 class CamSheet;
 
-// One of the eight programs: its number, its cams in miniature, a mark where it differs from the encoder's.
+// One of the eight programs: its number, its cams in miniature, and a mark where it differs from the
+// encoder's.
 class CamProgramButton : public QAbstractButton
 {
     Q_OBJECT
@@ -18,7 +19,7 @@ public:
     CamProgramButton(CamSheet &sheet, unsigned number, QWidget *parent);
 
     unsigned number() const { return m_number; }
-    void describe(); // anew: what it holds, or what the encoder has, changed
+    void describe(); // again, when the program, or what the encoder has, has changed
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -34,8 +35,8 @@ private:
     unsigned m_number;
 };
 
-// All eight programs side by side, so that all 64 cams are seen at once; a click opens a program. The number
-// keys do the same while one of them has the focus.
+// All eight programs side by side, so that all 64 cams are in sight; a click opens a program. So do the
+// number keys while one of them has the focus.
 class CamProgramStrip : public QWidget
 {
     Q_OBJECT

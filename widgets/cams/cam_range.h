@@ -7,8 +7,8 @@ namespace codewheel {
 
 struct ProjectDevice;
 
-// The largest position the encoder has: by what is known of it; of one that is only planned by what is
-// wanted, and what the project knows it had. Nothing where that does not tell it.
+// The largest position of the encoder, from what is known of it; for one that is only planned, from the
+// wanted values and from what the project remembers. Nothing where these do not tell.
 std::optional<std::int64_t> largestPosition(const ShownEncoder &encoder, const ProjectDevice &planned);
 
 } // namespace codewheel

@@ -12,7 +12,7 @@ namespace codewheel {
 
 class PositionInput;
 
-// Shown while nobody knows how many positions the encoder has: "Read it", or say it.
+// Shown while the number of positions of the encoder is not known: read it, or enter it.
 class CamRangeBar : public QWidget
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ class CamRangeBar : public QWidget
 public:
     explicit CamRangeBar(QWidget *parent = nullptr);
 
-    // Another encoder: what was typed for the one before is gone.
+    // For another encoder: discards what was typed for the previous one.
     void begin(std::optional<std::int64_t> toldLargest);
     void ask(bool canRead, std::optional<std::int64_t> toldLargest);
 

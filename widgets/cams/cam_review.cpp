@@ -35,7 +35,7 @@ bool setsCams(const Step &step)
     return step.kind == StepKind::camParameter;
 }
 
-// What the encoder has of what the word sets; nothing: not known.
+// The encoder's value of what the word sets; nothing: not known.
 std::optional<std::int64_t> valueThere(const EncoderSession &encoder, std::optional<unsigned> program,
                                        CamField field)
 {
@@ -55,7 +55,7 @@ struct Words
     QStringList thereAlready;
 };
 
-// In the order in which they are sent, beside those that read.
+// In the order in which they are sent, between those that read.
 Words wordsOf(const EncoderSession &encoder, const std::vector<Step> &steps)
 {
     Words words;

@@ -7,9 +7,9 @@ class QComboBox;
 
 namespace codewheel {
 
-// Of the cam editor: the words in their order, beside those that read, and in which mode the encoder is left.
-// What the encoder is known to have is left out unless all is to be written, and none is left where nothing
-// is to be written. A program that is not known is written as far as it turns out to differ.
+// The review of the cam editor: the words in order, between those that read, and the mode the encoder is left
+// in. What the encoder is known to have is left out unless everything is to be written; with nothing to write
+// there are no words. A program that is not known is written as far as it turns out to differ.
 class CamReview final : public JobReview
 {
     Q_OBJECT
@@ -19,7 +19,7 @@ public:
 
     explicit CamReview(QWidget *parent = nullptr);
 
-    // before: the mode the encoder is in, or is to be left in as was answered.
+    // before: the mode the encoder is in, or the one the user chose to leave it in.
     void review(EncoderSession &encoder, const std::vector<CamProgram> &programs, const SwitchMode &before);
 
 private:
@@ -27,7 +27,7 @@ private:
     void offerAfterwards(const SwitchMode &before);
 
     std::vector<CamProgram> m_programs;
-    std::vector<SwitchMode> m_choices; // beside the entries of m_afterwards
+    std::vector<SwitchMode> m_choices; // parallel to the entries of m_afterwards
     QLabel *m_title;
     QLabel *m_afterwardsLabel;
     QComboBox *m_afterwards;

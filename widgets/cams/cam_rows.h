@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-// The measures that table and ruler share, so that their rows stand beside each other. Logical pixels.
+// The measures that table and ruler share, so that their rows line up. Logical pixels.
 namespace codewheel {
 
 // 26, as high as a bit; large controls make it 39.

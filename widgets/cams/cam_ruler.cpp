@@ -17,7 +17,7 @@ namespace codewheel {
 namespace {
 
 constexpr int margin = 2 * grid::unit; // left and right of the range
-constexpr double reach = 8;            // around an edge, where it can be grasped; more with large controls
+constexpr double reach = 8;            // around an edge, where it can be grasped; larger with large controls
 constexpr double zoomStep = 1.5;
 constexpr int wheelNotch = 120; // QWheelEvent::angleDelta
 

@@ -10,8 +10,8 @@
 
 namespace codewheel {
 
-// Eight rows over a ruler of the positions: each cam a bar that can be dragged, as a whole or by an edge, and
-// that goes on at the other end where it passes zero. A line shows where the shaft is. Painted as one widget.
+// Eight rows over a ruler of the positions: each cam is a bar that can be dragged as a whole or by an edge,
+// and that goes on at the other end where it passes zero. A line shows the shaft. Painted as one widget.
 //
 // Keys: Up, Down, Tab and Shift+Tab choose the cam; Home its start, End its stop, Escape the whole bar; Left
 // and Right move what is chosen by 1, with Shift by a tick; Space switches active, Delete clears; + - and 0
@@ -47,10 +47,10 @@ public:
     void zoomOut();
     void zoomToAll();
     void scrollTo(double first);
-    static QList<KeyHelp> keys(); // that it answers
+    static QList<KeyHelp> keys(); // that it handles
 
 Q_SIGNALS:
-    void viewChanged(); // other positions are in sight
+    void viewChanged(); // different positions are in sight
 
 protected:
     bool event(QEvent *event) override;

@@ -49,7 +49,7 @@ void CamRulerPainter::drawTick(std::int64_t tick)
 {
     const QString text = cam_texts::position(tick);
     const int width = m_painter.fontMetrics().horizontalAdvance(text);
-    // A number at an end of the ruler stays within it.
+    // A number at an end of the ruler stays inside it.
     const double left = std::clamp(x(tick) - width / 2.0, 1.0, std::max(1.0, m_ruler.width() - width - 1.0));
     m_painter.setPen(roleColor(Role::inactive, m_palette));
     m_painter.drawLine(QPointF(x(tick), m_axis - 1 - rulerTick), QPointF(x(tick), m_axis - 1));
@@ -91,7 +91,7 @@ void CamRulerPainter::drawRow(std::size_t number, bool showsHint)
     }
 }
 
-// Filled: on. Pale: active, and off or not known. Dashed: inactive.
+// Filled: on. Pale: active, but off or not known. Dashed: inactive.
 void CamRulerPainter::drawBar(std::size_t number, const cam_circle::Stretch &stretch, const QRect &row)
 {
     const QRectF bar = barOf(stretch, row);

@@ -8,17 +8,17 @@
 
 namespace codewheel {
 
-// Draws a cam ruler, part by part. Made by CamRuler for one frame.
+// Draws a cam ruler, part by part. Made by CamRuler for a single frame.
 class CamRulerPainter
 {
 public:
-    // tickDistance: columns from one numbered tick to the next, at least
+    // tickDistance: the fewest columns between numbered ticks
     CamRulerPainter(CamRuler &ruler, double tickDistance);
 
     void drawAxis();
     void drawRow(std::size_t cam, bool showsHint);
     void drawPosition();
-    // The positions that a drag changes, above the row.
+    // The positions changed by a drag, above the row.
     void drawValues(std::size_t cam, CamGrip grip);
 
 private:

@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// What the cam editor has open: a program of a document, the cam that is worked on, the positions there are,
-// what the encoder is known to have, what it shows now. Ruler, table and pictures show the same sheet and
-// change the document through it.
+// What the cam editor has open: a program of a document, the current cam, the range of positions, what the
+// encoder is known to have, and what it shows now. Ruler, table and pictures show the same sheet and change
+// the document through it.
 class CamSheet : public QObject
 {
     Q_OBJECT
@@ -20,10 +20,10 @@ public:
     using Gesture = CamDocument::Gesture;
     using KnownPrograms = std::array<std::optional<CamProgram>, CamProgram::programs>;
 
-    // Of no encoder of the project, until setDocument().
+    // Belongs to no encoder of the project until setDocument().
     explicit CamSheet(ProjectDocument &project, QObject *parent = nullptr);
 
-    // It must outlive its use here. abilities: of its encoder.
+    // The document must outlive its use here. abilities: those of its encoder.
     void setDocument(CamDocument &document, const CamAbilities &abilities = {});
     CamDocument &document() const { return *m_document; }
 
@@ -36,7 +36,7 @@ public:
     std::size_t current() const { return m_current; } // 0..abilities().cams - 1
     void setCurrent(std::size_t cam);
 
-    // Nothing: not known; then any position of 25 bits may be given.
+    // Nothing: not known; then any 25-bit position may be given.
     void setLargest(std::optional<std::int64_t> largest);
     std::int64_t largest() const;
     bool knowsLargest() const { return m_largest.has_value(); }
@@ -52,15 +52,15 @@ public:
     const CamLive &live() const { return m_live; }
     std::optional<bool> isOn(std::size_t cam) const; // now; nothing: not known
 
-    // Steps of undo. Where the positions do not lie in a circle, no cam goes through zero.
+    // Undo steps. Where the positions do not form a circle, no cam passes through zero.
     void setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture = {});
     void setActive(std::size_t cam, bool active);
     void clear(std::size_t cam);
     void setShift(unsigned shift, Gesture gesture = {});
 
 Q_SIGNALS:
-    void documentChanged();                // another one
-    void programChanged(unsigned program); // what it holds, or what the encoder is known to have of it
+    void documentChanged();                // another document is shown
+    void programChanged(unsigned program); // its content, or what the encoder is known to have
     void numberChanged(unsigned program);
     void currentChanged(std::size_t cam);
     void largestChanged();

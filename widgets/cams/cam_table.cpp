@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// In all programs: it may be beyond the range, which was not known when it was given.
+// Over all programs: it may lie beyond the range, which was not known when it was entered.
 std::int64_t largestGiven(const CamDocument &document)
 {
     std::int64_t largest = 0;
@@ -111,7 +111,7 @@ bool CamTable::finishEditing()
     return true;
 }
 
-// As wide as the widest text that can come, so that nothing jumps while the encoder turns.
+// As wide as the widest text that can appear, so that nothing jumps while the encoder turns.
 void CamTable::fit()
 {
     const int lengthBefore = horizontalHeader()->length();

@@ -30,7 +30,7 @@ private:
 };
 
 // The cams as a table whose rows are as high as those of the ruler beside it. Enter or a double click edits,
-// Tab goes from start to stop and on to the next cam, Space ticks, Delete clears.
+// Tab goes from start to stop and on to the next cam, Space toggles active, Delete clears.
 class CamTable : public QTableView
 {
     Q_OBJECT
@@ -38,11 +38,11 @@ class CamTable : public QTableView
 public:
     CamTable(CamSheet &sheet, QWidget *parent = nullptr);
 
-    // False, and back in its field, while what is typed is bad.
+    // False while what is typed is bad; the focus is then back in its field.
     bool finishEditing();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
-    static QList<KeyHelp> keys(); // that it answers
+    static QList<KeyHelp> keys(); // that it handles
 
 Q_SIGNALS:
     void inputChecked(const QString &wrong); // empty: good, or given up

@@ -18,8 +18,8 @@ struct CamRow
     friend bool operator==(const CamRow &, const CamRow &) = default;
 };
 
-// The cams of a sheet as a table: which are active, from where to where, what they are now, what the encoder
-// has. A change of a cell is a change of the document.
+// The cams of a sheet as a table: which are active, their start and stop, their state now, and what the
+// encoder has. Changing a cell changes the document.
 class CamTableModel final : public TableModelBase<CamRow>
 {
     Q_OBJECT
@@ -40,8 +40,8 @@ public:
     explicit CamTableModel(CamSheet &sheet, QObject *parent = nullptr);
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // Positions as qlonglong; active and polarity are check boxes. A start above the stop takes that along,
-    // where the positions do not lie in a circle, and the other way round.
+    // Positions as qlonglong; active and polarity are check boxes. Where the positions do not form a circle,
+    // a start above the stop moves the stop along, and vice versa.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:

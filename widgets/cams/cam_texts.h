@@ -6,7 +6,7 @@
 
 #include <QString>
 
-// What is said of a cam in the same words by ruler, table and screen readers.
+// How ruler, table and screen readers describe a cam, in the same words.
 namespace codewheel::cam_texts {
 
 QString position(std::int64_t position); // by locale
@@ -15,9 +15,9 @@ QString name(std::size_t cam);           // "Cam 3"
 QString range(const Cam &cam);
 QString activity(const Cam &cam); // "active", "inactive"
 QString state(std::optional<bool> isOn, bool isTold);
-// A step of undo: "Move cam 3", "Start of cam 3"
+// The name of an undo step: "Move cam 3", "Start of cam 3"
 QString movement(std::size_t cam, CamGrip grip);
-// Everything about it, for tooltips and screen readers.
+// The full description, for tooltips and screen readers.
 QString description(const CamSheet &sheet, std::size_t cam);
 
 } // namespace codewheel::cam_texts

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// What the IN word will hold in cam mode: which bits of the position stand in D24..D8 after the shift, the
-// cams in D7..D0, not valid in D31 (FRABA manual 5.4.4).
+// The IN word in cam mode: which bits of the position are in D24..D8 after the shift, the cams in D7..D0, not
+// valid in D31 (FRABA manual 5.4.4).
 class CamWordPicture : public ValueWidget
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ class CamWordPicture : public ValueWidget
 public:
     explicit CamWordPicture(QWidget *parent = nullptr);
 
-    // largest: the largest position, so that bits it never has are shown as 0.
+    // largest: the largest position; bits it never has are shown as 0.
     void setShift(unsigned shift, std::int64_t largest);
 
     QString valueText() const override;
@@ -28,7 +28,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    // Bit of the position that stands in D24..D8; nothing: always 0.
+    // The bit of the position shown in this bit of D24..D8; nothing: always 0.
     std::optional<int> positionBit(int bit) const;
     void drawBit(QPainter &painter, int bit, const QRect &cell) const;
     void drawBrace(QPainter &painter, int highest, int lowest, const QString &text) const;

@@ -11,14 +11,14 @@
 
 namespace codewheel {
 
-// A field for a position, decimal or hexadecimal, that says while you type what is wrong with it. Anything
-// can be typed; only what is good is taken.
+// A field for a position, decimal or hexadecimal, that says while you type what is wrong. Anything can be
+// typed; only what is good is taken.
 class PositionInput : public QLineEdit
 {
     Q_OBJECT
 
 public:
-    // The sentence for what was typed, a number or a text.
+    // The sentence about what was typed, a number or a text.
     using Complaint = std::function<QString(const RefusalArgument &given)>;
 
     // For a position from least to largest.

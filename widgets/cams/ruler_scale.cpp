@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-constexpr double fewestShown = 10; // positions; closer there is nothing to see
+constexpr double fewestShown = 10; // positions; there is nothing more to see closer up
 
 // The smallest of 1, 2, 5, 10, 20, ... that is not below `least`.
 std::int64_t roundNumber(double least)

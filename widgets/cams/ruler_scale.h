@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// Which pixel column stands for which position, zoom included. Position p fills the columns from x(p) to
-// x(p + 1). Used by the cam ruler.
+// Maps positions to pixel columns, zoom included. Position p fills the columns from x(p) to x(p + 1). Used by
+// the cam ruler.
 class RulerScale
 {
 public:
-    // Positions 0..largest; all of them are shown again where it changed.
+    // Positions 0..largest; a change shows all of them again.
     void setLargest(std::int64_t largest);
     void setColumns(int left, int width);
 
@@ -28,7 +28,7 @@ public:
     // 1, 2 or 5 times a power of ten, at least `apart` columns from one tick to the next.
     std::int64_t tickStep(double apart) const;
     std::vector<std::int64_t> ticks(std::int64_t step) const; // those in sight
-    // What a movement of the mouse is rounded to: as fine as a column, but a round number.
+    // What a mouse drag is rounded to: as fine as a column, but a round number.
     std::int64_t dragStep() const;
 
     void zoom(double factor, double aroundX); // factor > 1 shows fewer positions

@@ -20,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-// Whether an encoder answers, and which it is, no signal tells.
+// No signal tells whether an encoder answers, and which one it is.
 constexpr Instant lookInterval = std::chrono::seconds(1);
 
 } // namespace
@@ -132,7 +132,7 @@ int ComparisonPage::differences() const
     return codewheel::differences(comparison());
 }
 
-// What is chosen stays so while nothing changes.
+// The selection stays while nothing changes.
 void ComparisonPage::followAnswers()
 {
     if (!isVisible() || !isConnected() || m_bus->now() - m_comparedAt < lookInterval)
@@ -164,7 +164,7 @@ std::vector<std::size_t> ComparisonPage::selectedLines() const
     return lines;
 }
 
-// The page compares anew while the project changes.
+// Copies, since the page compares again while the project changes.
 void ComparisonPage::takeIntoProject(const std::vector<std::size_t> &lines)
 {
     const ConnectedBus connected = m_connected;

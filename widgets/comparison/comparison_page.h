@@ -20,8 +20,8 @@ class EmptyState;
 class EncoderBus;
 class InlineMessage;
 
-// What is configured for a bus beside what is connected, by the rules of its kind. Lines are taken over into
-// the project. A kind with more to compare derives from it.
+// What is configured for a bus beside what is connected, by the rules of its kind. Lines can be taken over
+// into the project. A kind with more to compare derives from this.
 class ComparisonPage : public Page
 {
     Q_OBJECT

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What the manual says of a device, as a page to read and to search: supply, pins, LEDs, limits, ordering
+// What the manual says about a device, as a page to read and search: supply, pins, LEDs, limits, ordering
 // key, parameters, errors, assumptions. Used by DevicePanel.
 QString deviceHtml(const DeviceDescription &device);
 

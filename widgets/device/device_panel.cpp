@@ -95,14 +95,14 @@ void DevicePanel::showDevice()
                           tr("Choose one in the bus structure, or type the key on a label to look one up."));
 }
 
-// It takes long to lay out: a panel that nobody sees leaves it until then.
+// Laying it out takes long, so a panel that nobody sees puts it off.
 void DevicePanel::fillPage()
 {
     if (m_toFill)
         m_page->setHtml(deviceHtml(*std::exchange(m_toFill, std::nullopt)));
 }
 
-// Not when it is shown: behind another tab it is, too.
+// Not in showEvent(), which also comes when the panel is behind another tab.
 void DevicePanel::paintEvent(QPaintEvent *event)
 {
     QWidget::paintEvent(event);

@@ -18,8 +18,8 @@ class EmptyState;
 class EncoderBus;
 class NamingBar;
 
-// What the manual says of the chosen device, and the question which one it is where the bus does not tell.
-// Follows the bus structure; a typed label key shows its device instead.
+// What the manual says about the chosen device, and the question which one it is where the bus does not tell.
+// Follows the bus structure; typing a label key shows that device instead.
 class DevicePanel : public QWidget
 {
     Q_OBJECT
@@ -28,12 +28,13 @@ public:
     // Both must outlive the panel.
     DevicePanel(const Buses &buses, const Catalog &catalog, QWidget *parent = nullptr);
 
-    // What the views of a bus tell of the chosen device besides; above all else.
+    // More about the chosen device from the views of its bus; goes above everything else.
     void addRow(QWidget *row);
 
-    // planned: what stands there by the project, where it is not connected; it can be looked at, not named.
+    // planned: the device according to the project where none is connected; it can be looked at, but not
+    // named.
     void setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned = {});
-    // For whoever asked to name the device.
+    // For views from which the user asks to name the device.
     void focusNaming();
 
 protected:
@@ -49,7 +50,7 @@ private:
     const Buses &m_buses;
     std::optional<Place> m_number;
     std::optional<DeviceDescription> m_planned;
-    std::optional<DeviceDescription> m_toFill; // the page with, once it is seen
+    std::optional<DeviceDescription> m_toFill; // what to fill the page with once it is seen
     NamingBar *m_naming;
     QTextBrowser *m_page;
     EmptyState *m_empty;

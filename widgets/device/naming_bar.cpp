@@ -122,7 +122,7 @@ void NamingBar::fillChoices()
     m_name->setEnabled(m_choice->count() > 1);
 }
 
-// While a key is being typed it always ends too early: that is told only when the typing ends.
+// While a key is being typed it is always incomplete, so that is reported only when the typing ends.
 void NamingBar::read(const QString &typed)
 {
     m_message->withdraw();

@@ -17,12 +17,12 @@ namespace codewheel {
 class Catalog;
 class InlineMessage;
 
-// A bus terminal has no make that matters and nothing to describe.
+// A bus terminal has no make that matters, and nothing to describe.
 bool isCoupler(const EncoderBus &bus, Place place);
 
-// "Which encoder is 1.0?": the key on its label, or a choice of the catalog's devices of its device code.
-// Name gives the place that driver; nothing is sent. A key is looked up even where it is no place's. Stands
-// in the DevicePanel.
+// "Which encoder is 1.0?": asks for the key on its label, or a choice among the catalog's devices with its
+// device code. Name gives the place that driver; nothing is sent. A key is looked up even if it fits no
+// place. Part of the DevicePanel.
 class NamingBar : public QWidget
 {
     Q_OBJECT
@@ -31,14 +31,14 @@ public:
     // The catalog outlives it.
     explicit NamingBar(const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The device of a bus to be named; without both keys are only looked up.
+    // The device to be named; without bus and place, keys are only looked up.
     void setPlace(EncoderBus *bus, std::optional<Place> number);
     void focusKey();
-    // What the typed key stands for; null where it is empty or not understood.
+    // The match of the typed key; null if it is empty or not understood.
     const LabelMatch *looked() const { return m_matches.empty() ? nullptr : &m_matches.front(); }
 
 Q_SIGNALS:
-    void lookedUp(); // looked() is another one
+    void lookedUp(); // looked() has changed
 
 private:
     void fillChoices();

@@ -23,15 +23,15 @@ constexpr int scaleWidth = 10;  // between arc and disc
 constexpr double arcHalf = 150; // degrees to each side of the top
 constexpr int usualSide = 232;  // of the dial
 constexpr int smallestSide = 144;
-constexpr int largestSide = 320;    // larger costs and tells no more
-constexpr int pointerPlaces = 2880; // of a turn: finer is not to be seen
+constexpr int largestSide = 320;    // anything larger costs more and shows no more
+constexpr int pointerPlaces = 2880; // of a turn: anything finer cannot be seen
 
 int heightOf(const QFont &font)
 {
     return QFontMetrics(font).height();
 }
 
-// What can be seen of a turn.
+// The part of a turn that can be seen.
 std::optional<int> placeOf(const std::optional<double> &turnFraction)
 {
     if (!turnFraction)
@@ -45,13 +45,13 @@ double arcDegrees(double rpm)
     return std::copysign(std::min(share, 1.0) * arcHalf, rpm);
 }
 
-// What can be seen of a speed: whole degrees.
+// The part of a speed that can be seen: whole degrees.
 std::optional<int> arcOf(const std::optional<double> &rpm)
 {
     return rpm ? std::optional(qRound(arcDegrees(*rpm))) : std::nullopt;
 }
 
-// Nobody sees the edges of what moves that fast from frame to frame.
+// At this speed nobody sees the edges move from frame to frame.
 bool isBlur(const DialState &state)
 {
     constexpr double slowest = 20; // rpm: 4 degrees a frame
@@ -105,7 +105,7 @@ QSize CodeDisc::minimumSizeHint() const
     return {smallestSide, smallestSide + textHeight(2)};
 }
 
-// What stands below the dial: position, speed, the note.
+// The texts below the dial: position, speed, the note.
 int CodeDisc::textHeight(int noteLines) const
 {
     const int number = heightOf(numberFont(TextSize::large));
@@ -153,7 +153,7 @@ void CodeDisc::paintEvent(QPaintEvent *event)
     QPainter painter(this);
     if (event->region().intersects(m_dial)) {
         painter.save();
-        painter.setClipRect(m_dial); // with one rectangle Qt has a quick way to turn a picture
+        painter.setClipRect(m_dial); // Qt rotates a pixmap faster within a single clip rectangle
         painter.translate(QRectF(m_dial).center());
         drawDisc(painter);
         drawStill(painter);
@@ -165,7 +165,7 @@ void CodeDisc::paintEvent(QPaintEvent *event)
         dial_note::paint(painter, *this, m_note, m_state.role, note());
 }
 
-// What does not turn with the disc, and so is the same in many frames.
+// Everything that does not turn with the disc, and so stays the same over many frames.
 void CodeDisc::drawStill(QPainter &painter)
 {
     const QPointF center = QRectF(m_dial).center() - m_dial.topLeft();
@@ -203,7 +203,7 @@ void CodeDisc::drawSpeed(QPainter &painter) const
     }
 }
 
-// The fixed scale the pointer turns on: eighths of a turn, quarters longer.
+// The fixed scale the pointer turns on: eighths of a turn, with longer quarters.
 void CodeDisc::drawScale(QPainter &painter) const
 {
     const double outer = m_dial.width() / 2.0 - arcWidth - 3;
@@ -224,7 +224,7 @@ void CodeDisc::drawDisc(QPainter &painter)
     painter.save();
     const bool isFine = !isBlur(m_state);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, isFine);
-    painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no place of now
+    painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no present position
     painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
     painter.drawPixmap(QPointF(-radius, -radius),
                        (isFine ? m_face : m_coarseFace)
@@ -291,7 +291,7 @@ QString CodeDisc::numberText() const
                             : QString(QChar(0x2013));
 }
 
-// Or how old the position is.
+// Or the age of the position.
 QString CodeDisc::speedText(const DialState &state) const
 {
     if (!state.rpm)

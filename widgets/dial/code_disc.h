@@ -7,9 +7,9 @@
 
 namespace codewheel {
 
-// The dial: a code disc that turns with the shaft. Pointer and number say the same, whole turns are counted
-// in the hub, speed is an arc (clockwise to the right, on a logarithmic scale), the note stands below. Used
-// by the dial dock, the wizard and the training panel.
+// The dial: a code disc that turns with the shaft. Pointer and number show the position, the hub counts whole
+// turns, the speed is an arc (clockwise to the right, logarithmic), the note is below. Used by the dial dock,
+// the wizard and the training panel.
 class CodeDisc : public ValueWidget
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ public:
     void setPlace(const QString &place); // "1.0": for screen readers
     void setState(const DialState &state);
     const DialState &state() const { return m_state; }
-    // Shown in full scale of the arc.
+    // The speed at the full arc.
     static constexpr double fullSpeed = 10'000; // rpm
 
     QString valueText() const override;
@@ -48,7 +48,7 @@ private:
     int textHeight(int noteLines) const;
 
     DialState m_state;
-    DiscFace m_face; // twice as fine as the screen: turned edges stay smooth
+    DiscFace m_face; // twice the screen's resolution: rotated edges stay smooth
     DiscFace m_coarseFace;
     QPixmap m_still; // speed arc, scale and hub
     QRect m_dial;    // square: speed arc, scale and disc

@@ -9,10 +9,10 @@ class QFontMetrics;
 class QPainter;
 class QWidget;
 
-// The sentence below a dial, with its icon: what is wrong or missing. Painted by the dials, disc and rod.
+// The sentence below a dial, with its icon: what is wrong or missing. Shared by the dials, disc and rod.
 namespace codewheel::dial_note {
 
-// Lines the note takes, never less than two: so the dial stays where it is when a note comes.
+// Lines the note takes, never fewer than two, so that the dial does not move when a note appears.
 int lines(const QFontMetrics &metrics, int width, const QString &note);
 void paint(QPainter &painter, const QWidget &dial, const QRect &space, Role role, const QString &note);
 

@@ -24,7 +24,7 @@ class DialPanel : public QWidget
 public:
     explicit DialPanel(QWidget *parent = nullptr);
 
-    // Null: an empty state, which tells whether one is chosen that is not connected.
+    // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
 private:

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// What the dial shows of a shaft. Nothing is nothing: it is never shown as 0.
+// What the dial shows of a shaft. An empty value is never shown as 0.
 struct DialState
 {
     std::optional<double> turnFraction = {}; // 0 to 1 of a turn, clockwise; needs the steps per revolution
@@ -18,15 +18,15 @@ struct DialState
     std::optional<qint64> turn = {};         // whole turns, from 0
     std::optional<qint64> velocity = {};     // rpm, as the encoder sends it: positive where positions rise
     std::optional<double> rpm = {};          // positive: clockwise
-    bool isLastKnown = false;                // all of it is of before: how it stands now is not known
-    QString age = {};                        // of that: "20 s ago"
+    bool isLastKnown = false;                // all of it is old: its state now is not known
+    QString age = {};                        // when isLastKnown: "20 s ago"
     QString note = {};                       // a sentence: what is wrong or missing, and how to get it
     Role role = Role::inactive;              // of the note, and of the pointer
 
     friend bool operator==(const DialState &, const DialState &) = default;
 };
 
-// What of a turn the disc stands turned clockwise, where the position is so many turns.
+// The fraction of a turn by which the disc is turned clockwise at a position of so many turns.
 inline double partOfTurn(double turns, bool clockwise)
 {
     const double part = turns - std::floor(turns);

@@ -12,7 +12,7 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Below a dial: what it needs of its encoder and is not known, and a button that reads it where it can be
+// Below a dial: what it needs to know of its encoder but does not, and a button that reads it where it can be
 // read.
 class MissingValues : public QWidget
 {
@@ -28,13 +28,13 @@ public:
     void read(const std::vector<Parameter> &parameters);
 
 Q_SIGNALS:
-    void changed(); // something is known now that was not, or has another value
+    void changed(); // a value has become known, or has changed
 
 private:
     void find();
 
     std::vector<Parameter> m_needed;
-    std::vector<Parameter> m_missing; // of what this kind of encoder has
+    std::vector<Parameter> m_missing; // as far as this kind of encoder has them
     QPointer<EncoderSession> m_encoder;
     QPushButton *m_read;
     InlineMessage *m_message;

@@ -12,7 +12,7 @@ namespace {
 constexpr int mostDecimals = 6;
 constexpr int usualDigits = 3; // of a resolution
 
-// Digits after the point until the number is told to a ten-thousandth of itself.
+// Digits after the point until the number is exact to a ten-thousandth.
 int digitsFor(double number)
 {
     for (int digits = usualDigits; digits < mostDecimals; ++digits) {

@@ -71,7 +71,7 @@ void RodDial::setEncoder(EncoderSession *encoder)
     m_missing->setEncoder(encoder);
 }
 
-// The field belongs to the device: its range is that of the description.
+// The field belongs to the device, whose description gives its range.
 void RodDial::showTellRow()
 {
     delete std::exchange(m_lengthField, nullptr);

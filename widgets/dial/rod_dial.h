@@ -16,8 +16,8 @@ class MissingValues;
 class RodView;
 class ValueField;
 
-// A linear encoder as its rod. The length of the rod stands on its label alone: it is told here, and then
-// steps are mm.
+// A linear encoder as its rod. The length of the rod is only on its label: entering it here turns steps into
+// mm.
 class RodDial : public QWidget
 {
     Q_OBJECT

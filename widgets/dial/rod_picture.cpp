@@ -93,7 +93,7 @@ void RodPicture::drawRod(QPainter &painter, const QPalette &palette) const
     painter.drawRoundedRect(head, 3, 3);
 }
 
-// In mm, or in steps where the length of the rod is not known; without the measuring length only its ticks.
+// In mm, or in steps where the length of the rod is not known; without the measuring length, only ticks.
 void RodPicture::drawScale(QPainter &painter, const QPalette &palette, const RodState &state) const
 {
     const double top = magnetAt(0).y() + headHeight / 2.0;

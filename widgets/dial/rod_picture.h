@@ -11,18 +11,18 @@ class QPainter;
 namespace codewheel {
 
 // The picture of a rod with its head at the left: the magnet on it, a scale below that counts the way the
-// encoder does, an arrow above to where it counts up.
+// encoder does, and an arrow above in the direction it counts up.
 class RodPicture
 {
 public:
     static constexpr int usualWidth = 232;
 
-    // Metrics: of the small text and of the numbers at the scale.
+    // Metrics: those of the small text and of the numbers on the scale.
     static int height();
 
     void setSpace(const QRect &space) { m_space = space; }
     QRect space() const { return m_space; }
-    // Where a magnet is drawn that stands at `place` (magnetPlace()); in logical pixels.
+    // Where a magnet at `place` (magnetPlace()) is drawn, in logical pixels.
     QPointF magnetAt(double place) const;
     void paint(QPainter &painter, const QPalette &palette, const RodState &state) const;
 

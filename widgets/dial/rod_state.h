@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// What the dial shows of a rod encoder. Nothing is nothing: it is never shown as 0.
+// What the dial shows of a rod encoder. An empty value is never shown as 0.
 struct RodState
 {
     std::optional<qint64> position = {};       // steps
@@ -18,16 +18,16 @@ struct RodState
     std::optional<RodScale> scale = {};        // needs the length of the rod
     std::optional<bool> countsUpToTheEnd = {}; // the direction of counting
     std::optional<double> stepsPerSecond = {}; // positive: counts up
-    bool isLastKnown = false;                  // the position is of before: the magnet is lost, or it is old
-    QString age = {};                          // of what is old: "20 s ago"
+    bool isLastKnown = false;                  // the position is old, or the magnet is lost
+    QString age = {};                          // of an old position: "20 s ago"
     QString note = {};                         // a sentence: what is wrong or missing, and what to do
     Role role = Role::inactive;                // of the note, and of the magnet
 
     friend bool operator==(const RodState &, const RodState &) = default;
 };
 
-// Where the magnet stands, 0 at the head to 1 at the end of the rod; nothing where the position lies outside
-// the measuring length, or not all is known.
+// The magnet's place, 0 at the head to 1 at the end of the rod; nothing if the position lies outside the
+// measuring length, or not everything is known.
 std::optional<double> magnetPlace(const RodState &state);
 
 } // namespace codewheel

@@ -62,7 +62,7 @@ QSize RodView::minimumSizeHint() const
     return {smallestWidth, sizeHint().height()};
 }
 
-// What stands below the rod: position, millimetres, speed, resolution, the note.
+// The texts below the rod: position, millimetres, speed, resolution, the note.
 int RodView::textHeight(int noteLines) const
 {
     return largeLine() + (3 + noteLines) * fontMetrics().height() + 3 * grid::unit;
@@ -123,7 +123,7 @@ QString RodView::positionText() const
     return tr("%1 steps").arg(locale().toString(*m_state.position));
 }
 
-// In a narrow view the unit gives way.
+// Without the unit where the view is narrow.
 QString RodView::shownPosition() const
 {
     const QString text = positionText();

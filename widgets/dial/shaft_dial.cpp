@@ -27,7 +27,7 @@ bool countsClockwise(const EncoderSession &encoder)
     return true;
 }
 
-// Where it stands and how fast it turns nobody knows any more.
+// Its position and speed now are not known any more.
 void makeOld(DialState &state, const EncoderSession &encoder)
 {
     const StateNote note = noteOfAge(encoder);
@@ -83,13 +83,13 @@ std::optional<ShaftDial::Scale> ShaftDial::scale() const
     const auto revolutions = m_encoder->known(Parameter::revolutions);
     if (!m_missing->isEmpty() || !steps || !revolutions)
         return std::nullopt;
-    // An encoder on a serial line tells the steps of one turn.
+    // An encoder on a serial line gives its steps per turn.
     const std::int64_t turns = !m_encoder->device().hasWords() ? 1 : revolutions->value;
     return Scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
                  .clockwise = countsClockwise(*m_encoder)};
 }
 
-// What a K1 or K2 shows is the place on its code disc.
+// The position of a K1 or K2 is the place on its code disc.
 std::optional<ShaftDial::Scale> ShaftDial::physicalScale() const
 {
     const DeviceDescription &device = m_encoder->device();
@@ -139,7 +139,7 @@ DialState ShaftDial::running(const Reading &reading) const
     return state;
 }
 
-// Which way the shaft turns is known once the direction is.
+// The sense of rotation follows from the counting direction.
 DialState ShaftDial::turning(std::int64_t velocity) const
 {
     DialState state{.velocity = velocity, .note = whyNoPosition(*m_encoder), .role = Role::running};

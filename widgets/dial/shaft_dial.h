@@ -25,7 +25,7 @@ public:
     void setEncoder(EncoderSession *encoder); // null: none is shown
 
 private:
-    // What has to be known for the disc to turn.
+    // What must be known for the disc to turn.
     struct Scale
     {
         double stepsPerTurn = 0;

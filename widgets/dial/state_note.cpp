@@ -19,7 +19,7 @@ struct DialNote
     Q_DECLARE_TR_FUNCTIONS(DialNote)
 };
 
-// An encoder that goes on showing a position is named by its error; the others show none.
+// An encoder that still shows a position is described by its error; the others show no position.
 QString errorNote(const DeviceDescription &device, const Reading &reading)
 {
     const unsigned number = reading.errorNumber.value_or(0);
@@ -30,7 +30,7 @@ QString errorNote(const DeviceDescription &device, const Reading &reading)
                        : DialNote::tr("The encoder shows error %1: there is no position.").arg(number);
 }
 
-// A K1 or K2 has no states: then bits are 1 that it does not use.
+// A K1 or K2 has no states: this means that bits it does not use are 1.
 QString unknownNote(const DeviceDescription &device, const Reading &reading)
 {
     if (onlyTellsPosition(device.profile))
@@ -65,7 +65,7 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     return {{}, Role::running};
 }
 
-// The age stands below the number.
+// The age itself is shown below the number.
 StateNote noteOfAge(const EncoderSession &encoder)
 {
     const Freshness::Reason reason = encoder.freshness().reason();

@@ -11,7 +11,7 @@ namespace codewheel {
 struct DeviceDescription;
 class EncoderSession;
 
-// What a dial says of an encoder that is not in operation, or whose reading is old.
+// What a dial says about an encoder that is not in operation, or whose reading is old.
 struct StateNote
 {
     QString sentence;

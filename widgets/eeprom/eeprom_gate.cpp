@@ -29,7 +29,7 @@ QString placesOf(const std::vector<QPointer<EncoderSession>> &encoders)
     return places.join(u' ');
 }
 
-// Places may be typed with commas between them, and have blanks in their names.
+// Places may be typed with commas between them, and have spaces in their names.
 QString inBlanks(QString text)
 {
     static const QRegularExpression between(QStringLiteral("[\\s,;]+"));

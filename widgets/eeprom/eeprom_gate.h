@@ -12,17 +12,17 @@ class QLineEdit;
 
 namespace codewheel {
 
-// What is about to be written to an EEPROM at most.
+// The most writes that are about to be made to an EEPROM.
 struct EepromWrites
 {
     QPointer<EncoderSession> encoder;
     int planned = 0;
 };
 
-// Stands where jobs are about to be started that write to EEPROMs: by what the writes of an encoder are
-// counted, and, from three quarters of what the manual states, what has to be known or agreed to before: a
-// tick, and beyond what the manual guarantees the place typed. Whoever starts the job asks isOpen(). In the
-// reviews of wizard, parameters and cams, in transfers, and in EepromQuestion.
+// Shown where jobs are about to be started that write to EEPROMs. Counts the writes of an encoder; from three
+// quarters of the manual's figure it warns, then wants a tick, and beyond what the manual guarantees the
+// place typed. Whoever starts the job asks isOpen(). Used in the reviews of wizard, parameters and cams, in
+// transfers, and in EepromQuestion.
 class EepromGate : public QWidget
 {
     Q_OBJECT
@@ -30,14 +30,14 @@ class EepromGate : public QWidget
 public:
     explicit EepromGate(QWidget *parent = nullptr);
 
-    // What was agreed to holds as long as encoders and concern stay the same.
+    // An agreement holds as long as encoders and concern stay the same.
     void setWrites(EncoderSession &encoder, int planned);
-    // Of several encoders: each that gives cause for concern is told by its place.
+    // For several encoders: each that gives cause for concern is named by its place.
     void setWrites(std::vector<EepromWrites> writes);
     bool isOpen() const;
 
 Q_SIGNALS:
-    void changed(); // isOpen()
+    void changed(); // isOpen() may have changed
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -50,8 +50,8 @@ private:
     std::vector<EepromWrites> m_writes;
     bool m_isOne = true;
     using Encoders = std::vector<QPointer<EncoderSession>>;
-    Encoders m_asked; // to be ticked
-    Encoders m_typed; // whose places are to be typed
+    Encoders m_asked; // need a tick
+    Encoders m_typed; // need their places typed
     QLabel *m_count;
     QLabel *m_icon;
     QLabel *m_text;

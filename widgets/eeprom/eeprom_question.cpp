@@ -21,7 +21,7 @@ struct Question
     Q_DECLARE_TR_FUNCTIONS(codewheel::EepromGate)
 };
 
-constexpr int textWidth = 420; // a comfortable line
+constexpr int textWidth = 420; // a comfortable line length
 
 } // namespace
 

@@ -7,11 +7,11 @@ class QWidget;
 
 namespace codewheel {
 
-// Asks before a job that has no review of its own, where the EEPROM was written as often as the manual speaks
-// of, and lets the place be typed beyond what it guarantees. True, without a question, where nothing is to be
-// asked.
+// Asks before a job that has no review of its own, once the EEPROM has been written as often as the manual
+// mentions, and wants the place typed beyond what it guarantees. True, without a question, if there is
+// nothing to ask.
 bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job);
-// Before a word that goes out by hand, and before a cancelled job writes the values from before again.
+// Before a word sent by hand, and before a cancelled job restores the previous values.
 bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned);
 
 } // namespace codewheel

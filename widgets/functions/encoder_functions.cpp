@@ -128,7 +128,7 @@ void EncoderFunctions::reset()
         m_resetJob = start(ResetToDefault{});
 }
 
-// Asks for the mode where it is not known.
+// Asks for the mode if it is not known.
 void EncoderFunctions::startInPositionMode(const Job &job, Word out)
 {
     if (!m_encoder)
@@ -153,7 +153,7 @@ void EncoderFunctions::startInPositionMode(const Job &job, Word out)
 
 std::optional<JobId> EncoderFunctions::start(const Job &job)
 {
-    if (!m_encoder || !askForEeprom(m_window, *m_encoder, job)) // gone while it was asked for, or no
+    if (!m_encoder || !askForEeprom(m_window, *m_encoder, job)) // gone meanwhile, or refused
         return std::nullopt;
     const auto started = m_encoder->start(job);
     if (started)

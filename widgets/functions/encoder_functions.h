@@ -8,9 +8,9 @@
 
 namespace codewheel {
 
-// What an encoder can do beside its parameters: position and velocity mode, FRABA preset, reset to factory
-// settings. Actions for menus, shown as far as the encoder has them; those that cost or lose something ask
-// first. How a job ends is told by the encoder session.
+// What an encoder can do besides its parameters: position and velocity mode, FRABA preset, reset to factory
+// settings. Actions for menus, shown as far as the encoder has them; those with a cost or loss ask first. The
+// encoder session reports how a job ends.
 class EncoderFunctions : public QObject
 {
     Q_OBJECT

@@ -9,10 +9,10 @@ namespace codewheel {
 
 enum class ModeAnswer { isInPositionMode, switchFirst, cancel };
 
-// The mode is not known, and `out` would set a cam in cam mode.
+// The mode is not known, and in cam mode `out` would set a cam.
 ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out);
 
-// What it does and what it costs; true: do it.
+// Says what it does and what it costs; true: do it.
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder);
 bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder);
 bool askForReset(QWidget *window, const EncoderSession &encoder);

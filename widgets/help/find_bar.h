@@ -8,7 +8,7 @@ class QLineEdit;
 
 namespace codewheel {
 
-// Below a page: what is looked for on it, and whether it is there. Hidden until it is asked for.
+// Below a page: searches it, and shows whether there is a match. Hidden until asked for.
 class FindBar : public QWidget
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
     void showResult(int which, int of);
 
 Q_SIGNALS:
-    void changed(); // what is looked for
+    void changed(); // the text to look for
     void nextRequested();
     void previousRequested();
     void closed();

@@ -33,8 +33,8 @@ HelpBrowser::HelpBrowser(const Manual &manual, QWidget *parent)
     connect(this, &QTextBrowser::sourceChanged, this, &HelpBrowser::preparePage);
 }
 
-// A page begins as Qt reads it, whether a link, a step back or a search led to it. source() is still the page
-// before then.
+// Prepares a page as Qt has just read it, whether by a link, a step back or a search. Until then source() is
+// still the previous page.
 void HelpBrowser::preparePage()
 {
     const QUrl page = m_url.adjusted(QUrl::RemoveFragment);
@@ -48,7 +48,7 @@ void HelpBrowser::preparePage()
         if (const ManualPage *its = m_manual.find(page))
             setDocumentTitle(its->title);
     }
-    document()->pageCount(); // all of it is laid out
+    document()->pageCount(); // lays out all of it
     if (m_url.hasFragment())
         scrollToAnchor(m_url.fragment());
 }
@@ -81,7 +81,7 @@ void HelpBrowser::leaveFor(const QUrl &url)
     m_url = url;
 }
 
-// Qt goes there before the page is formatted.
+// Qt scrolls there before the page is formatted.
 void HelpBrowser::returnToPlace()
 {
     verticalScrollBar()->setValue(m_left.value(m_url));
@@ -98,7 +98,7 @@ void HelpBrowser::tellLanguage()
     top.insertText(tr("The manual is in English only."));
 }
 
-// Those of the pages are light; beside each stands its dark twin.
+// The pages name the light pictures; each has a dark twin beside it.
 QImage HelpBrowser::picture(const QUrl &url) const
 {
     const QString light = u':' + url.path();
@@ -147,7 +147,7 @@ void HelpBrowser::fitPictures()
     verticalScrollBar()->setValue(top);
 }
 
-// Light or dark: pictures, links and lines are others.
+// Light or dark: pictures, links and lines change.
 void HelpBrowser::changeEvent(QEvent *event)
 {
     QTextBrowser::changeEvent(event);

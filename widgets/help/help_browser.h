@@ -9,8 +9,8 @@ namespace codewheel {
 
 class Manual;
 
-// Shows the pages of the manual: pictures as wide as the window at most and light or dark as the program is,
-// words that are searched for marked. Goes by itself where a link leads.
+// Shows the pages of the manual: pictures no wider than the window, and light or dark as the program is; the
+// words of a search are marked. Follows links by itself.
 class HelpBrowser : public QTextBrowser
 {
     Q_OBJECT
@@ -18,13 +18,13 @@ class HelpBrowser : public QTextBrowser
 public:
     HelpBrowser(const Manual &manual, QWidget *parent = nullptr);
 
-    // On this page and those that follow; none: nothing is marked.
+    // On this page and the following ones; none: nothing is marked.
     void mark(const QStringList &words);
     int marked() const { return static_cast<int>(m_marks.size()); }
-    // To the next marked word behind what is chosen, or the one before it, around the end if need be. Its
-    // number, from 1; 0: there is none.
+    // To the next marked word after the selection, or the previous one, wrapping around at the end. Returns
+    // its number, from 1; 0: there is none.
     int goToMark(bool forward);
-    // To the first one from the top of what is seen; its number as well.
+    // To the first one from the top of the visible part; also returns its number.
     int goToFirstMark();
 
     QVariant loadResource(int type, const QUrl &name) override;
@@ -47,12 +47,12 @@ private:
     void choose(const QTextCursor &mark);
 
     const Manual &m_manual;
-    QUrl m_url;      // where it goes, or is
-    QUrl m_prepared; // the page, so that its document is formatted once
+    QUrl m_url;      // the destination, or the present page
+    QUrl m_prepared; // the page already formatted
     QStringList m_words;
     QList<QTextCursor> m_marks;
-    QHash<QUrl, int> m_left; // where each page was when it was left
-    int m_width = 0;         // for which the pictures are
+    QHash<QUrl, int> m_left; // scroll position of each page when it was left
+    int m_width = 0;         // that the pictures are fitted to
 };
 
 } // namespace codewheel

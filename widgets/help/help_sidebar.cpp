@@ -140,7 +140,7 @@ void HelpSidebar::open(QListWidgetItem *item)
         Q_EMIT chosen(item->data(urlOfRow).toUrl());
 }
 
-// The row of the section, or of the page where the contents have no such row.
+// The row of the section, or of the page if the contents have no such row.
 void HelpSidebar::showWhere(const QUrl &url)
 {
     const QScopedValueRollback showing(m_isShowing, true);
@@ -157,7 +157,7 @@ void HelpSidebar::showWhere(const QUrl &url)
         m_contents->scrollToItem(best);
 }
 
-// From the field into what was found, without leaving the keys.
+// From the search field into the results by keyboard.
 bool HelpSidebar::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched != m_search || event->type() != QEvent::KeyPress)

@@ -18,8 +18,8 @@ namespace codewheel {
 class Manual;
 struct ManualHit;
 
-// Left in the help window: the contents of the manual, and, while there is text in the field above, the
-// sections that have all its words.
+// On the left of the help window: the contents of the manual, or, while there is text in the field above, the
+// sections that contain all its words.
 class HelpSidebar : public QWidget
 {
     Q_OBJECT
@@ -52,7 +52,7 @@ private:
     QTreeWidget *m_contents;
     QListWidget *m_hits;
     QLabel *m_count;
-    bool m_isShowing = false; // what the page shows, which nobody has chosen here
+    bool m_isShowing = false; // follows the page: not a choice made here
 };
 
 } // namespace codewheel

@@ -7,11 +7,11 @@ class QWidget;
 
 namespace codewheel {
 
-// What the manual says of a widget and all in it: a page of docs/manual, and mostly a heading of it, as the
-// manual's own links have them: "parameters.md#write".
+// The manual's topic for a widget and everything in it: a page of docs/manual, usually with a heading, in the
+// form of the manual's own links: "parameters.md#write".
 void setHelpTopic(QWidget &widget, const char *topic);
 
-// That of the nearest ancestor that has one, across windows; empty: nobody has.
+// The topic of the nearest ancestor that has one, across windows; empty: none has.
 QString helpTopicOf(const QWidget *widget);
 
 } // namespace codewheel

@@ -23,7 +23,7 @@ namespace codewheel {
 namespace {
 
 constexpr QSize firstHelpSize(960, 700);
-constexpr QSize desktopFrame(40, 60); // what desktops keep for themselves
+constexpr QSize desktopFrame(40, 60); // what desktops reserve for themselves
 constexpr int firstContentsWidth = 250;
 
 } // namespace
@@ -109,7 +109,7 @@ void HelpWindow::makeFinding()
     connect(m_sidebar, &HelpSidebar::wordsChanged, this, &HelpWindow::showMarks);
 }
 
-// What is looked for on the page goes before what was searched for on all.
+// Find in the page takes precedence over the search of all pages.
 void HelpWindow::showMarks()
 {
     m_page->mark(m_find->text().isEmpty() ? m_sidebar->words() : QStringList{m_find->text()});

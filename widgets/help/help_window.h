@@ -15,8 +15,8 @@ class HelpBrowser;
 class HelpSidebar;
 struct Tool;
 
-// The manual in a window of its own, which stops nobody's work: contents, search over all pages, find in the
-// page, back and forward.
+// The manual in a modeless window of its own: contents, search of all pages, find in the page, back and
+// forward.
 class HelpWindow : public QWidget
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     explicit HelpWindow(QWidget *parent = nullptr);
 
     const Manual &manual() const { return m_manual; }
-    // As setHelpTopic() has it; empty: the first page.
+    // In the form of setHelpTopic(); empty: the first page.
     void showTopic(const QString &topic);
     QUrl shown() const;
 

@@ -9,10 +9,10 @@
 
 namespace codewheel {
 
-// Keys that a view answers itself, without an action, as people are told of them.
+// Keys that a view handles itself, without an action, as described to the user.
 struct KeyHelp
 {
-    QString keys; // in the words of the language: "Left, Right"
+    QString keys; // translated: "Left, Right"
     QString what;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr auto docsFolder = u":/codewheel-manual/docs/";
 
-// As built, or as installed.
+// In the build tree, or installed.
 QStringList placesOfManual()
 {
     const QString folder = QCoreApplication::applicationDirPath();

@@ -10,11 +10,11 @@ class QTextDocument;
 
 namespace codewheel {
 
-// A heading of the manual, with what stands below it up to the next one.
+// A heading of the manual, with the text below it up to the next one.
 struct ManualSection
 {
     QString title;
-    QString anchor; // as links of the manual name it: "offline-and-online"
+    QString anchor; // as in links of the manual: "offline-and-online"
     int level = 1;
     QString text;
 };
@@ -27,8 +27,8 @@ struct ManualPage
     bool isOfManual = true;              // else a page that the manual leads to: files, protocols
 };
 
-// The user manual, docs/manual and the pages it leads to, as it was when the program was built. It lies in a
-// file beside the program, which is opened when the manual is, and of which only what is looked at is read.
+// The user manual, docs/manual and the pages it leads to, as of the build. It is in a file beside the
+// program, opened only when the manual is, of which only the pages looked at are read.
 class Manual
 {
 public:
@@ -42,7 +42,7 @@ public:
     // Whether there is such a page, with such a heading if the topic names one.
     bool has(const QUrl &url) const;
     static QUrl firstPage();
-    // As setHelpTopic() has it.
+    // From a topic in the form of setHelpTopic().
     static QUrl url(const QString &topic);
 
 private:

@@ -11,7 +11,7 @@ namespace codewheel {
 
 class Manual;
 
-// A section of the manual in which all words of a search stand.
+// A section of the manual that contains all words of a search.
 struct ManualHit
 {
     QUrl url; // with its anchor
@@ -23,7 +23,7 @@ struct ManualHit
 // "zero offset" has two words, "\"zero offset\"" one.
 QStringList searchedWords(const QString &typed);
 
-// Those with a word in their heading first, then as the pages have them. Capitals do not matter.
+// Those with a word in their heading first, then in page order. Case does not matter.
 std::vector<ManualHit> searchManual(const Manual &manual, const QStringList &words);
 
 } // namespace codewheel

@@ -14,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-// Letters, digits, - and _ in small letters, spaces as -; the rest is left out.
+// Lower case; letters, digits, - and _ stay, spaces become -, everything else is dropped.
 QString slug(const QString &title)
 {
     QString slug;
@@ -43,7 +43,7 @@ void formatHeading(const QTextBlock &block)
     QTextCursor(block).setBlockFormat(format);
 }
 
-// A line of code that is too long goes on in the next one: the page stays as wide as the window.
+// A line of code that is too long wraps, so that the page stays as wide as the window.
 void formatCode(const QTextBlock &block)
 {
     const bool isCode = block.blockFormat().nonBreakableLines();
@@ -53,7 +53,7 @@ void formatCode(const QTextBlock &block)
         format.setLeftMargin(2 * grid::margin);
         QTextCursor(block).setBlockFormat(format);
     }
-    std::vector<std::pair<int, int>> spans; // before any is changed, since fragments join then
+    std::vector<std::pair<int, int>> spans; // collected before any is changed, since fragments then merge
     for (auto part = block.begin(); !part.atEnd(); ++part)
         if (const QTextFragment text = part.fragment(); isCode || text.charFormat().fontFixedPitch())
             spans.emplace_back(text.position(), text.position() + text.length());
@@ -88,7 +88,7 @@ void formatTable(QTextTable &table, const QPalette &palette)
     format.setTopMargin(grid::margin);
     format.setBottomMargin(grid::margin);
     table.setFormat(format);
-    if (table.rows() > 1 && isEmptyRow(table, 0)) // Markdown knows no table without a head
+    if (table.rows() > 1 && isEmptyRow(table, 0)) // Markdown has no table without a header
         table.removeRows(0, 1);
 }
 

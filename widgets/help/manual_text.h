@@ -11,7 +11,7 @@ namespace codewheel {
 
 // What a page of the manual lacks after Qt has read its Markdown.
 
-// Gives each heading the anchor by which links name it, the same as where the manual is read on the web.
+// Gives each heading the anchor that links use, the same as on the web.
 void nameHeadings(QTextDocument &document);
 QString anchorOf(const QTextBlock &heading);
 

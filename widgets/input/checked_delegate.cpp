@@ -57,7 +57,7 @@ QWidget *CheckedDelegate::createEditor(QWidget *parent, const QStyleOptionViewIt
     return editor;
 }
 
-// What was wrong in it is given up with it.
+// Its complaint is dropped with it.
 void CheckedDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) const
 {
     Q_EMIT inputChecked({});
@@ -75,7 +75,7 @@ bool CheckedDelegate::eventFilter(QObject *object, QEvent *event)
         field->parent()->parent()->installEventFilter(this);
     }
     if (event->type() == QEvent::FocusOut && field != nullptr) {
-        if (field->window()->isHidden()) // it goes with its window, and is not left
+        if (field->window()->isHidden()) // it closes with its window, rather than being left
             return true;
         if (!field->hasAcceptableInput())
             return false;

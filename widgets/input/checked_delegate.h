@@ -10,18 +10,18 @@
 
 namespace codewheel {
 
-// Fields in the cells of a table. What is refused is not taken and its field stays open, with its mark, to be
-// corrected, whatever else of the table is clicked; Esc gives the value before.
+// Fields in the cells of a table. Refused input is not taken and its field stays open, marked, to be
+// corrected, whatever else in the table is clicked; Esc restores the previous value.
 class CheckedDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
 
 public:
-    // What is wrong with the text for this cell; empty: nothing.
+    // What is wrong with the text for this cell; empty: nothing is.
     using Complaint = std::function<QString(const QModelIndex &index, const QString &text)>;
 
     using QStyledItemDelegate::QStyledItemDelegate;
-    // For fields that are made by Qt, of text.
+    // For text fields made by Qt.
     CheckedDelegate(Complaint complaint, QObject *parent);
 
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,

@@ -20,7 +20,7 @@ struct DecimalText
     Q_DECLARE_TR_FUNCTIONS(codewheel::DecimalText)
 };
 
-// "1,000" or "12.000.000" could be thousands in groups; "0,001" and "1,25" could not.
+// "1,000" or "12.000.000" could be grouped thousands; "0,001" and "1,25" could not.
 bool mayBeGrouped(const QString &text)
 {
     static const QRegularExpression grouped(QStringLiteral(R"(^[+-]?[1-9]\d{0,2}([.,]\d{3})+$)"));

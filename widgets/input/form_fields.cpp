@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// Of fields that only mark what is refused, as those in cells do.
+// For fields that only mark refused input, such as those in cells.
 QString markedSentence(const QWidget &widget)
 {
     const auto *field = qobject_cast<const QLineEdit *>(&widget);

@@ -13,12 +13,12 @@ class FormField
 public:
     virtual ~FormField() = default;
 
-    // Takes what is typed. Where it is refused: the sentence, and nothing is taken.
+    // Takes what is typed. If refused: the sentence, and nothing is taken.
     virtual QString takeTyped() = 0;
 };
 
-// Takes what stands in the fields of the form, for a button that is pressed while somebody types. The first
-// that is refused gets the focus, and its sentence is returned; empty: all are good.
+// Takes the input of all fields of the form, for a button pressed while somebody is typing. The first refused
+// field gets the focus, and its sentence is returned; empty: all are good.
 QString takeFields(const QWidget &form);
 
 } // namespace codewheel

@@ -30,7 +30,7 @@ void InputMark::tellBelow(QWidget &box, const QString &wrong)
         return;
     const QString inLines =
         wrong.isEmpty() ? QString() : QStringLiteral("<qt>%1</qt>").arg(wrong.toHtmlEscaped());
-    QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), inLines, &box); // none: it goes
+    QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), inLines, &box); // an empty text hides it
 }
 
 } // namespace codewheel

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace codewheel {
 
-// The mark at the end of a field while what stands in it is no good; its sentence is tooltip and description
+// The mark at the end of a field while its input is no good; its sentence is the tooltip and the description
 // for screen readers.
 class InputMark
 {
@@ -17,7 +17,7 @@ public:
     explicit InputMark(QLineEdit &field);
 
     void show(const QString &wrong); // empty: all is well
-    // The sentence, too, below the box the field is in, while it has the focus.
+    // Shows the sentence also below the box the field is in, while it has the focus.
     static void tellBelow(QWidget &box, const QString &wrong);
 
 private:

@@ -27,10 +27,10 @@ SpinField<SpinBox>::SpinField(QWidget *parent)
 {
     this->setKeyboardTracking(false);
     QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, [this] { check(); });
-    QObject::connect(this, &SpinBox::valueChanged, this, [this] { check(); }); // may be set by others
+    QObject::connect(this, &SpinBox::valueChanged, this, [this] { check(); }); // may be set by code
 }
 
-// Without what the field itself puts before and behind the number.
+// Without the field's own prefix and suffix.
 template <typename SpinBox>
 QString SpinField<SpinBox>::bareText(QString text) const
 {
@@ -87,7 +87,7 @@ auto SpinField<SpinBox>::valueFromText(const QString &text) const -> Value
     return read(bareText(text)).value_or(this->value());
 }
 
-// Esc is for the field where something was typed, and Return where it is good; else for whoever is around it.
+// The field handles Esc if something was typed, and Return if it is good; otherwise its surroundings do.
 template <typename SpinBox>
 void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
 {
@@ -105,8 +105,8 @@ void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
     SpinBox::keyPressEvent(event);
 }
 
-// What is refused is not taken. It stays in the field with its mark, to be corrected; Qt would put the value
-// before there without a word.
+// Refused input is not taken. It stays in the field, marked, to be corrected; Qt would silently restore the
+// previous value.
 template <typename SpinBox>
 void SpinField<SpinBox>::focusOutEvent(QFocusEvent *event)
 {

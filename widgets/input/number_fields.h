@@ -12,8 +12,8 @@
 namespace codewheel {
 
 // The field for a number in every form. What is typed is taken when the field is left or Return is pressed,
-// and only if it is good; until then a mark tells what is wrong. Esc gives the value before. Point and comma
-// both stand before decimals.
+// and only if it is good; until then a mark says what is wrong. Esc restores the previous value. Point and
+// comma are both decimal signs.
 template <typename SpinBox>
 class SpinField : public SpinBox, public FormField
 {
@@ -25,21 +25,21 @@ public:
     QString takeTyped() override;
 
 protected:
-    // What is written, without what the field puts around it.
+    // The number as typed, without prefix and suffix.
     virtual tl::expected<Value, QString> read(const QString &bare) const;
     // While typing: a sentence, or empty where it is good.
     virtual void checked(const QString &) {}
 
     QValidator::State validate(QString &text, int &position) const override;
     Value valueFromText(const QString &text) const override;
-    void fixup(QString &) const override {} // Qt's own would take signs between thousands out
+    void fixup(QString &) const override {} // Qt's own would drop thousands separators
     void keyPressEvent(QKeyEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
     QString bareText(QString text) const;
     void check();
-    QString complaint() const; // about what stands in the field; empty: none
+    QString complaint() const; // about the text in the field; empty: none
 
     InputMark m_mark;
 };

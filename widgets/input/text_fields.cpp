@@ -11,7 +11,7 @@ TextField::TextField(QWidget *parent)
     : QLineEdit(parent)
 {
     connect(this, &QLineEdit::textChanged, this, [this](const QString &text) {
-        if (!isModified()) // set by others
+        if (!isModified()) // set by code
             m_taken = text;
     });
     connect(this, &QLineEdit::editingFinished, this, &TextField::take);
@@ -28,7 +28,7 @@ void TextField::take()
     Q_EMIT taken(m_taken);
 }
 
-// Esc is for the field where something was typed; else for whoever is around it.
+// The field handles Esc if something was typed; otherwise its surroundings do.
 void TextField::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Escape && text() != m_taken) {
@@ -76,7 +76,7 @@ void takeFocusedField()
     if (!field)
         return;
     field->clearFocus();
-    if (field && field->isVisible()) // the field of a cell has gone
+    if (field && field->isVisible()) // a cell's field is gone by now
         field->setFocus(Qt::OtherFocusReason);
 }
 

@@ -6,7 +6,8 @@
 
 namespace codewheel {
 
-// A line of text in a form: taken when the field is left or Return is pressed. Esc gives the text before.
+// A line of text in a form: taken when the field is left or Return is pressed. Esc restores the previous
+// text.
 class TextField : public QLineEdit
 {
     Q_OBJECT
@@ -14,11 +15,11 @@ class TextField : public QLineEdit
 public:
     explicit TextField(QWidget *parent = nullptr);
 
-    // The text that was set or taken last; what is being typed is not.
+    // The text set or taken last, without what is being typed.
     const QString &takenText() const { return m_taken; }
 
 Q_SIGNALS:
-    void taken(const QString &text); // by the user, and another one than before
+    void taken(const QString &text); // by the user, and different from before
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -29,7 +30,7 @@ private:
     QString m_taken;
 };
 
-// A text of several lines: taken when the field is left. Esc gives the text before.
+// A text of several lines: taken when the field is left. Esc restores the previous text.
 class NoteField : public QPlainTextEdit
 {
     Q_OBJECT
@@ -51,8 +52,8 @@ private:
     QString m_taken;
 };
 
-// Takes what stands in the field that has the focus, as leaving it would: for who saves or closes while
-// somebody types. The focus stays.
+// Takes what is in the focused field, as leaving it would: for saving or closing while somebody is typing.
+// The focus stays.
 void takeFocusedField();
 
 } // namespace codewheel

@@ -35,7 +35,7 @@ bool WheelRule::eventFilter(QObject *watched, QEvent *event)
     }
     if (field->hasFocus())
         return false;
-    event->ignore(); // what is around the field scrolls
+    event->ignore(); // so that the surroundings of the field scroll
     return true;
 }
 

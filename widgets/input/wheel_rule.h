@@ -5,8 +5,9 @@
 
 namespace codewheel {
 
-// No field changes by the wheel unless it has the focus, and the wheel gives no focus: whoever scrolls over a
-// form scrolls. Put on the application, it holds for every number, choice and slider of the program.
+// No field changes by the wheel unless it has the focus, and the wheel gives no focus, so that scrolling over
+// a form only scrolls. Installed on the application, it holds for every number, choice and slider of the
+// program.
 class WheelRule : public QObject
 {
     Q_OBJECT

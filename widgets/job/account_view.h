@@ -20,8 +20,8 @@ class AccountView : public QWidget
 public:
     explicit AccountView(QWidget *parent = nullptr);
 
-    void show(const Report &report, const QString &fileName); // without its ending
-    // HTML where the name ends so, else text. False: it could not be written, and the view says why.
+    void show(const Report &report, const QString &fileName); // without its suffix
+    // HTML if the name ends so, else text. False: it could not be written, and the view says why.
     bool saveTo(const QString &path);
 
 Q_SIGNALS:

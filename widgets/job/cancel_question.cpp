@@ -46,7 +46,7 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
     return lines.join(QLatin1Char('\n'));
 }
 
-// A word that is in OUT, and was not confirmed yet.
+// A word is in OUT and not confirmed yet.
 bool isTakingValue(const Progress &progress)
 {
     if (progress.waitsForUser || progress.index >= std::ssize(progress.steps))

@@ -11,24 +11,24 @@ class QPushButton;
 
 namespace codewheel {
 
-// What the encoder has taken when a job is to be cancelled.
+// What the encoder has taken by the time a job is to be cancelled.
 struct CancelSituation
 {
     ParameterValues taken;   // by the encoder so far
-    bool tookCams = false;   // which are acknowledged one by one, too
-    bool isActive = false;   // what it has taken is valid already: run was sent, and nothing since
-    bool canRestore = false; // the values from before are known
+    bool tookCams = false;   // these are acknowledged one by one, too
+    bool isActive = false;   // it is valid already: run was sent, and nothing since
+    bool canRestore = false; // the previous values are known
     int writesToRestore = 0; // to the EEPROM, at most
     QString positionNote;    // what the position will read if it runs with what it has; may be empty
 };
 
-// Of a job whose last word is this progress.
+// For a job whose latest progress this is.
 CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress);
 
-// Cancel of a job after the encoder has taken something: restore the values from before, run with what it
-// has, leave it as it is, or go on. Before it has taken anything (Progress::hasTaken) there is nothing to
-// ask: OnCancel::ifNothingTaken. Restoring writes to the EEPROM: where that has to be agreed to, it is asked
-// for as well. Stands in the strip of a job, and in a dialog.
+// Cancelling a job after the encoder has taken something: restore the previous values, run with what it has,
+// leave it as it is, or go on. Before that (Progress::hasTaken) there is nothing to ask:
+// OnCancel::ifNothingTaken. Restoring writes to the EEPROM; where that needs consent, it is asked for as
+// well. Used in the strip of a job, and in a dialog.
 class CancelQuestion : public QWidget
 {
     Q_OBJECT
@@ -54,7 +54,7 @@ private:
     QPushButton *m_goOn;
 };
 
-// In a dialog. Nothing: go on with the handshake; also where the job ended meanwhile. Used by the wizard and
+// In a dialog. Nothing: go on with the handshake; also if the job has ended meanwhile. Used by the wizard and
 // by transfers.
 std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation);

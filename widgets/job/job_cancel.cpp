@@ -37,10 +37,10 @@ void JobCancel::follow(const Progress &progress)
     if (m_question && (asksNow || !m_question->isHidden())) // it may have taken more
         ask();
     else if (asksNow)
-        QTimer::singleShot(0, this, &JobCancel::ask); // not amid the signals of the bus
+        QTimer::singleShot(0, this, &JobCancel::ask); // not from within the signals of the bus
 }
 
-// Before the encoder has taken anything, OUT goes back to 0 and that is all.
+// Before the encoder has taken anything, OUT simply goes back to 0.
 void JobCancel::cancel()
 {
     if (!m_encoder)

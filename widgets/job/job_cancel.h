@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// Cancel of the job that an encoder does, wherever its button stands: at once as long as the encoder has
-// taken nothing; once it has, asks how to leave it, while the job goes on. Of JobStrip and of the wizard.
+// Cancels an encoder's job, wherever the button is: at once while the encoder has taken nothing; afterwards
+// it asks how to leave the encoder, while the job goes on. Used by JobStrip and the wizard.
 class JobCancel : public QObject
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ class JobCancel : public QObject
 public:
     using Situation = std::function<CancelSituation(const EncoderSession &, const Progress &)>;
 
-    // Asks in `question`, where it is shown; in a dialog on the window of `view` without one.
+    // Asks in `question`, if given; otherwise in a dialog on the window of `view`.
     explicit JobCancel(QWidget *view, CancelQuestion *question = nullptr, Situation situation = situationOf);
 
     void begin(EncoderSession *encoder); // its job; null: none
@@ -35,7 +35,7 @@ private:
     Situation m_situation;
     QPointer<EncoderSession> m_encoder;
     Progress m_progress;
-    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
+    bool m_asksIfTaken = false; // cancelled while nothing had been taken
 };
 
 } // namespace codewheel

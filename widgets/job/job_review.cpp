@@ -21,7 +21,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int narrowestColumn = 50; // px: what is longer stands on more lines
+constexpr int narrowestColumn = 50; // px: longer texts wrap
 
 } // namespace
 
@@ -99,7 +99,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     m_write->show();
     connect(&encoder, &EncoderSession::knownChanged, this, &JobReview::showContents);
     connect(&encoder, &EncoderSession::latestChanged, this, [this] {
-        if (isVisible()) // mode, and what stands in OUT, decide what is sent
+        if (isVisible()) // mode and the word in OUT decide what is sent
             showContents();
     });
     m_writeAll->setChecked(false);

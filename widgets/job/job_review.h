@@ -21,8 +21,8 @@ class InlineMessage;
 // "EEPROM writes by this program so far: 12; by this at most 2. The manual states about 200 ..."
 QString eepromCostText(const EncoderSession &encoder, int atMost);
 
-// Shown before anything is written: what will change, what goes out for it, what it costs. What it shows
-// follows what comes to be known of the encoder. The parameter panel and the cam editor derive theirs.
+// Shown before anything is written: what will change, what is sent for it, what it costs. Follows what
+// becomes known of the encoder. The parameter panel and the cam editor derive theirs.
 class JobReview : public QWidget
 {
     Q_OBJECT
@@ -41,7 +41,7 @@ protected:
         QString write{}; // on the button
     };
 
-    // id: of the button that writes; tip: what it does.
+    // id: that of the button that writes; tip: what the button does.
     JobReview(const char *id, QWidget *parent);
 
     void begin(EncoderSession &encoder, std::vector<ReviewColumn> columns, const QString &tip,

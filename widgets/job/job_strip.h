@@ -15,15 +15,15 @@ namespace codewheel {
 class CancelQuestion;
 class JobCancel;
 
-// Where a job stands, with Cancel: the job of an encoder, in its panels, or a round of jobs, encoder i of n,
-// in transfers.
+// The progress of a job, with Cancel: that of one encoder, in its panels, or of a round of jobs, encoder i of
+// n, in transfers.
 class JobStrip : public QWidget
 {
     Q_OBJECT
 
 public:
     explicit JobStrip(QWidget *parent = nullptr);
-    // Cancel begins no other encoder, whatever becomes of the one that runs. The round must outlive it.
+    // Cancel starts no further encoder, whatever becomes of the running one. The round must outlive it.
     explicit JobStrip(JobRound &round, QWidget *parent = nullptr);
 
     void setEncoder(EncoderSession *encoder);

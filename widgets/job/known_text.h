@@ -9,7 +9,7 @@ namespace codewheel {
 
 // "read", "echoed", "told", "unknown": how a value is known.
 QString evidenceText(const std::optional<Known> &known);
-// In a sentence, with what would make it surer. reads: the encoder can be read.
+// In a sentence, with what would make it more certain. reads: the encoder can be read.
 QString evidenceExplanation(const std::optional<Known> &known, bool reads);
 
 // "8 192 steps", "3 (CW)". options: valueText().
@@ -20,7 +20,7 @@ QString valueList(const DeviceDescription &device, const ParameterValues &values
 // "8 192 steps (read)"; "unknown".
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known);
 
-// That the values from before are in the encoder again, and how that is known; empty where they are not.
+// That the previous values are in the encoder again, and how that is known; empty if they are not.
 QString restoredText(const std::optional<Evidence> &restored);
 
 // "position", "velocity", "cam", "not known".
@@ -28,7 +28,7 @@ QString modeName(std::optional<Mode> mode);
 
 // The state an encoder was left in, as a sentence.
 QString leftInText(EncoderState state);
-// Both: what the encoder has again, and where it was left.
+// Both: the restored values, and the state it was left in.
 QString endText(const Outcome &outcome);
 
 } // namespace codewheel

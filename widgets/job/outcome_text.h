@@ -9,13 +9,12 @@ namespace codewheel {
 // "1, 2, 5"
 QString programList(const std::vector<CamProgram> &programs);
 
-// What a job has come to, where it was started: short, since the tables show the values and the messages keep
-// them.
+// How a job ended, where it was started: short, since the tables show the values and the messages keep them.
 struct JobEnd
 {
     Role role = Role::running;
     QString text;
-    QString wayBack; // on a button, where the encoder was left in a state that it can be brought back from
+    QString wayBack; // on a button, if the encoder was left in a state it can be brought back from
 };
 JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome);
 

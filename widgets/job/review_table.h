@@ -19,21 +19,22 @@ struct ReviewColumn
 
 struct ReviewRow
 {
-    enum class Kind : std::uint8_t { head, value, note }; // head: of an encoder, where there are several
+    enum class Kind : std::uint8_t { head, value, note }; // head: of an encoder, if there are several
 
     QStringList cells;
-    QStringList tips{}; // in place of the cells; an empty one: the cell itself
-    QString tip{};      // in place of all of them
+    QStringList tips{}; // instead of the cells' texts; an empty one: the cell's text
+    QString tip{};      // instead of all of them
     Kind kind = Kind::value;
-    Place place{}; // of the encoder, where there are several
+    Place place{}; // of the encoder, if there are several
     bool canBeChosen = false;
-    bool isThere = false; // left out
+    bool isThere = false; // already there: left out
     bool isHindered = false;
 
     friend bool operator==(const ReviewRow &, const ReviewRow &) = default;
 };
 
-// What a job will change or send, row by row: in the review of parameters, cams and wizard, and in transfers.
+// What a job will change or send, row by row: in the reviews of parameters, cams and wizard, and in
+// transfers.
 class ReviewTable : public TableModelBase<ReviewRow>
 {
     Q_OBJECT
@@ -42,7 +43,7 @@ public:
     using TableModelBase::TableModelBase;
 
     void setColumns(std::vector<ReviewColumn> columns, TextSize size = TextSize::normal);
-    // Keeps what is there as far as it is the same: what is pointed at stays.
+    // Keeps unchanged rows, so that the row under the mouse stays.
     void show(std::vector<ReviewRow> rows);
 
 protected:

@@ -8,7 +8,7 @@ class QLabel;
 
 namespace codewheel {
 
-// The pages of the wizard, quietly at the side: which are behind, where one is, what comes.
+// The pages of the wizard, quietly at the side: those done, the present one, and those to come.
 class StepList : public QWidget
 {
     Q_OBJECT

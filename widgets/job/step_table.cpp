@@ -77,7 +77,7 @@ void StepTable::setCurrent(int index, bool waitsForUser)
         setState(index, waitsForUser ? StepState::next : StepState::sent);
 }
 
-// A row is told before the step that follows from it: it belongs to the last step that put this word out.
+// A row is reported before the step that follows from it: it belongs to the last step that put this word out.
 void StepTable::answer(const Exchange &row)
 {
     for (int i = std::min(m_current, rowCount() - 1); i >= 0; --i) {

@@ -22,8 +22,8 @@ struct StepRow
     friend bool operator==(const StepRow &, const StepRow &) = default;
 };
 
-// The steps of a handshake: what, OUT, IN, state; on a serial line what, request, state. In the review it has
-// no IN and no state.
+// The steps of a handshake: what, OUT, IN, state; on a serial line what, request, state. The review has no IN
+// and no state.
 class StepTable final : public TableModelBase<StepRow>
 {
     Q_OBJECT
@@ -34,9 +34,9 @@ public:
 
     explicit StepTable(Stage stage, QObject *parent = nullptr);
 
-    // Keeps what is there as far as it is the same.
+    // Keeps rows that are the same.
     void showSteps(const DeviceDescription &device, const std::vector<Step> &steps);
-    void begin(); // no answers, all planned
+    void begin(); // no answers yet, all planned
     // steps[index] waits for the user, or is on its way; those before are done.
     void setCurrent(int index, bool waitsForUser);
     void answer(const Exchange &row);

@@ -10,7 +10,7 @@ namespace codewheel {
 struct DeviceDescription;
 
 // What a step of a job does, whatever the bus: "Steps = 255", "Read steps", "Run: the values become valid",
-// "Read the position of 05". Told so by the wizard, the panels' job strip and the reports.
+// "Read the position of 05". Used by the wizard, the panels' job strip and the reports.
 QString stepText(const DeviceDescription &device, const Step &step);
 
 } // namespace codewheel

@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// Every command of the protocol behind an address, with what it does: what the field of the terminal offers
-// while one types.
+// Every command of the protocol after an address, with what it does: offered by the terminal's field while
+// one types.
 class CommandList : public TableModelBase<esc::CommandShape>
 {
     Q_OBJECT
@@ -17,10 +17,10 @@ public:
 
     explicit CommandList(QObject *parent = nullptr);
 
-    // Two hexadecimal digits; the requests begin with them.
+    // Two hexadecimal digits, with which the requests begin.
     void setAddress(const QString &digits);
     const QString &address() const { return m_address; }
-    // Of the scaling factor of the line.
+    // Those of the scaling factor of the line.
     void setFractionBits(int bits);
 
 protected:

@@ -41,7 +41,7 @@ std::vector<FoundEncoder> FoundEncoderModel::chosen() const
     return chosen;
 }
 
-// At the master address every encoder answers: what was found there can be used there as long as it is alone.
+// Every encoder answers at the master address: one found there can be used there as long as it is alone.
 bool FoundEncoderModel::canBeTaken(const FoundEncoder &row) const
 {
     return row.address.isDevice() || rowCount() == 1;

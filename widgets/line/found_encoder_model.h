@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// The encoders that a search has found; those to be taken over are ticked.
+// The encoders found by a search; those to be taken over are ticked.
 class FoundEncoderModel : public TableModelBase<FoundEncoder>
 {
     Q_OBJECT
@@ -18,7 +18,7 @@ public:
 
     using TableModelBase::TableModelBase;
 
-    // Those that are there already stay as they are.
+    // Rows that exist already stay as they are.
     void show(const std::vector<FoundEncoder> &found);
     void clear();
     std::vector<FoundEncoder> chosen() const;

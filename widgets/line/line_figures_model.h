@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// A figure a row; the line in the first column, each encoder in one of its own.
+// One row per figure; the line in the first column, each encoder in a column of its own.
 class LineFiguresModel : public QAbstractTableModel
 {
     Q_OBJECT

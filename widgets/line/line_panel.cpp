@@ -90,7 +90,7 @@ void LinePanel::makeTable()
     m_table->setShowGrid(false);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setHighlightSections(false);
-    // Calm: columns are as wide as their headers and ten digits, whatever the figures are.
+    // Columns are as wide as their headers and ten digits, whatever the figures, so that nothing jumps.
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setFixedHeight(m_figures->rowCount() * m_table->verticalHeader()->defaultSectionSize() +

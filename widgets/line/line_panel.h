@@ -15,7 +15,7 @@ class LineFiguresModel;
 class LineSession;
 class RoleLabel;
 
-// The serial line at a glance: port, baud rate, state, and how it does, as a whole and encoder by encoder.
+// The serial line at a glance: port, baud rate, state and statistics, as a whole and encoder by encoder.
 class LinePanel : public ScrolledPanel
 {
     Q_OBJECT

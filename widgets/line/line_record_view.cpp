@@ -21,7 +21,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int writesNamed = 10; // writes in the question; the table has all
+constexpr int writesNamed = 10; // in the question; the table lists all writes
 
 std::vector<ShownTraffic> shownRows(const LineRecord &record, LineTraffic &traffic)
 {

@@ -20,8 +20,8 @@ class LineSession;
 class ReplayModel;
 class TrafficModel;
 
-// A kept session of a serial line: to be looked at, and sent again to the line there is. Reads only, unless a
-// question that names the writes is answered otherwise. Used by the terminal.
+// A recorded session of a serial line, to be looked at and sent again to the present line. Sends reads only,
+// unless the user agrees to a question that names the writes. Used by the terminal.
 class LineRecordView : public QWidget
 {
     Q_OBJECT

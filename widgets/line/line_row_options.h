@@ -9,7 +9,7 @@ namespace codewheel {
 
 class LineRowTable;
 
-// What of the rows of a line is shown: what the program asks by itself, their text, their bytes.
+// What is shown of a line's rows: the program's own requests, text, bytes.
 class LineRowOptions : public QWidget
 {
     Q_OBJECT

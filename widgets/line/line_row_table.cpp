@@ -15,7 +15,7 @@ namespace codewheel {
 namespace {
 
 constexpr LogTable::Letters lineMeaning{.fewest = 20, .wanted = 28};
-constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest
+constexpr int shownBytes = 12; // of an answer of 8 digits; the tooltip shows longer ones in full
 
 } // namespace
 
@@ -52,7 +52,7 @@ LineRowTable::LineRowTable(TrafficModel &rows, const QString &name, QWidget *par
 
 LineRowTable::~LineRowTable()
 {
-    const QSignalBlocker silent(this); // who listens may be gone by now
+    const QSignalBlocker silent(this); // receivers may be gone by now
     setModel(nullptr);
 }
 

@@ -9,8 +9,8 @@
 
 namespace codewheel {
 
-// The rows of a line, without those of what the program asks by itself, where that is wanted: they would push
-// away what was typed. What is hidden is kept.
+// The rows of a line, on request without the program's own requests, which would push away what was typed.
+// Hidden rows are kept.
 class LineRowFilter : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
 };
 
 // The rows of a line as a table: hides automatic requests and columns as wanted, copies and exports what it
-// shows. Used by the terminal and by the view of a kept session.
+// shows. Used by the terminal and the view of a recorded session.
 class LineRowTable : public LogTable
 {
     Q_OBJECT
@@ -44,7 +44,7 @@ public:
     // Of the row that was chosen last.
     std::optional<Place> chosenPlace() const;
 
-    // The rows chosen, or all that are shown: a row a line, tabs between the columns.
+    // The selected rows, or all that are shown: one line per row, tabs between the columns.
     void copy() const;
     // All rows shown, with date and time.
     QString exportText() const;

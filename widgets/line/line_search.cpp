@@ -29,7 +29,7 @@ namespace {
 
 const std::vector<int> allRates{19'200, 9'600, 4'800};
 
-// An address as it stands on the encoder: both readings.
+// An address as printed on the encoder: shows both readings.
 class AddressField : public IntegerField
 {
 public:

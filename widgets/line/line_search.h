@@ -22,8 +22,8 @@ class FoundEncoderModel;
 class InlineMessage;
 class LineSession;
 
-// Looks for the encoders on a serial line, shows what each tells of itself, and hands over those that are
-// chosen. Sends reads only.
+// Searches a serial line for encoders, shows what each reports of itself, and hands over the chosen ones.
+// Sends reads only.
 class LineSearch : public Page
 {
     Q_OBJECT
@@ -48,18 +48,18 @@ public:
     }
 
     void setLine(codewheel::LineSession *line); // null: none
-    // What those that are found may be: an encoder does not tell its interface.
+    // What the found encoders may be: an encoder does not report its interface.
     void setDevices(const std::vector<Device> &devices);
     ScanWish wish() const;
     void setSettings(const ScanWish &wish);
-    // Says which of those that were wanted could not be taken over, since they answer at another baud rate
-    // than the line's.
+    // Says which of the wanted encoders could not be taken over because they answer at a baud rate other than
+    // the line's.
     void showLeft(const std::vector<FoundEncoder> &left);
-    // Why one could not be taken over.
+    // Says why one could not be taken over.
     void showRefused(const Refusal &why);
 
 Q_SIGNALS:
-    // Encoders of the line's own baud rate and of others; one of address 0 only by itself.
+    // Encoders of the line's own baud rate or of others; one with address 0 only by itself.
     void takeOverWanted(const std::vector<codewheel::FoundEncoder> &encoders, const QString &deviceKey);
 
 private:

@@ -316,7 +316,7 @@ void LineSettingsForm::setPort(const QString &port)
     m_port->setCurrentIndex(listed);
     if (listed < 0)
         m_port->setEditText(port);
-    m_port->lineEdit()->setCursorPosition(0); // the name of the port is what counts
+    m_port->lineEdit()->setCursorPosition(0); // show the beginning: the name of the port matters
     m_isPicked = false;
 }
 
@@ -390,7 +390,7 @@ bool LineSettingsForm::hasRate(const LineSettings &settings)
     return has;
 }
 
-// Half-typed values are not those of the form: they are taken first, or nothing is done.
+// Half-typed values are not yet the form's: they are taken first, or nothing is done.
 bool LineSettingsForm::takeTyped()
 {
     const QString wrong = takeFields(*m_content);

@@ -19,8 +19,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// How a serial line is to be opened: the port by list or by its path, what the bytes look like, and the times
-// that the manual leaves open. Knows no ports by itself: the list is given.
+// How a serial line is to be opened: the port from a list or by its path, the format of the bytes, and the
+// times the manual leaves open. Does not find ports itself: the list is given.
 class LineSettingsForm : public Page
 {
     Q_OBJECT
@@ -33,34 +33,34 @@ public:
     QString about() const override { return m_about; }
     QString effect() const override;
 
-    // `trouble`: a sentence that stands at the list, such as missing rights; empty: none. What is chosen
-    // stays chosen, also where it is not in the list.
+    // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
+    // even if it is not in the list.
     void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
     LineSettings settings() const;
     void setSettings(const LineSettings &settings);
-    // Where the line is open: it stands there as if it was never picked.
+    // The port at which the line is open: shown as if never picked.
     void setPort(const QString &port);
-    void setConnecting(bool on); // it takes as long as the port takes to open
-    void setCanKeep(bool can);   // not while the line is open: the project has the port that is
+    void setConnecting(bool on); // for as long as the port takes to open
+    void setCanKeep(bool can);   // not while the line is open: the project then has its port
     // What went wrong when it was opened; empty: nothing.
     void setProblem(const QString &sentence);
-    // Another adapter than that of the line is there; ends with otherAdapterWanted() where it is meant.
+    // The adapter present is not that of the line; ends with otherAdapterWanted() if it is meant.
     void askForOtherAdapter(const QString &sentence);
-    // An encoder speaks at another baud rate than the line; without a rate that the line should have, nothing
-    // but the sentence. Empty: it is settled.
+    // An encoder answers at a baud rate other than the line's; if there is no rate to change to, only the
+    // sentence is shown. Empty: settled.
     void tellBaudRate(const QString &sentence, std::optional<int> wanted = {});
-    // Whether there is an encoder that could tell the format of its scaling factor, and what it told.
+    // Whether an encoder could report the format of its scaling factor, and what was reported.
     void setCanDetermine(bool can);
     void setFractionBits(int bits);
 
 Q_SIGNALS:
     void refreshWanted();
     void fractionBitsWanted(); // to be determined from an encoder
-    // isPicked: the port was chosen in the list or typed anew, so whatever is there is meant.
+    // isPicked: the port was chosen in the list or typed, so whatever is there is meant.
     void connectWanted(const codewheel::LineSettings &settings, bool isPicked);
-    void keepWanted(const codewheel::LineSettings &settings, bool isPicked); // without being opened
+    void keepWanted(const codewheel::LineSettings &settings, bool isPicked); // without opening it
     void otherAdapterWanted(const codewheel::LineSettings &settings);
-    void baudRateWanted(int baudRate); // that tellBaudRate() named; it stands in the form
+    void baudRateWanted(int baudRate); // as given to tellBaudRate(); set in the form
 
 private:
     void makePort(QFormLayout &form);
@@ -86,7 +86,7 @@ private:
     std::vector<PortRow> m_ports;
     QWidget *m_content;
     QComboBox *m_port = nullptr;
-    bool m_isPicked = false; // the port, since it was set
+    bool m_isPicked = false; // the port, since setPort()
     QPushButton *m_refresh = nullptr;
     InlineMessage *m_trouble;
     QComboBox *m_baudRate = nullptr;
@@ -106,7 +106,7 @@ private:
     InlineMessage *m_problem;
     QPushButton *m_keep;
     QPushButton *m_connect;
-    esc::Timing m_timing; // with what the form does not show
+    esc::Timing m_timing; // includes what the form does not show
 };
 
 } // namespace codewheel

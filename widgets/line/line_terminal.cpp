@@ -34,7 +34,7 @@ struct LineRecordFiles
 
 constexpr qint64 largestFile = 64'000'000; // bytes; 100 000 rows take 9 000 000
 
-// Whole or not at all.
+// Replaces the file as a whole or not at all.
 tl::expected<void, QString> writeWholeFile(const QString &path, const QByteArray &content)
 {
     return replaceFile(path, content, OldFile::goes).map_error([&](const Refusal &refusal) {
@@ -43,7 +43,7 @@ tl::expected<void, QString> writeWholeFile(const QString &path, const QByteArray
     });
 }
 
-// Those that wait too.
+// Includes the waiting rows.
 std::vector<LineRecord::Row> recordRows(const TrafficModel &model)
 {
     std::vector<LineRecord::Row> kept;
@@ -67,7 +67,7 @@ void LineTerminal::setLine(LineSession *line)
     m_question->withdraw();
     m_record->setLine(line);
     if (line) {
-        m_answer->hide(); // it was another line's
+        m_answer->hide(); // it belongs to another line
         if (m_rows->isEmpty() && !m_rows->hasCleared())
             m_begin = line->dateTime({});
         connect(line, &LineSession::trafficPassed, this, &LineTerminal::add);
@@ -97,7 +97,7 @@ void LineTerminal::setExplainOptions(const esc::ExplainOptions &options)
     m_record->setExplainOptions(options);
 }
 
-// What came while nobody looked. Not when it is shown: behind another tab it is, too.
+// Shows what came while nobody looked. Not in showEvent(), which also comes behind another tab.
 void LineTerminal::paintEvent(QPaintEvent *event)
 {
     QWidget::paintEvent(event);
@@ -125,7 +125,7 @@ bool LineTerminal::hasJob() const
     return std::ranges::any_of(m_line->latest().devices, &LineSnapshot::Device::hasJob);
 }
 
-// The rows of several connections, and from before and after the computer slept, are on one clock.
+// Rows of several connections, and from before and after the computer slept, share one clock.
 void LineTerminal::add(const TrafficRow &row)
 {
     const auto onItsClock = std::chrono::duration_cast<std::chrono::milliseconds>(row.at);
@@ -175,7 +175,7 @@ void LineTerminal::sendNow(const esc::Request &request)
     m_line->send(request);
     m_field->keep();
     m_field->setFocus();
-    m_follow->setChecked(true); // whoever asks wants to see the answer
+    m_follow->setChecked(true); // whoever sends wants to see the answer
     Q_EMIT historyChanged();
 }
 

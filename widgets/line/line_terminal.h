@@ -28,9 +28,8 @@ class RequestField;
 class TrafficModel;
 struct TrafficRow;
 
-// The terminal of a serial line: what passed both ways, as text, as bytes and in words; requests are typed
-// and sent; the session is kept in a file, looked at and sent again. What was collected outlives the
-// connection.
+// The terminal of a serial line: what passed both ways, as text, bytes and words; requests are typed and
+// sent; the session is saved, looked at again and resent. What was collected outlives the connection.
 class LineTerminal : public QWidget
 {
     Q_OBJECT
@@ -40,18 +39,18 @@ public:
 
     void setLine(codewheel::LineSession *line); // null: none
     void setExplainOptions(const esc::ExplainOptions &options);
-    // What was typed, oldest first; to be kept in the settings.
+    // The typed requests, oldest first, for the settings.
     QStringList history() const;
     void setHistory(const QStringList &history);
 
-    // Say on the spot what went wrong.
+    // They report on the spot what went wrong.
     bool save(const QString &path);       // all rows, docs/line-sessions.md
     bool open(const QString &path);       // to be looked at and sent again
     bool exportText(const QString &path); // the rows shown, UTF-8, tabs between the columns
 
 Q_SIGNALS:
     void historyChanged();
-    void goToWanted(codewheel::Place place); // whose row was chosen
+    void goToWanted(codewheel::Place place); // the chosen row's
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -76,12 +75,12 @@ private:
 
     QPointer<LineSession> m_line;
     esc::ExplainOptions m_options;
-    std::optional<esc::Request> m_asked; // in the question
+    std::optional<esc::Request> m_asked; // that the question is about
     std::optional<esc::Request> m_typed; // sent from the field and not answered yet
-    QDateTime m_begin;                   // what Instant 0 of the rows stands for
+    QDateTime m_begin;                   // the date and time of Instant 0 of the rows
     TrafficModel *m_rows;
     QStackedWidget *m_pages;
-    QStackedWidget *m_content = nullptr; // the table, or what belongs there
+    QStackedWidget *m_content = nullptr; // the table, or its empty state
     LineRowTable *m_table;
     LineRecordView *m_record;
     QAction *m_follow = nullptr;

@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// A serial port that there is, as the list shows it.
+// A serial port of this computer, as the list shows it.
 struct PortRow
 {
-    QString name; // what it is opened by
+    QString name; // that it is opened by
     QString description;
     QString serialNumber; // of the adapter; empty: it has none
 

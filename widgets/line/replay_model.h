@@ -14,7 +14,7 @@ struct ReplayRow
     QByteArray now;                             // the answer of today
 };
 
-// The requests of a kept session that are sent again: what was answered then and now.
+// The requests of a recorded session that are sent again: the answers then and now.
 class ReplayModel : public TableModelBase<ReplayRow>
 {
     Q_OBJECT

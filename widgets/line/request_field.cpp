@@ -41,12 +41,12 @@ void RequestField::makeCompletion()
     list->setHeaderHidden(true);
     list->setAccessibleName(tr("Commands"));
     list->setMinimumWidth(listWidth);
-    completer->setPopup(list); // owns it
+    completer->setPopup(list); // takes ownership
     list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     setCompleter(completer);
 }
 
-// Before the completer looks: it is asked after textEdited.
+// Comes before the completer, which reacts to textEdited.
 void RequestField::followAddress(const QString &text)
 {
     const QString digits = text.left(addressDigits).toUpper();
@@ -86,7 +86,7 @@ void RequestField::goThroughHistory(qsizetype by)
     setText(m_place == m_history.size() ? m_typed : m_history.at(m_place));
 }
 
-// These move the cursor in a text; where there is none they are the terminal's.
+// These keys move the cursor in a text; in an empty field they are the terminal's.
 bool RequestField::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride && text().isEmpty()) {

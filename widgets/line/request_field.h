@@ -8,8 +8,8 @@ namespace codewheel {
 
 class CommandList;
 
-// Where a request is typed: Up and Down bring back what was typed before, Ctrl+Space lists all commands with
-// their meaning, and so does typing. Used by the terminal.
+// Where a request is typed: Up and Down recall earlier ones, Ctrl+Space lists all commands with their
+// meaning, and so does typing. Used by the terminal.
 class RequestField : public QLineEdit
 {
     Q_OBJECT
@@ -22,9 +22,9 @@ public:
     // Oldest first.
     const QStringList &history() const { return m_history; }
     void setHistory(const QStringList &history);
-    // Of the line: what a scaling factor may be follows from it.
+    // Those of the line, which decide what a scaling factor may be.
     void setFractionBits(int bits);
-    // Keeps what was typed and empties the field.
+    // Adds what was typed to the history, and empties the field.
     void keep();
 
 protected:
@@ -38,8 +38,8 @@ private:
 
     CommandList *m_commands;
     QStringList m_history;
-    qsizetype m_place = 0; // in the history; behind its end: what is being typed
-    QString m_typed;       // while one looks at older ones
+    qsizetype m_place = 0; // in the history; past its end: what is being typed
+    QString m_typed;       // kept while older ones are looked at
 };
 
 } // namespace codewheel

@@ -25,7 +25,7 @@ Shade shadeFor(Scheme scheme, const QPalette &desktop)
 void applyAppearance(QApplication &application, const Appearance &appearance)
 {
     application.setStyle(new InstrumentStyle(appearance.largeControls, appearance.lessMotion));
-    application.setPalette(QPalette()); // back to what the desktop says
+    application.setPalette(QPalette()); // back to the desktop's own
     const QPalette palette = paletteOf(shadeFor(appearance.scheme, application.palette()));
     application.setPalette(palette);
     QToolTip::setPalette(palette);

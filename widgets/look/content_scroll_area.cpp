@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int lowest = 12 * grid::unit; // a line and a part of the next, which tells that there is more
+constexpr int lowest = 12 * grid::unit; // a line and part of the next, which shows that there is more
 
 } // namespace
 
@@ -22,7 +22,7 @@ ContentScrollArea::ContentScrollArea(QWidget *content, QWidget *parent)
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-    setFocusPolicy(Qt::NoFocus); // what is in it has the keys
+    setFocusPolicy(Qt::NoFocus); // the content takes the keys
     setWidget(content);
 }
 
@@ -47,7 +47,7 @@ bool ContentScrollArea::eventFilter(QObject *watched, QEvent *event)
     return QScrollArea::eventFilter(watched, event);
 }
 
-// Lines of another width break at other places.
+// At another width, lines wrap at other places.
 void ContentScrollArea::resizeEvent(QResizeEvent *event)
 {
     QScrollArea::resizeEvent(event);

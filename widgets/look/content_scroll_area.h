@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// As high as its content where there is room, and lower where there is not: the rest is scrolled to. For what
-// stands beside a list in a page that has to fit a low window.
+// As high as its content where there is room, otherwise lower and scrollable. For content beside a list on a
+// page that has to fit a low window.
 class ContentScrollArea : public QScrollArea
 {
 public:

@@ -3,12 +3,12 @@
 
 #include <QString>
 
-// What a control is called, and what it says of itself: `id` is for tests and kept layouts, `name` for screen
-// readers, and `tip` for both readers and those who point at it, since a tooltip is read where there is no
-// other description. All give back the control.
+// What a control is called and how it describes itself: `id` is for tests and saved layouts, `name` for
+// screen readers, and `tip` for both the mouse and screen readers, which read a tooltip where there is no
+// other description. All return the control.
 namespace codewheel {
 
-// One that says nothing of itself.
+// A control without a description.
 template <class Control>
 Control *named(Control *control, const char *id)
 {
@@ -16,7 +16,7 @@ Control *named(Control *control, const char *id)
     return control;
 }
 
-// One that shows no text of its own.
+// A control that shows no text of its own.
 template <class Control>
 Control *describe(Control *control, const QString &name, const QString &tip)
 {
@@ -25,7 +25,7 @@ Control *describe(Control *control, const QString &name, const QString &tip)
     return control;
 }
 
-// One whose own text is its name.
+// A control named by its own text.
 template <class Control>
 Control *describe(Control *control, const char *id, const QString &tip)
 {

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace codewheel {
 
-// Stands where a view has nothing to show yet: what belongs here, how to get it, and the button that does it.
+// Shown where a view has nothing to show yet: what belongs here, how to get it, and the button that does it.
 class EmptyState : public QWidget
 {
     Q_OBJECT

@@ -10,7 +10,7 @@ enum class TextSize : std::uint8_t { small, normal, large };
 
 QFont textFont(TextSize size = TextSize::normal);
 
-// For numbers that change and for all hex: the system's fixed font, so that nothing jumps.
+// For changing numbers and all hex: the system's fixed font, so that nothing jumps.
 QFont numberFont(TextSize size = TextSize::normal);
 
 } // namespace codewheel

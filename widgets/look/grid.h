@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The grid everything stands on, in logical pixels.
+// The grid for all layouts, in logical pixels.
 namespace codewheel::grid {
 
 inline constexpr int unit = 4;

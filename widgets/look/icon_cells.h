@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Cells that show their icon alone: the word is for screen readers, tooltips and what is copied.
+// Cells that show only their icon: the text is for screen readers, tooltips and copying.
 class IconCells : public QStyledItemDelegate
 {
     Q_OBJECT

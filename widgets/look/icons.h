@@ -72,8 +72,8 @@ enum class Icon : std::uint8_t {
 };
 inline constexpr int iconCount = static_cast<int>(Icon::write) + 1;
 
-// Drawn in the application palette's text colour, whatever that is when it is painted, or in that of a role;
-// strokes are 1.5 px wide at 16 and at 24 px, crisp at any device pixel ratio.
+// Drawn in the text colour the application palette has when it is painted, or in that of a role; strokes are
+// 1.5 px wide at 16 and at 24 px, crisp at any device pixel ratio.
 QIcon lineIcon(Icon icon);
 QIcon lineIcon(Icon icon, Role role);
 

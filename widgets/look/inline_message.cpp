@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int leastSentence = 100; // room for the sentence with its icon
+constexpr int leastSentence = 100; // for the sentence with its icon
 
 } // namespace
 
@@ -32,7 +32,7 @@ InlineMessage::InlineMessage(QWidget *parent)
     , m_close(describe(new QToolButton(this), tr("Close this message"), tr("Close this message")))
 {
     m_sentence->setWordWrap(true);
-    m_sentence->setTextFormat(Qt::PlainText); // names stand in it
+    m_sentence->setTextFormat(Qt::PlainText); // it may contain names
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_close->setAutoRaise(true);
     m_close->setIcon(lineIcon(Icon::cancel));
@@ -92,7 +92,7 @@ void InlineMessage::setDetail(const QString &detail)
     showText();
 }
 
-// Names stand in both: what they look like must not matter.
+// Both may contain names, which must not be taken for markup.
 void InlineMessage::showText()
 {
     m_sentence->setTextFormat(m_detail.isEmpty() ? Qt::PlainText : Qt::RichText);
@@ -106,7 +106,7 @@ void InlineMessage::showText()
 void InlineMessage::withdraw()
 {
     if (m_text.isEmpty())
-        return; // who has nothing to say tells it 30 times a second
+        return; // called 30 times a second with nothing to withdraw
     hide();
     m_text.clear();
     m_detail.clear();
@@ -133,7 +133,7 @@ bool InlineMessage::hasActions() const
     return false;
 }
 
-// As with the buttons below the sentence.
+// As wide as with the buttons below the sentence.
 QSize InlineMessage::minimumSizeHint() const
 {
     const QSize least = QFrame::minimumSizeHint();
@@ -148,7 +148,7 @@ void InlineMessage::resizeEvent(QResizeEvent *event)
     arrange();
 }
 
-// Beside the sentence, unless below it they take less height.
+// Buttons go beside the sentence, unless below it they take less height.
 void InlineMessage::arrange()
 {
     const int buttons = m_buttons->sizeHint().width();

@@ -13,9 +13,8 @@ class QToolButton;
 
 namespace codewheel {
 
-// A sentence that stands where something went wrong: what happened and what to do, with one action if there
-// is one. Whoever shows it withdraws it when the cause is gone; the user can close it before. Hidden until
-// then.
+// A sentence shown where something went wrong: what happened and what to do, with an action if there is one.
+// Whoever shows it withdraws it when the cause is gone; the user can close it earlier. Hidden until then.
 class InlineMessage : public QFrame
 {
     Q_OBJECT
@@ -23,13 +22,13 @@ class InlineMessage : public QFrame
 public:
     explicit InlineMessage(QWidget *parent = nullptr);
 
-    // actionText, otherActionText: on the buttons, none without. Role: attention or fault, or running for
-    // good news.
+    // actionText, otherActionText: on the buttons; no button if empty. Role: attention or fault, or running
+    // for good news.
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
     void withdraw(); // the cause is gone
     QString sentence() const;
-    // In small type behind the sentence; empty: nothing.
+    // In small type after the sentence; empty: nothing.
     void setDetail(const QString &detail);
     QSize minimumSizeHint() const override;
 
@@ -43,10 +42,10 @@ protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
-    void addButton(QAbstractButton *button); // behind its actions
-    // The same thing is told in other words: nobody is alerted.
+    void addButton(QAbstractButton *button); // after its actions
+    // The same message in other words: screen readers are not alerted again.
     void rephrase(const QString &sentence);
-    void arrange(); // after buttons came or went
+    void arrange(); // after buttons were added or removed
 
 private:
     void drawIcon();

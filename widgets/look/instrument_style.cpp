@@ -35,7 +35,7 @@ bool isControlMetric(QStyle::PixelMetric metric)
     }
 }
 
-// All of one height, with and without an icon. A spin box is as high as the line edit in it.
+// All of the same height, with and without an icon. A spin box is as high as the line edit in it.
 bool isControl(QStyle::ContentsType type)
 {
     switch (type) {
@@ -101,8 +101,8 @@ int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
     return m_largeControls && isControlMetric(metric) ? larger(usual) : usual;
 }
 
-// Fusion takes the rims of fields and boxes from the window's ground, which leaves them hard to see on a dark
-// one. A rim is told 1.4 times the ground it is given, so this is what makes it the rim of a clear bit.
+// Fusion derives the rims of fields and boxes from the window's background, which leaves them hard to see on
+// a dark one. It divides what it is given by 1.4, so this yields the rim of an unset bit.
 void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                     const QWidget *widget) const
 {

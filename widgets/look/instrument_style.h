@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Fusion with our icons in Qt's dialogs, and with two wishes of the user: large controls and less motion.
-// Made by applyAppearance(); the application owns it.
+// Fusion with our icons in Qt's dialogs, and with two user options: large controls and less motion. Made by
+// applyAppearance(); the application owns it.
 class InstrumentStyle final : public QProxyStyle
 {
     Q_OBJECT

@@ -14,7 +14,7 @@ struct Stretch
     int factor = 0;
 };
 
-// What stands in a row or column: a widget, a row or column of its own, or free room.
+// A part of a row or column: a widget, a row or column of its own, or free space.
 struct LayoutPart
 {
     LayoutPart(QWidget *part, int stretch = 0, Qt::Alignment where = {})
@@ -31,14 +31,14 @@ struct LayoutPart
     {}
 
     QWidget *widget = nullptr;
-    QLayout *layout = nullptr; // neither: free room
+    QLayout *layout = nullptr; // neither: free space
     int factor = 0;
     Qt::Alignment alignment{};
 };
 
 struct LayoutRoom
 {
-    std::optional<int> spacing{}; // between the parts; without it that of the style
+    std::optional<int> spacing{}; // between the parts; unset: the style's
     std::optional<QMargins> margins{};
 };
 
@@ -47,14 +47,14 @@ inline QMargins allAround(int margin)
     return {margin, margin, margin, margin};
 }
 
-// The parts beside or below each other; of a widget, or to be put into another layout.
+// The parts side by side, or one below the other; in a widget, or to be put into another layout.
 using LayoutParts = std::initializer_list<LayoutPart>;
 QBoxLayout *layOutRow(LayoutParts parts, const LayoutRoom &room = {});
 QBoxLayout *layOutColumn(LayoutParts parts, const LayoutRoom &room = {});
 void layOutRow(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
 void layOutColumn(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
 
-// A row or a column in a widget whose parts come one by one, without a margin unless one is told.
+// A row or column in a widget whose parts are added one by one, by default without margins.
 template <class Box>
 Box *layOut(QWidget *widget, int spacing, const QMargins &margins = {})
 {

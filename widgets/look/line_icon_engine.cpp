@@ -35,7 +35,7 @@ QLatin1String fileName(Icon icon)
     return QLatin1String(fileNames.at(static_cast<std::size_t>(icon)));
 }
 
-// The drawings stand on a grid of 24 with strokes of 1.5; a smaller icon gets wider strokes there.
+// The drawings are on a grid of 24 with strokes of 1.5; a smaller icon needs wider strokes in them.
 QByteArray drawing(Icon icon, int logicalSize)
 {
     QFile file(QStringLiteral(":/codewheel/icons/%1.svg").arg(fileName(icon)));

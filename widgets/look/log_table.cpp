@@ -19,7 +19,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostLines = 4; // of a text in its row; longer ones are whole in the tooltip and the details
+constexpr int mostLines = 4; // of a text in its row; tooltip and details show longer ones in full
 constexpr int rounds = 5;    // rows that grow push others out of sight
 
 } // namespace
@@ -41,7 +41,7 @@ LogTable::LogTable(const QString &name, QWidget *parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setHighlightSections(false);
     setLineHeight();
-    // Whoever scrolls up wants to read; at the end one follows again.
+    // Scrolling up means reading: following ends, and begins again at the end.
     QScrollBar *bar = verticalScrollBar();
     connect(bar, &QScrollBar::actionTriggered, this, [this, bar] {
         if (m_follow != nullptr)
@@ -180,7 +180,7 @@ bool LogTable::fitRows()
     return isOther;
 }
 
-// Most texts fit in one line, which is found out quickly.
+// Most texts fit in one line, which can be checked quickly.
 int LogTable::heightOf(int row) const
 {
     const int line = verticalHeader()->defaultSectionSize();
@@ -200,7 +200,7 @@ void LogTable::setLineHeight()
         grid::unit);
 }
 
-// The platform's key for it is not on every keyboard.
+// Not every keyboard has the platform's key for copying.
 void LogTable::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() != Qt::Key_F10 || event->modifiers() != Qt::ShiftModifier) {
@@ -212,7 +212,7 @@ void LogTable::keyPressEvent(QKeyEvent *event)
     QCoreApplication::sendEvent(viewport(), &menu);
 }
 
-// The keys begin at the newest row, not at the oldest.
+// Keyboard navigation starts at the newest row, not at the oldest.
 void LogTable::focusInEvent(QFocusEvent *event)
 {
     if (isFollowing() && !currentIndex().isValid() && model() != nullptr && model()->rowCount() > 0)

@@ -9,9 +9,9 @@ class QAction;
 
 namespace codewheel {
 
-// A table that grows at its end: messages, handshake trace, terminal. One column of texts gets the room that
-// the others leave, and wraps; only the rows in sight are measured, so that there may be a million of them.
-// What one reads stays where it is when rows come or go above it.
+// A table that grows at its end: messages, handshake trace, terminal. One text column gets the room that the
+// others leave, and wraps; only visible rows are measured, so there may be a million of them. What one reads
+// stays in place when rows come or go above it.
 class LogTable : public QTableView
 {
     Q_OBJECT
@@ -19,24 +19,24 @@ class LogTable : public QTableView
 public:
     explicit LogTable(const QString &name, QWidget *parent = nullptr);
 
-    // Never narrower than the fewest letters; columns behind it stand beside it as long as it has room for
-    // the wanted ones, and are scrolled to otherwise.
+    // The text column is never narrower than the fewest letters; the columns after it are in sight as long as
+    // it has the wanted letters, and are scrolled to otherwise.
     struct Letters
     {
         int fewest = 0;
         int wanted = 0;
     };
     void setTextColumn(int column, Letters letters);
-    // Checked while the newest row is kept in sight. Scrolling up, or choosing another row, unchecks it.
+    // Checked while the newest row is kept in sight. Scrolling up, or selecting another row, unchecks it.
     void setFollow(QAction &follow);
-    // Rows that are one text over all columns.
+    // Rows with one text across all columns.
     void setHeadings(std::function<bool(int row)> isHeading);
 
     void setModel(QAbstractItemModel *model) override;
     void reset() override;
 
 Q_SIGNALS:
-    void chosenChanged(); // the current row or what is selected
+    void chosenChanged(); // the current row or the selection
 
 protected:
     void rowsInserted(const QModelIndex &parent, int first, int last) override;
@@ -51,9 +51,9 @@ protected:
 
 private:
     bool isFollowing() const;
-    void shiftBy(int pixels); // after rows came above
+    void shiftBy(int pixels); // after rows were added above
     void fitTextColumn();
-    bool fitRows(); // those in sight; true: one was not fitting
+    bool fitRows(); // the visible ones; true: one did not fit
     int heightOf(int row) const;
     void setLineHeight();
 
@@ -61,7 +61,7 @@ private:
     Letters m_letters;
     QAction *m_follow = nullptr;
     std::function<bool(int)> m_isHeading;
-    int m_shift = 0; // px, of rows that came or went above and are not laid out yet
+    int m_shift = 0; // px, of rows added or removed above and not laid out yet
     bool m_isFitting = false;
 };
 

@@ -4,12 +4,11 @@
 #include <QAbstractItemView>
 #include <QVariant>
 
-// Which texts may be cut short where they have no room, and end with three dots. No other may, and a test
-// looks for it in all languages and sizes. For texts that can be as long as they like, whose whole stands in
-// a tooltip and is told to screen readers.
+// Marks texts that may be elided where they lack room. No other text may, and a test checks that in all
+// languages and sizes. For texts of any length that are given in full in a tooltip and to screen readers.
 namespace codewheel {
 
-inline constexpr const char *mayElideProperty = "mayElide"; // true, or the columns
+inline constexpr const char *mayElideProperty = "mayElide"; // true, or the list of columns
 
 inline void allowEliding(QWidget &widget)
 {

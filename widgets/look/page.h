@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// A page of the main window, in the place of the monitors. It tells what stands in the head over it, and what
-// would be lost if it were closed; whoever shows it asks then.
+// A page of the main window, in place of the monitors. Provides the texts of its head, and says what would be
+// lost if it were closed; whoever shows it then asks.
 class Page : public QWidget
 {
     Q_OBJECT
@@ -17,9 +17,9 @@ public:
     virtual QString title() const = 0;
     virtual QString about() const { return {}; } // the encoder or bus it is about; empty: none in particular
     virtual QString effect() const = 0;          // what it changes and sends, in a sentence
-    // A sentence; empty: nothing. What is typed and not taken yet is not meant.
+    // A sentence; empty: nothing. Does not count input that is not taken yet.
     virtual QString lostByClosing() const { return {}; }
-    // The user has closed it: it begins anew next time. A job that runs goes on, and is shown then.
+    // The user has closed it: it starts afresh next time. A running job goes on, and is shown then.
     virtual void leave() {}
 
 Q_SIGNALS:

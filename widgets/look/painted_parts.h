@@ -10,8 +10,8 @@ class QWidget;
 
 namespace codewheel {
 
-// A painted widget whose parts are controls of their own for assistive technology: a group of check boxes. A
-// widget inherits this beside QWidget, and calls installPaintedPartsAccessibility() in its constructor.
+// A painted widget whose parts are separate controls for assistive technology: a group of check boxes. A
+// widget inherits this besides QWidget, and calls installPaintedPartsAccessibility() in its constructor.
 class PaintedParts
 {
 public:
@@ -27,10 +27,10 @@ public:
     virtual void togglePart(int part) = 0;
 };
 
-// Makes Qt ask us for the accessible side of such widgets; may be called any number of times.
+// Makes Qt ask us for the accessibility of such widgets; may be called any number of times.
 void installPaintedPartsAccessibility();
 
-// To be called when focusedPart() became another one, or a part was checked or unchecked.
+// To be called when focusedPart() has changed, or a part was checked or unchecked.
 void announcePartFocus(QWidget &widget, int part);
 void announcePartState(QWidget &widget, int part);
 

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A table to be read: whole rows, no grid, no row numbers; Tab leaves it.
+// A read-only table: whole rows, no grid, no row numbers; Tab leaves it.
 inline void setUpQuietTable(QTableView &view, QAbstractItemModel &model, const QString &name)
 {
     view.setModel(&model);
@@ -22,7 +22,7 @@ inline void setUpQuietTable(QTableView &view, QAbstractItemModel &model, const Q
     view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view.horizontalHeader()->setHighlightSections(false);
     view.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch); // long names are cut there
+    view.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch); // long names are elided there
 }
 
 } // namespace codewheel

@@ -27,7 +27,7 @@ RoleLabel::RoleLabel(QWidget *parent)
 void RoleLabel::setState(Role role, const QString &word)
 {
     if (role == m_role && word == m_word->text())
-        return; // states are told 30 times a second
+        return; // called 30 times a second
     m_role = role;
     m_word->setText(word);
     setAccessibleName(word);

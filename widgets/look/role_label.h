@@ -9,8 +9,8 @@ class QLabel;
 
 namespace codewheel {
 
-// A state as it is always shown: icon in the role's colour, word beside it. Used by the status line, panels
-// and pages.
+// A state as it is always shown: an icon in the role's colour, with a word beside it. Used by the status
+// line, panels and pages.
 class RoleLabel : public QWidget
 {
     Q_OBJECT

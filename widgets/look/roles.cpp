@@ -7,12 +7,12 @@ namespace codewheel {
 
 namespace {
 
-// The hues are those of Okabe and Ito, which colour-blind eyes tell apart, made darker or lighter until they
-// stand out from the ground. Attention and fault also differ in lightness.
+// The hues are those of Okabe and Ito, which colour-blind people can tell apart, made darker or lighter until
+// they stand out from the background. Attention and fault also differ in lightness.
 struct Shades
 {
     QRgb light;
-    QRgb onLight; // digits on a fill of it
+    QRgb onLight; // for digits on a fill of it
     QRgb dark;
     QRgb onDark;
 };

@@ -12,8 +12,7 @@
 
 namespace codewheel {
 
-// What a colour means. A colour that means none of these is not used. Shown always with its icon and its
-// word.
+// The meanings of colours. No other colours are used, and each is always shown with its icon and its word.
 inline constexpr std::array allRoles{Role::running, Role::attention, Role::fault, Role::setBit,
                                      Role::inactive};
 
@@ -21,9 +20,9 @@ inline constexpr std::array allRoles{Role::running, Role::attention, Role::fault
 enum class Shade : std::uint8_t { light, dark };
 Shade shadeOf(const QPalette &palette);
 
-// Fills, rims and icons: at least 3 : 1 against the palette's grounds.
+// Fills, rims and icons: a contrast of at least 3 : 1 with the palette's backgrounds.
 QColor roleColor(Role role, const QPalette &palette);
-// Digits on a ground filled with roleColor(): at least 4.5 : 1.
+// Digits on a background of roleColor(): at least 4.5 : 1.
 QColor textOn(Role role, const QPalette &palette);
 
 QString roleWord(Role role);

@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// "csv" of "Tables (*.csv)"
+// "csv" from "Tables (*.csv)"
 QString suffixOf(const QString &filter)
 {
     return filter.section(QStringLiteral("*."), 1).section(u')', 0, 0);

@@ -8,11 +8,11 @@ class QWidget;
 
 namespace codewheel {
 
-// Files that the user names to be saved, the same in all views. A name typed without a suffix gets that of
-// the chosen filter, "Tables (*.csv)", before the dialog looks whether such a file is there and asks.
+// Saving to a file that the user names, the same in all views. A name typed without a suffix gets that of the
+// chosen filter, "Tables (*.csv)", before the dialog checks whether that file exists.
 void setSaveFilters(QFileDialog &dialog, const QStringList &filters);
 
-// Asks where to save; proposed: a name, or a path. Empty: the user gave up.
+// Asks where to save; proposed: a name or a path. Empty: cancelled.
 QString askSaveFile(QWidget *parent, const QString &title, const QString &proposed,
                     const QStringList &filters);
 

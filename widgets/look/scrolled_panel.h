@@ -8,7 +8,7 @@ class QLabel;
 
 namespace codewheel {
 
-// A panel in a dock, as high as its content or as `mostHeight`: the rest is scrolled to.
+// A panel in a dock, as high as its content but at most `mostHeight`, beyond which it scrolls.
 class ScrolledPanel : public QScrollArea
 {
 public:
@@ -18,7 +18,7 @@ protected:
     ScrolledPanel(const QString &name, int mostHeight, QWidget *parent);
 
     QWidget *content() const { return m_content; }
-    // A text beside its caption, which can be selected.
+    // A selectable text beside its caption.
     QLabel *addLine(QFormLayout &form, const QString &caption, const QString &toolTip);
 
 private:

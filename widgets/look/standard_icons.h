@@ -9,8 +9,8 @@ class QIcon;
 
 namespace codewheel {
 
-// What Qt's own dialogs show (questions, files, buttons), drawn like the icons of the window. Nothing: Qt's
-// own will do. Asked by InstrumentStyle.
+// The icons of Qt's own dialogs (questions, files, buttons), drawn like those of the window. Nothing: use
+// Qt's own. Called by InstrumentStyle.
 std::optional<QIcon> standardLineIcon(QStyle::StandardPixmap which);
 
 } // namespace codewheel

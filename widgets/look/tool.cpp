@@ -10,8 +10,7 @@
 namespace codewheel {
 namespace {
 
-// Where a tool bar has no room for all of its words, its buttons are icons alone, so that none is out of
-// sight.
+// A tool bar without room for all its words shows only icons, so that no button is out of sight.
 class ToolWords final : public QObject
 {
 public:
@@ -42,7 +41,7 @@ private:
     }
 
     QToolBar &m_bar;
-    int m_withWords = 0; // its width, when it last had them
+    int m_withWords = 0; // its width when it last had them
 };
 
 } // namespace
@@ -63,7 +62,7 @@ void setUpToolBar(QToolBar &bar)
     bar.setIconSize({grid::smallIcon, grid::smallIcon});
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar.setSizePolicy(QSizePolicy::Expanding,
-                      QSizePolicy::Fixed); // icons alone would never get room for words
+                      QSizePolicy::Fixed); // with icons only, it would never get room for words
     new ToolWords(bar);
 }
 

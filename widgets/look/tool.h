@@ -17,14 +17,14 @@ struct Tool
 {
     Icon icon = Icon::add;
     QString text;
-    QKeySequence key; // works anywhere in the view, and stands in the tooltip
+    QKeySequence key; // works anywhere in the view; shown in the tooltip
     QString tip;
 };
 
 // Shows it at the end of `bar`; its action belongs to `view`.
 QAction *addTool(QWidget &view, QToolBar &bar, const Tool &tool);
 
-// Small icons with their texts beside them, as long as all of them have room.
+// Small icons with their texts beside them, as long as there is room for all of them.
 void setUpToolBar(QToolBar &bar);
 
 } // namespace codewheel

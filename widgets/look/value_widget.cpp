@@ -34,7 +34,7 @@ QAccessibleInterface *makeValueInterface(const QString &className, QObject *obje
 ValueWidget::ValueWidget(QWidget *parent)
     : QWidget(parent)
 {
-    setAutoFillBackground(true); // so that a value that changes does not paint what is behind it
+    setAutoFillBackground(true); // so that a changing value does not repaint what is behind it
     QAccessible::installFactory(makeValueInterface); // ignored if it is there already
 }
 

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// A painted widget that shows a value, and says it in words when a screen reader asks: accessible name as
-// set, description by valueText(). Base of the dial and of the bar.
+// A painted widget that shows a value, and puts it into words for screen readers: accessible name as set,
+// description from valueText(). Base of the dial and of the bar.
 class ValueWidget : public QWidget
 {
     Q_OBJECT

@@ -7,14 +7,14 @@ class QTableView;
 
 namespace codewheel {
 
-// Draws the texts of a table on as many lines as their columns need, so that nothing is cut off. For tables
-// of texts alone.
+// Wraps the texts of a table to the width of their columns, so that nothing is cut off. For tables of texts
+// only.
 class WrappedCells : public QStyledItemDelegate
 {
     Q_OBJECT
 
 public:
-    // Its rows follow the widths of its columns.
+    // Row heights follow the widths of the columns.
     static void useIn(QTableView &table);
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,

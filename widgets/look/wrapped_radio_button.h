@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// A radio button whose text breaks between words where one line has no room for it.
+// A radio button whose text wraps between words.
 class WrappedRadioButton final : public QRadioButton
 {
     Q_OBJECT
@@ -13,7 +13,7 @@ class WrappedRadioButton final : public QRadioButton
 public:
     explicit WrappedRadioButton(const QString &text, QWidget *parent = nullptr);
 
-    QSize minimumSizeHint() const override; // with its longest word
+    QSize minimumSizeHint() const override; // fits the longest word
     int heightForWidth(int width) const override;
 
 protected:

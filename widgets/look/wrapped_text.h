@@ -7,15 +7,15 @@ class QPainter;
 
 namespace codewheel {
 
-// A text on as many lines as its width needs, broken between words, and within a word that is longer than a
-// line: for delegates that must not cut anything off.
+// A text wrapped to a width between words, and within a word longer than a line: for delegates that must not
+// cut anything off.
 class WrappedText
 {
 public:
     WrappedText(const QString &text, const QFont &font, int width, Qt::Alignment alignment);
 
     int height() const;
-    // In the painter's colour, in the middle of the height of `where`.
+    // In the painter's colour, centred vertically in `where`.
     void draw(QPainter &painter, const QRect &where) const;
 
 private:

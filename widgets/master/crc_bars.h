@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // Draws the CRC errors of the last minutes as small bars, the newest at the right. Their height is relative
-// to the tallest; the model's text tells the sum. Used by the master panel.
+// to the tallest; the model's text gives the sum. Used by the master panel.
 class CrcBars : public QStyledItemDelegate
 {
     Q_OBJECT

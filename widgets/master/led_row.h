@@ -14,9 +14,8 @@ namespace codewheel {
 class RingSession;
 class RoleLabel;
 
-// The LEDs on the housing of a device as they have to be: each with its name and "on", "off" or "blinking".
-// A look at the housing tells whether they are. Hidden where the device has none of these. Stands in the
-// device panel.
+// The state that the LEDs on a device's housing should have: each with its name and "on", "off" or
+// "blinking", to compare with the housing. Hidden for devices without these LEDs. Part of the device panel.
 class LedRow : public QWidget
 {
     Q_OBJECT

@@ -58,7 +58,7 @@ MasterPanel::MasterPanel(RingSession &bus, QWidget *parent)
     connect(&bus, &RingSession::updated, this, &MasterPanel::refresh);
     connect(&bus, &RingSession::stateChanged, this, &MasterPanel::refresh);
     connect(&bus, &RingSession::structureChanged, this, [this] {
-        m_askedSegment = 0; // whatever was named may be gone
+        m_askedSegment = 0; // what was named may be gone
         m_message->withdraw();
         refresh();
     });
@@ -207,7 +207,7 @@ void MasterPanel::switchAskedSegmentOff()
         m_bus.switchSegment(segment, false);
 }
 
-// A refusal goes once writing is allowed; a question, once there is nothing to be switched off any more.
+// A refusal goes once writing is allowed; a question, once there is nothing left to switch off.
 void MasterPanel::withdrawWhatIsOver()
 {
     const SegmentRow *segment = findSegment(m_askedSegment);

@@ -20,9 +20,9 @@ class SegmentModel;
 struct SegmentRow;
 class StatusBits;
 
-// What the ring's master says: state, status bits, fault and where it is, the configuration it keeps, and the
-// segments with their CRC errors; and what can be asked of it. What changes what the ring does needs Operate;
-// before a segment is switched off, the devices that go with it are named. Used by the master dock.
+// What the ring's master reports: state, status bits, fault and its location, the configuration it keeps, and
+// the segments with their CRC errors; and its commands. Those that change the ring need Operate; before a
+// segment is switched off, the devices that go with it are named. Used by the master dock.
 class MasterPanel : public ScrolledPanel
 {
     Q_OBJECT
@@ -32,15 +32,15 @@ public:
     explicit MasterPanel(RingSession &bus, QWidget *parent = nullptr);
     ~MasterPanel() override;
 
-    // Switches the segment on again; or asks whether it shall be off.
+    // Switches the segment on again, or asks whether to switch it off.
     void toggleSegment(int segment);
 
 Q_SIGNALS:
-    // Something may have to be asked before.
+    // Something may have to be asked first.
     void startRequested();
     void stopRequested();
     void readInRequested();
-    void asked(); // a question or a refusal stands in the panel
+    void asked(); // a question or a refusal is shown in the panel
 
 private:
     void makeState(QVBoxLayout *column);
@@ -53,7 +53,7 @@ private:
     void showSegmentButton();
     int chosenSegment() const; // 0: none
     const SegmentRow *findSegment(int segment) const;
-    bool mayChangeRing(); // else it says why not
+    bool mayChangeRing(); // if not, it says why
     void askForSegment(int segment);
     void switchAskedSegmentOff();
     void withdrawWhatIsOver();

@@ -115,7 +115,7 @@ bool RingComparison::mayChangeRing()
     return allowed.has_value();
 }
 
-// Downloads it, and loads back what the master keeps then. By value: taking back passes m_before itself.
+// Downloads it, then loads back what the master keeps. By value, since taking back passes m_before itself.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 void RingComparison::keep(KeptConfiguration configuration)
 {

@@ -8,8 +8,8 @@ namespace codewheel {
 
 class RingSession;
 
-// The comparison of a ring: lines are also taken over into the configuration that the master keeps, and that
-// one is loaded back; all can be taken back.
+// The comparison of a ring: lines can also be taken over into the configuration that the master keeps, and
+// that configuration can be loaded back; all of it can be undone.
 class RingComparison final : public ComparisonPage
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
     void loadBack();
     void takeIntoMaster();
     void keep(KeptConfiguration configuration);
-    bool mayChangeRing(); // else it says why not
+    bool mayChangeRing(); // if not, it says why
     void showKept(const std::optional<KeptConfiguration> &configuration);
 
     ProjectDocument &m_document;
@@ -39,8 +39,8 @@ private:
     QPushButton *m_lineIntoMaster;
     QPushButton *m_allIntoMaster;
     QPushButton *m_keptIntoProject;
-    std::optional<KeptConfiguration> m_kept;   // by the master, as it told
-    std::optional<KeptConfiguration> m_before; // what a download replaced
+    std::optional<KeptConfiguration> m_kept;   // by the master, as it reported
+    std::optional<KeptConfiguration> m_before; // replaced by a download
     bool m_isDownloading = false;
 };
 

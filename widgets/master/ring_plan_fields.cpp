@@ -69,7 +69,7 @@ RingPlanFields::RingPlanFields(ProjectDocument &document, BusId ring, QWidget *p
     show();
 }
 
-// Losing the focus by going is no leaving of a field.
+// The focus lost in the destructor must not count as leaving a field.
 RingPlanFields::~RingPlanFields()
 {
     m_first->disconnect(this);

@@ -14,8 +14,8 @@ class QSpinBox;
 
 namespace codewheel {
 
-// What a ring has below the structure editor: how addresses in the process image are counted, how much of
-// what a ring may have is used, and about how long a cycle takes, by both formulas at both speeds.
+// Below the structure editor for a ring: how addresses in the process image are counted, how much of the
+// ring's limits is used, and the approximate cycle time, by both formulas at both speeds.
 class RingPlanFields : public QWidget
 {
     Q_OBJECT

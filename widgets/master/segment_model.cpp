@@ -64,7 +64,7 @@ QVariant SegmentModel::text(const SegmentRow &row, int column) const
         return row.last.isNull() ? QStringLiteral("-")
                                  : QLocale().toString(row.last.time(), QLocale::ShortFormat);
     default:
-        return {}; // drawn
+        return {}; // drawn by CrcBars
     }
 }
 

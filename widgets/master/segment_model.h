@@ -17,10 +17,10 @@ struct SegmentRow
     bool switchedOff = false;
     std::uint32_t crcErrors = 0; // since the ring was started
     CrcHistory::Segment history;
-    QDateTime last; // error; null: none
+    QDateTime last; // time of the last error; null: none
 };
 
-// The segments of the ring as the master tells them. Used by the master panel.
+// The segments of the ring as reported by the master. Used by the master panel.
 class SegmentModel : public TableModelBase<SegmentRow>
 {
     Q_OBJECT
@@ -32,7 +32,7 @@ public:
 
     using TableModelBase::TableModelBase;
 
-    // Only what changed is told to the views.
+    // Notifies the views only of what has changed.
     void show(const RingSession &bus);
 
 private:

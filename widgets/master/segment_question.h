@@ -7,8 +7,8 @@ namespace codewheel {
 
 class RingSession;
 
-// Whether the segment shall be switched off: names the devices that go out of the data cycles with it, and
-// those of their outputs that are not 0 now.
+// Asks whether to switch off the segment: names the devices that leave the data cycles with it, and those of
+// their outputs that are not 0 now.
 QString segmentQuestion(const RingSession &bus, int segment);
 
 } // namespace codewheel

@@ -55,7 +55,7 @@ StatusBits::StatusBits(QWidget *parent)
     arrange(usualColumns);
 }
 
-// All as wide as the widest one when it is set, so that nothing moves when one is.
+// All as wide as the widest bit when set, so that nothing moves when one is.
 void StatusBits::measure()
 {
     const QFontMetrics metrics(bitFont(true));

@@ -13,7 +13,7 @@ class QLabel;
 namespace codewheel {
 
 // The diagnostic status register of the master: its sixteen bits by name, set ones marked by a filled square
-// and bold letters, in as many columns as there is room for, and the register as hexadecimal. Used by the
+// and bold letters, in as many columns as there is room for, and the register in hexadecimal. Used by the
 // master panel.
 class StatusBits : public QWidget
 {
@@ -40,7 +40,7 @@ private:
     std::vector<QLabel *> m_bits; // 0..15
     std::optional<std::uint16_t> m_shown;
     int m_columns = 0;
-    int m_widest = 0; // of a bit that is set
+    int m_widest = 0; // of the bits when set
 };
 
 } // namespace codewheel

@@ -9,8 +9,8 @@ namespace codewheel {
 
 class MessageModel;
 
-// All of one row of the messages, whole and to be copied: date and time to the millisecond, severity, place,
-// how often, and the text.
+// One row of the messages in full, selectable: date and time to the millisecond, severity, place, how often,
+// and the text.
 class MessageDetails : public QFrame
 {
     Q_OBJECT

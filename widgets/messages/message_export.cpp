@@ -23,7 +23,7 @@ MessageExport::MessageExport(const MessageModel &messages, const QString &fileNa
     m_timer.start(0);
 }
 
-// What fails in the file is told when it is replaced.
+// A failure to write is reported when the file is replaced.
 void MessageExport::writePiece()
 {
     if (!m_file.isOpen()) {

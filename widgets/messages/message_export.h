@@ -11,8 +11,8 @@ namespace codewheel {
 
 class MessageModel;
 
-// Writes the messages that a model shows now to a file, a piece at a time, so that the window stays awake.
-// The file is there once all of it is.
+// Writes the messages a model shows now to a file, a piece at a time, so that the window stays responsive.
+// The file appears once it is complete.
 class MessageExport : public QObject
 {
     Q_OBJECT
@@ -27,7 +27,7 @@ public:
 
 Q_SIGNALS:
     void progressed(double part);       // 0..1
-    void ended(const QString &failure); // why it was not written; empty: it was. Afterwards it is of no use
+    void ended(const QString &failure); // why it was not written; empty: it was. Can be used only once
 
 private:
     void writePiece();

@@ -29,7 +29,7 @@ constexpr int shortChoice = 6; // characters
 constexpr int shortestSearch = 26 * grid::unit;
 constexpr int shortestChoice = 16 * grid::unit; // in a small window
 
-// In a narrow panel its text ends in an ellipsis.
+// Elides its text in a narrow panel.
 class ElidedChoice : public QComboBox
 {
 public:

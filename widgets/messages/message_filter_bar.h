@@ -13,8 +13,8 @@ class QLineEdit;
 
 namespace codewheel {
 
-// Which messages are wanted: text, severity, place and time. In the messages' view, which puts its commands
-// behind it.
+// Which messages are wanted: text, severity, place and time. Part of the messages' view, which adds its
+// commands after it.
 class MessageFilterBar : public QWidget
 {
     Q_OBJECT
@@ -39,7 +39,7 @@ private:
     void makeSpan();
     void choosePeriod();
 
-    const QDateTime m_start; // of the program, as good as
+    const QDateTime m_start; // of the program, near enough
     QHBoxLayout *m_row;
     QWidget *m_span; // from ... to ...
     QLineEdit *m_search;
@@ -49,7 +49,7 @@ private:
     QDateTimeEdit *m_from;
     QDateTimeEdit *m_until;
     QAction *m_find;
-    std::optional<QDateTime> m_since; // of the period chosen
+    std::optional<QDateTime> m_since; // start of the chosen period
 };
 
 } // namespace codewheel

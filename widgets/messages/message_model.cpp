@@ -21,7 +21,7 @@ constexpr auto refreshPeriod = 100ms;
 constexpr int cached = 2'000;         // messages
 constexpr int fetched = 64;           // rows together
 constexpr qint64 takenAtOnce = 2'000; // new messages a refresh
-constexpr qint64 listedAtOnce = 200;  // messages; those before come in the background
+constexpr qint64 listedAtOnce = 200;  // messages; older ones follow in the background
 
 QDateTime localTime(qint64 at)
 {
@@ -33,7 +33,7 @@ QString timeText(const StoredMessage &message)
     return localTime(message.at).time().toString(QStringLiteral("HH:mm:ss"));
 }
 
-// How many rows these make where they join none, with that of their first day or without.
+// How many new rows these make on their own, with or without a row for their first day.
 int rowsFor(std::span<const SightedMessage> messages, bool withDay)
 {
     MessageRows own;
@@ -144,7 +144,7 @@ int MessageModel::columnCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : columnTotal;
 }
 
-// The store opens the file in its own thread, and leaves it when it fails.
+// The store opens the file in its own thread, and gives it up on failure.
 bool MessageModel::openTable()
 {
     const auto place = m_store.place();
@@ -191,7 +191,7 @@ void MessageModel::refresh()
     takeFound();
 }
 
-// All rows anew: the newest at once, those before as they are found.
+// Builds all rows again: the newest at once, older ones as they are found.
 void MessageModel::list()
 {
     m_search.cancel();
@@ -246,8 +246,7 @@ void MessageModel::append(std::span<const SightedMessage> messages)
     endInsertRows();
 }
 
-// Some may share the row that is the first, others stand below the row of its day, and before that are those
-// of days before.
+// Some may join the first row, others go below the row of its day, and those of earlier days before it.
 void MessageModel::prepend(std::span<const SightedMessage> messages)
 {
     if (m_rows.isEmpty()) {
@@ -268,7 +267,7 @@ void MessageModel::prepend(std::span<const SightedMessage> messages)
     insertBefore(0, messages.first(ofDaysBefore));
 }
 
-// Before all messages; at row 1 below the row of their day.
+// Before all messages; at row 1: below the row of their day.
 void MessageModel::insertBefore(int row, std::span<const SightedMessage> messages)
 {
     if (messages.empty())
@@ -297,7 +296,7 @@ void MessageModel::takeFound()
     Q_EMIT searchChanged();
 }
 
-// Of what is left, the first row is that of a day again: the one there was, if something of that day is left.
+// The first remaining row is again that of a day: the present one if something of that day remains.
 void MessageModel::dropBelow(qint64 first)
 {
     IdRuns ids = m_ids;
@@ -315,7 +314,7 @@ void MessageModel::dropBelow(qint64 first)
     if (rowsGone > 0)
         endRemoveRows();
     if (rowCount() > 0)
-        tellChanged(1); // of several messages, some may be gone
+        tellChanged(1); // if it stands for several, some may be gone
 }
 
 void MessageModel::catchUp()
@@ -353,7 +352,7 @@ std::vector<qint64> MessageModel::idsOf(int row) const
     return ids;
 }
 
-// Without a filter there is nothing to be found: all of them.
+// Without a filter there is nothing to search: all messages.
 IdRuns MessageModel::ids() const
 {
     if (!m_filter.isEmpty() || isEmpty())
@@ -363,7 +362,7 @@ IdRuns MessageModel::ids() const
     return all;
 }
 
-// Read with those near it, which are looked at as well.
+// Read together with its neighbours, which are shown as well.
 StoredMessage MessageModel::stored(qint64 id, const std::vector<qint64> &near) const
 {
     if (const StoredMessage *known = m_cache.object(id))
@@ -467,7 +466,8 @@ QVariant MessageModel::dayData(int row, int column, int role) const
     return QLocale().toString(localTime(message(row).at).date(), QLocale::LongFormat);
 }
 
-// The date stands above; of several messages the newest is shown, with how many they are and since when.
+// The date is in the row above; a row for several messages shows the newest, how many they are and since
+// when.
 QString MessageModel::rowText(int row, const StoredMessage &newest, int column) const
 {
     if (column == timeColumn)

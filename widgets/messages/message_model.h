@@ -16,10 +16,10 @@ namespace codewheel {
 
 class EncoderBus;
 
-// Everything that happened to bus and devices, oldest first, as the message store keeps it, of this run of
-// the program and of those before: a row for each day, and one for messages in a row that are alike. Fetches
-// the messages that are looked at and knows of the others only in which row they stand, which is found out in
-// the background, newest first; texts are made when they are shown, so that the language can change.
+// Everything that has happened to buses and devices, oldest first, from the message store, of this and
+// earlier runs of the program: a row for each day, and one for consecutive messages that are alike. Fetches
+// only the messages that are looked at; which row the others are in is found out in the background, newest
+// first. Texts are made when they are shown, so that the language can change.
 class MessageModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -30,27 +30,27 @@ public:
     // The store outlives the model.
     explicit MessageModel(MessageStore &store, QObject *parent = nullptr);
 
-    // Takes the date and time of this bus from now on, for what is added without any: where time is virtual.
+    // Messages added without a date and time get those of this bus from now on, where time is virtual.
     void setClock(EncoderBus &bus);
-    // Shown as soon as the store has it.
+    // Shown once the store has it.
     void add(const Message &message, const QDateTime &at);
     // Something that happens now.
     void addNow(Message message);
 
-    // Looks for what fits in the background, newest first; ends the search before.
+    // Searches for matches in the background, newest first; ends the previous search.
     void setFilter(const MessageFilter &filter);
     const MessageFilter &filter() const { return m_filter; }
-    // How much of it was looked through, 0..1; nothing while none is sought.
+    // The part searched so far, 0..1; nothing while no search runs.
     std::optional<double> searched() const;
 
-    // Hides all that was before now; on disk it stays.
+    // Hides everything up to now; on disk it stays.
     void clear();
     bool isCleared() const { return m_clearedUpTo > 0; }
     void bringBack();
 
     bool isEmpty() const; // nothing to show, even without the filter
 
-    // Attentions and faults that were added since they were seen last.
+    // Attentions and faults added since they were last seen.
     int unseen() const { return m_unseen; }
     void see();
 
@@ -63,29 +63,29 @@ public:
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
 
-    // All that fit the filter, as far as they were found.
+    // All matches found so far.
     IdRuns ids() const;
     qint64 foundCount() const { return m_ids.size(); } // so far
     bool isDay(int row) const { return m_rows.at(row).isDay(); }
-    // Of a row the newest; with the id 0 where it was dropped since.
+    // The newest message of a row; its id is 0 if it has been dropped since.
     StoredMessage message(int row) const;
     StoredMessage oldestMessage(int row) const;
     qint64 countOf(int row) const { return m_rows.at(row).count; } // 0: a day
     std::vector<qint64> idsOf(int row) const;
-    // Whatever is shown: the newest, oldest first.
+    // The newest messages, whatever is shown, oldest first.
     std::vector<StoredMessage> newest(qint64 most) const;
     std::vector<StoredMessage> read(const std::vector<qint64> &ids) const;
 
-    // Of a single message, as it is copied: with date, and time to the millisecond.
+    // A single message as it is copied: with date, and time to the millisecond.
     static QString text(const StoredMessage &message, int column);
 
-    // Shows what came and what was found since the last time. Comes by itself ten times a second.
+    // Shows what was added and found since the last call. Called internally ten times a second.
     void refresh();
-    // Waits until all that was added is kept and all that fits is found, and shows it.
+    // Waits until all added messages are kept and all matches found, and shows them.
     void catchUp();
 
 Q_SIGNALS:
-    void searchChanged(); // begun, further, ended
+    void searchChanged(); // it began, made progress or ended
     void unseenChanged();
 
 private:
@@ -108,8 +108,8 @@ private:
     MessageStore &m_store;
     QPointer<EncoderBus> m_clock;
     DatabasePlace m_place;
-    std::optional<MessageTable> m_table; // nothing until the store has one
-    qint64 m_changes = 0;                // of the table, when it was looked at last
+    std::optional<MessageTable> m_table; // unset until the store has one
+    qint64 m_changes = 0;                // of the table, at the last look
     MessageTable::Span m_span;           // of the table
     qint64 m_clearedUpTo = 0;            // id
     MessageFilter m_filter;

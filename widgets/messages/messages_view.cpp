@@ -55,7 +55,7 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     m_search->setFont(textFont(TextSize::small));
     m_search->setAccessibleName(tr("State of the search"));
     m_filters->row().addWidget(m_search);
-    auto *commands = new QToolBar(tr("Messages"), this); // what has no room goes into its menu
+    auto *commands = new QToolBar(tr("Messages"), this); // tools without room go into its menu
     commands->setIconSize({grid::smallIcon, grid::smallIcon});
     m_filters->row().addWidget(commands);
     makeCommands(*commands);
@@ -140,7 +140,7 @@ void MessagesView::makeCommands(QToolBar &bar)
         m_detailsWanted = on;
         showChosen();
         layout()->activate();
-        m_table->scrollTo(m_table->currentIndex()); // the list has less room now
+        m_table->scrollTo(m_table->currentIndex()); // the list has become smaller
     });
     connect(m_goTo, &GoToPlace::wanted, this, &MessagesView::goToWanted);
 
@@ -153,7 +153,7 @@ void MessagesView::makeTable()
 {
     m_table->setModel(&m_messages);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->horizontalHeader()->hide(); // what the columns are is plain, and the room is for messages
+    m_table->horizontalHeader()->hide(); // the columns are self-explanatory, and messages need the room
     m_table->setItemDelegateForColumn(MessageModel::severityColumn, new IconCells(m_table));
     allowEliding(*m_table, MessageModel::placeColumn);
     m_table->setHeadings([this](int row) { return m_messages.isDay(row); });
@@ -171,7 +171,7 @@ void MessagesView::setColumnWidths()
     m_table->setTextColumn(MessageModel::textColumn, sentenceRoom);
 }
 
-// As wide as they are called, so that one is told from another.
+// The column fits the place names, so that they can be told apart.
 void MessagesView::showPlaces()
 {
     const std::vector<Place> places = m_messages.places();
@@ -238,7 +238,7 @@ void MessagesView::showChosen()
         m_details->show(m_messages, row);
 }
 
-// In a dock behind another one nothing is painted.
+// Not called in a dock behind another one.
 void MessagesView::paintEvent(QPaintEvent *event)
 {
     QWidget::paintEvent(event);
@@ -306,7 +306,7 @@ void MessagesView::act()
     if (m_noteAction == NoteAction::bringBack)
         bringBack();
     if (m_noteAction == NoteAction::cancelExport && m_export) {
-        delete m_export; // what was written so far goes with it
+        delete m_export; // discards what was written so far
         m_note->withdraw();
     }
 }

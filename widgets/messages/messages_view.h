@@ -23,21 +23,21 @@ class LogTable;
 class MessageDetails;
 class MessageFilterBar;
 
-// The messages, newest last: to filter, search, copy, export, and to go to where they come from. Used by the
-// bottom dock. What is in sight counts as seen.
+// The messages, newest last: to filter, search, copy, export, and to go to their devices. Used by the bottom
+// dock. What is in sight counts as seen.
 class MessagesView : public QWidget
 {
     Q_OBJECT
 
 public:
-    // The model outlives the view, and shows all again when the view is gone.
+    // The model outlives the view, which resets the filter when it goes.
     explicit MessagesView(MessageModel &messages, QWidget *parent = nullptr);
     ~MessagesView() override;
 
-    // The buses are called otherwise than before, or there are others.
+    // The names of the buses, or the buses, have changed.
     void showPlaces();
 
-    // Asks for a file and writes the rows shown to it, as CSV or HTML.
+    // Asks for a file and writes the shown rows to it, as CSV or HTML.
     void exportRows();
     void
     copy(); // the rows chosen, else all that are shown (as many as a clipboard bears); tabs between columns
@@ -66,7 +66,7 @@ private:
     void showExport(double part);
     void endExport(const QString &failure);
     void act();
-    std::vector<qint64> chosenIds() const; // in order; all where none is chosen
+    std::vector<qint64> chosenIds() const; // in order; all if none is chosen
 
     // What the button of the note does.
     enum class NoteAction { none, bringBack, cancelExport };
@@ -74,7 +74,7 @@ private:
 
     MessageModel &m_messages;
     MessageFilterBar *m_filters;
-    QLabel *m_search; // how far it is
+    QLabel *m_search; // its progress
     LogTable *m_table;
     MessageDetails *m_details;
     InlineMessage *m_note;
@@ -83,10 +83,10 @@ private:
     QAction *m_follow = nullptr;
     QAction *m_bringBack = nullptr;
     QAction *m_showDetails = nullptr;
-    std::optional<bool> m_detailsWanted; // nothing: where there is room
+    std::optional<bool> m_detailsWanted; // unset: if there is room
     GoToPlace *m_goTo;
     QPointer<MessageExport> m_export;
-    int m_exportPercent = -1; // that was told
+    int m_exportPercent = -1; // last announced
 };
 
 } // namespace codewheel

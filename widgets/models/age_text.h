@@ -8,7 +8,7 @@ namespace codewheel {
 class EncoderSession;
 class WordChannel;
 
-// How old that is which is shown, by the clock on the wall: "20 s ago". Empty while it is live or unknown.
+// The age of what is shown, in wall clock time: "20 s ago". Empty while it is live or unknown.
 QString ageText(const EncoderSession &encoder);
 QString ageText(const WordChannel &word);
 

@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-// Ticks while what a view shows is old, each time its age has become another second: so all views tell the
+// Ticks while what a view shows is old, each time its age changes by a second, so that all views show the
 // same age. Used by the dials, the monitors, the cam editor and the wizard.
 class AgeTimer : public QTimer
 {

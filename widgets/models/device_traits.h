@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What views ask of a kind of device beside its capabilities.
+// What views ask about a kind of device besides its capabilities.
 
 // A magnet on a rod, not a shaft that turns.
 inline bool isRod(const DeviceDescription &device)
@@ -21,7 +21,7 @@ inline bool activatesByRun(const DeviceDescription &device)
     return device.profile == Profile::k3;
 }
 
-// What brings an encoder back to operation that was left so.
+// How to bring an encoder left in another state back to operation.
 enum class WayBack : std::uint8_t { none, run, endService };
 inline WayBack wayBack(const DeviceDescription &device, EncoderState leftIn)
 {

@@ -9,9 +9,9 @@
 
 namespace codewheel {
 
-// A device that is dragged out of the bus structure: its place for views of the program, a text for others.
-// The same program alone, since another has other buses.
+// A device dragged out of the bus structure: its place for views of this program, a text for others. Not for
+// another instance, which has other buses.
 std::unique_ptr<QMimeData> draggedPlace(Place place, const QString &text);
-std::optional<Place> placeDragged(const QMimeData &data); // nothing: something else is
+std::optional<Place> placeDragged(const QMimeData &data); // nothing: something else
 
 } // namespace codewheel

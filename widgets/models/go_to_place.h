@@ -9,8 +9,8 @@
 
 namespace codewheel {
 
-// Takes the user from a row about a device, or about a bus itself, to where it stands in the bus structure.
-// For the menus of messages, handshake trace and terminal.
+// Takes the user from a row about a device or a bus to its row in the bus structure. For the menus of
+// messages, handshake trace and terminal.
 class GoToPlace : public QAction
 {
     Q_OBJECT

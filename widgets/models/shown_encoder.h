@@ -10,14 +10,14 @@
 
 namespace codewheel {
 
-// The encoder that parameter panel, cam editor and device panel show: connected, with its session; or as the
-// project plans it, while nothing of its place is connected. What is wanted can be edited either way; only a
+// The encoder shown by parameter panel, cam editor and device panel: connected, with its session; or as the
+// project plans it, while nothing is connected at its place. Wanted values can be edited either way; only a
 // session can send.
 class ShownEncoder
 {
 public:
     ShownEncoder() = default; // none is chosen
-    // Connected: all there is to know of it is in its session. Null: none.
+    // Connected: its session knows all there is to know. Null: none.
     ShownEncoder(EncoderSession *session)
         : m_session(session)
     {}
@@ -50,7 +50,7 @@ private:
     std::shared_ptr<const DeviceDescription> m_planned; // null: connected, or none
 };
 
-// One that is there, in a line: "1.0  Hoist  FRABA OCD-IB K3".
+// A chosen encoder, in a line: "1.0  Hoist  FRABA OCD-IB K3".
 inline QString calledInFull(Place place, const QString &station, const DeviceDescription &device)
 {
     QStringList parts{place.shown(), station, device.fullName()};

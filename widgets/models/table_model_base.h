@@ -10,9 +10,9 @@
 
 namespace codewheel {
 
-// What every table of ours has in common: it keeps the rows and tells the views of each change. A child says
-// how many columns there are and fills headerCell() and cell(); roles as in Qt (display, alignment,
-// decoration, tooltip, accessible text). Q_OBJECT works in the child.
+// What all our tables have in common: it keeps the rows and notifies the views of each change. A subclass
+// gives the number of columns and fills headerCell() and cell(); roles as in Qt (display, alignment,
+// decoration, tooltip, accessible text). Q_OBJECT works in the subclass.
 template <typename Row>
 class TableModelBase : public QAbstractTableModel
 {
@@ -42,7 +42,7 @@ public:
     const std::vector<Row> &rows() const { return m_rows; }
     const Row &rowAt(int row) const { return m_rows.at(static_cast<std::size_t>(row)); }
 
-    // All rows anew; selections are lost, so for a new content only.
+    // Resets all rows and loses selections, so only for new content.
     void setRows(std::vector<Row> rows)
     {
         beginResetModel();
@@ -73,8 +73,8 @@ public:
         Q_EMIT dataChanged(index(row, 0), index(row, columns() - 1));
     }
 
-    // Takes all rows away, and `more` that were not shown yet. What was cleared since it was brought back
-    // last, the newest `most` rows of it, can be brought back before what came since.
+    // Removes all rows, and takes `more` that were not shown yet. The newest `most` of what has been cleared
+    // since rows were last brought back can be brought back before newer rows.
     void clearRows(std::vector<Row> more, int most)
     {
         for (auto *part : {&m_rows, &more})

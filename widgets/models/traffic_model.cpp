@@ -15,7 +15,7 @@ namespace {
 
 constexpr char16_t escapePicture = 0x241B;
 constexpr char16_t escapeSign = 0x238B;
-constexpr int partDropped = 40; // one of so many
+constexpr int partDropped = 40; // one in so many rows is dropped at once
 
 struct ColumnShape
 {
@@ -23,10 +23,10 @@ struct ColumnShape
     const char *key; // in exports
     bool isRightAligned = false;
     bool hasNumberFont = false;
-    bool hasToolTip = false; // its text, where the column is too narrow for it
+    bool hasToolTip = false; // the text, if the column is too narrow for it
 };
 
-// By TrafficColumn.
+// Indexed by TrafficColumn.
 constexpr ColumnShape columnShapes[] = {
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Time"), "time", false, true, false},
     {"\u0394 ms", "since_last_ms", true, true, false},
@@ -50,7 +50,7 @@ double inMilliseconds(Instant duration)
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-// What was typed and its answer stand out as a pair.
+// A typed request and its answer stand out as a pair.
 QVariant fontOf(const ShownTraffic &row, const ColumnShape &shape)
 {
     if (!shape.hasNumberFont && !row.what.isTyped)
@@ -147,7 +147,7 @@ void TrafficModel::dropOldest()
     m_dropped += static_cast<quint64>(surplus);
 }
 
-// It was sent once, and all that came since came in answer to it.
+// Everything from the last time it was sent belongs to the answer.
 void TrafficModel::markTyped(const QByteArray &sent)
 {
     const auto begins = [&sent](const TrafficRow &row) {

@@ -15,17 +15,17 @@ struct ShownTraffic
     QString remark{};
 };
 
-ControlCharacters shownControls(); // as the font for numbers has it
+ControlCharacters shownControls(); // as far as the number font has them
 
-// What passes on a bus, the newest last; the oldest rows go when there are too many. While it is held, new
-// rows wait and come when it is let go. What was cleared can be brought back. Under the handshake trace and
-// the terminal of a line.
+// The traffic of a bus, newest last; the oldest rows are dropped when there are too many. While it is held,
+// new rows wait until it is released. Cleared rows can be brought back. Behind the handshake trace and the
+// terminal of a line.
 class TrafficModel : public TableModelBase<ShownTraffic>
 {
     Q_OBJECT
 
 public:
-    // `columns` are those of the bus, and outlive it.
+    // `columns` are those of the bus, and outlive the model.
     TrafficModel(std::span<const TrafficColumn> columns, int most, QObject *parent = nullptr);
 
     int columnOf(TrafficColumn column) const; // columnCount(): it has none
@@ -41,21 +41,21 @@ public:
 
     void add(TrafficRow row); // waits until showWaiting()
     void showWaiting();
-    // The exchange that ended last, which began with sending this, was typed: all its rows are.
+    // The last exchange, which began with sending this, was typed: marks all its rows.
     void markTyped(const QByteArray &sent);
     void tellMeaningsChanged();
-    // All rows go, also those that wait; bringBack() shows them again, before those that came since.
+    // Removes all rows, including waiting ones; bringBack() restores them before newer ones.
     void clear();
     void bringBack();
 
-    // As on the screen; exported with control characters as pictures, and the time with its date.
+    // As on the screen; in exports, control characters are shown as symbols and the time has its date.
     QString cellText(const ShownTraffic &row, TrafficColumn column,
                      ControlCharacters controls = shownControls()) const;
-    // Short, by locale.
+    // In the locale's short format.
     QString dateTimeText(const ShownTraffic &row) const;
     // "9 rows; paused, 3 new; 500 oldest dropped". `shown`: a filter hides the others.
     QString countsText(int shown) const;
-    // A table for other programs, with a header: comma separated, UTF-8, time as ISO 8601, whatever the
+    // A table for other programs, with a header: comma-separated, UTF-8, time in ISO 8601, whatever the
     // locale.
     QByteArray csv(Place place) const;
 
@@ -75,12 +75,12 @@ private:
 
     const std::span<const TrafficColumn> m_columns;
     int m_most;
-    int m_droppedAtOnce; // so that it is seldom
+    int m_droppedAtOnce; // so that dropping is rare
     std::vector<ShownTraffic> m_waiting;
     std::optional<Instant> m_last;
     bool m_held = false;
     quint64 m_dropped = 0;
-    quint64 m_droppedBefore = 0; // it was cleared
+    quint64 m_droppedBefore = 0; // before it was cleared
 };
 
 } // namespace codewheel

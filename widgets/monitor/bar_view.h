@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A value as a bar over its range, quarters marked. Used by monitors under the IN word.
+// A value as a bar over its range, with quarters marked. Used by monitors below the IN word.
 class BarView : public ValueWidget
 {
     Q_OBJECT
@@ -18,8 +18,8 @@ public:
     void setPlace(const QString &place); // "IN 1.0": for screen readers
     // last > first, e.g. 0 and total range - 1.
     void setRange(qint64 first, qint64 last);
-    // Nothing: not known; an empty bar. A value outside the range fills it or leaves it empty. What is of
-    // before is outlined.
+    // Nothing: not known; an empty bar. A value outside the range fills the bar or leaves it empty. An old
+    // one is outlined.
     void setValue(std::optional<qint64> value, bool isOld = false);
 
     QString valueText() const override;

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// How one bit looks. None of it is told by colour alone.
+// The look of one bit. None of it depends on colour alone.
 struct BitCell
 {
     bool set = false;     // filled with a 1; else outlined with a 0
@@ -21,7 +21,7 @@ struct BitCell
     friend bool operator==(const BitCell &, const BitCell &) = default;
 };
 
-// Keeps each look a cell can have as a picture, so that a moving word costs a copy per changed bit.
+// Caches each look of a cell as a pixmap, so that a changing word costs one copy per changed bit.
 class BitCellPictures
 {
 public:

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// Which bits of a word changed in the last half second, as far as the frames told. Used by WordView.
+// Which bits of a word changed in the last half second, as seen from frame to frame. Used by WordView.
 class ChangeMarks
 {
 public:
@@ -20,7 +20,7 @@ public:
         for (std::size_t bit = 0; bit < m_until.size(); ++bit) {
             const Word mask = Word{1} << bit;
             Instant &until = m_until[bit];
-            // Time that went back is another bus: its marks are not ours.
+            // If time has gone back, it is another bus, and the marks do not apply.
             const bool over = now >= until || now + duration < until;
             if ((edges & mask) != 0) {
                 until = now + duration;

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// "Copy as": how the words that are copied are written. For the context menus of all that shows words.
+// "Copy as": the notation of copied words. For the context menus of everything that shows words.
 class CopyMenu : public QMenu
 {
     Q_OBJECT

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// What a word means, below it: one line, elided where it is too long, whole in the tooltip and for screen
-// readers. Painted, since a label would lay out its window anew with every text. Also for other texts that
+// The meaning of a word, below it: one line, elided where it is too long; the tooltip and screen readers get
+// it in full. Painted, since a label would lay out its window again for each text. Also for other texts that
 // change 30 times a second.
 class MeaningLine : public QWidget
 {

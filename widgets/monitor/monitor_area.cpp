@@ -23,7 +23,7 @@ namespace {
 
 const QLatin1String pinnedKey("pinned");
 const QLatin1String displayKey("display");
-const QLatin1String wordsKey("monitors"); // of before: one for each word
+const QLatin1String wordsKey("monitors"); // of older layouts: one entry per word
 const QLatin1String placeKey("place");
 
 } // namespace
@@ -109,7 +109,7 @@ void MonitorArea::follow(std::optional<Place> chosen)
     showFollowing();
 }
 
-// There is one of the chosen device, if it has words and is not pinned anyway.
+// The chosen device has one if it has words and is not already pinned.
 void MonitorArea::showFollowing()
 {
     const bool isWanted = m_chosen && !m_isClosed && canShow(*m_chosen) && find(true, *m_chosen) == nullptr;
@@ -205,7 +205,7 @@ WordCard *MonitorArea::find(bool pinned, Place place) const
     return found != nullptr && found->isPinned() == pinned ? found : nullptr;
 }
 
-// The one that follows stands first, below the note; the others in the order in which they were pinned.
+// The one that follows goes first, below the note; the others in the order in which they were pinned.
 WordCard *MonitorArea::add(Place place, bool pinned)
 {
     WordCard *card = make(place);
@@ -238,7 +238,7 @@ void MonitorArea::remove(WordCard *card)
     card->deleteLater();
 }
 
-// In its place.
+// Keeps its position.
 void MonitorArea::makeAnew(WordCard *card)
 {
     WordCard *fresh = make(card->place());
@@ -248,8 +248,8 @@ void MonitorArea::makeAnew(WordCard *card)
     remove(card);
 }
 
-// Monitors of devices that are gone go, those of other devices in their places are made anew, and of those
-// that were named.
+// Removes the monitors of devices that are gone, and replaces those whose device, make or place name has
+// changed.
 void MonitorArea::followDevices()
 {
     const auto before = m_cards;
@@ -283,7 +283,7 @@ void MonitorArea::showFrame(BusId bus)
             card->showFrame(shown->now());
 }
 
-// A device without words is said so above the monitors that are pinned, or in their place.
+// A note says so if a device has no words, above the pinned monitors or in their place.
 void MonitorArea::showWhatThereIs()
 {
     const bool isMissing = m_chosen && !m_isClosed && !canShow(*m_chosen);

@@ -19,7 +19,7 @@ namespace codewheel {
 class EmptyState;
 class WordCard;
 
-// The column of monitors: that of the chosen device, which follows the choice, above those that were pinned.
+// The column of monitors: that of the chosen device, which follows the choice, above the pinned ones.
 class MonitorArea : public QWidget
 {
     Q_OBJECT
@@ -27,13 +27,13 @@ class MonitorArea : public QWidget
 public:
     explicit MonitorArea(Buses &buses, QWidget *parent = nullptr);
 
-    // What a device is called at the plant.
+    // Gives the name of a device at the plant.
     void setStations(std::function<QString(Place)> stationOf);
-    void showStations(); // they may be others now
+    void showStations(); // after they may have changed
 
-    // The chosen device: its monitor is open, unless it is pinned already, or was closed since.
+    // The chosen device: its monitor opens, unless it is already pinned or was closed since.
     void follow(std::optional<Place> chosen);
-    // Brings its monitor into view, with the focus on its bits; of another device than the chosen one it is
+    // Brings its monitor into view, with the focus on its bits; that of a device other than the chosen one is
     // pinned.
     void open(Place place);
     void pin(Place place);
@@ -42,13 +42,13 @@ public:
     WordCard *card(Place place) const; // null: not open
     const std::vector<WordCard *> &cards() const { return m_cards; }
 
-    // Which monitors are pinned, and what all of them show; for the window to keep.
+    // Which monitors are pinned, and what they all show; saved by the window.
     QJsonObject state() const;
-    // That of before, too: a monitor for each word, all of them pinned.
+    // Also accepts older states: a monitor per word, all of them pinned.
     void restoreState(const QJsonObject &state);
 
 protected:
-    // A device out of the bus structure is pinned.
+    // A device dragged out of the bus structure is pinned.
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
@@ -76,9 +76,9 @@ private:
     EmptyState *m_empty;
     QScrollArea *m_scroll;
     QVBoxLayout *m_column;
-    QLabel *m_note;                  // why there is none of the chosen device
+    QLabel *m_note;                  // why the chosen device has none
     std::vector<WordCard *> m_cards; // from top to bottom: the one that follows first
-    std::vector<Place> m_pinned;     // of buses that are not open, too: they come back with them
+    std::vector<Place> m_pinned;     // including buses that are not open: they come back with them
     std::optional<Place> m_chosen;
     bool m_isClosed = false; // the one that follows, by the user
     MonitorDisplay m_display;

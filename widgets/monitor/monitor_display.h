@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What monitors show beside bits, hexadecimal and meaning; the user chooses it in their Show menu.
+// What monitors show besides bits, hexadecimal and meaning; chosen by the user in their Show menu.
 struct MonitorDisplay
 {
     bool matrix = false; // bits in rows of 8
@@ -14,10 +14,10 @@ struct MonitorDisplay
     bool signedDecimal = false;
     bool gray = false;
     bool binary = false;
-    bool wholeWord = false; // numbers of all bits, not of D24..D0 alone
+    bool wholeWord = false; // numbers of all bits, not only D24..D0
 
     QJsonObject toJson() const;
-    // What is missing there is as above.
+    // Missing values keep the defaults above.
     static MonitorDisplay fromJson(const QJsonObject &json);
 
     friend bool operator==(const MonitorDisplay &, const MonitorDisplay &) = default;

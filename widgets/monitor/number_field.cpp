@@ -17,7 +17,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr int rightGap = 2; // as a line edit has it
+constexpr int rightGap = 2; // as in a line edit
 
 } // namespace
 
@@ -47,7 +47,7 @@ void NumberField::showText(const QString &text)
     update(cells(static_cast<int>(first), static_cast<int>(text.size())).toAlignedRect());
 }
 
-// Of the characters from first to before end. The advance of a character may be a fraction of a pixel.
+// The cells of the characters [first, end). The advance of a character may be a fraction of a pixel.
 QRectF NumberField::cells(int first, int end) const
 {
     const QRectF all = textRect();
@@ -108,7 +108,7 @@ void NumberField::paintEvent(QPaintEvent *event)
     painter.drawText(QPointF(area.left(), baseLine), m_text.mid(first));
 }
 
-// Before the shortcut of the monitor, which copies the word.
+// Takes precedence over the shortcut of the monitor, which copies the word.
 bool NumberField::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride &&

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// A number of a monitor, to be read and copied. Looks like a field, but paints only the digits that
-// changed, since a monitor changes four such numbers 30 times a second.
+// A number in a monitor, to be read and copied. Looks like a field, but paints only the digits that have
+// changed, since a monitor updates four of them 30 times a second.
 //
 // Keys: Ctrl+C copies the number.
 class NumberField : public ValueWidget

@@ -18,7 +18,7 @@ namespace {
 const QString widestNumber = QStringLiteral("-2147483648");
 const QString widestHex = QStringLiteral("0x020000FF");
 
-// Of so many bits, and not all ones alone: the digits of the largest number.
+// The largest number of so many bits.
 QString widestOf(int bits)
 {
     return decimalText(~Word{0}, bits);
@@ -71,7 +71,7 @@ void NumberFields::setOld(bool old)
         showAge();
 }
 
-// A label of a caption has a colour of its own role, and stays.
+// Captions keep their colour, which has a role of its own.
 void NumberFields::showAge()
 {
     const std::initializer_list<QWidget *> fields{m_hex, m_decimal, m_signed, m_gray, m_binary};
@@ -158,7 +158,7 @@ void NumberFields::showNumbers()
 void NumberFields::hexTyped(const QString &text)
 {
     const std::optional<Word> word = parseHexWord(text);
-    // An empty field is on its way to something.
+    // An empty field is the beginning of an input.
     setProblem(word || text.isEmpty() ? QString() : hexProblem(text));
     if (word)
         Q_EMIT wordTyped(*word);

@@ -12,9 +12,8 @@ class QLabel;
 
 namespace codewheel {
 
-// A word as numbers: hexadecimal and decimal in a row; signed, Gray and binary, beside their names, in
-// more(). Only hexadecimal can be typed, and only where the word can be written; what is typed is checked
-// with every key.
+// A word as numbers: hexadecimal and decimal in a row; signed, Gray and binary with their names in more().
+// Only hexadecimal can be edited, and only if the word can be written; input is checked with every key.
 class NumberFields : public QWidget
 {
     Q_OBJECT
@@ -23,18 +22,18 @@ public:
     // place: "OUT 1.0"
     NumberFields(const QString &place, const WordForm &form, bool editable, QWidget *parent = nullptr);
 
-    // What is being typed stays as it was typed, for as long as it says this word, or no word at all.
+    // What is being typed stays as typed while it stands for this word, or for no word at all.
     void setWord(Word word);
     void setDisplay(const MonitorDisplay &display);
-    void setOld(bool old); // the word is of before: grey
-    void restore();        // hexadecimal says the word again, whatever was typed
+    void setOld(bool old); // an old word is grey
+    void restore();        // hexadecimal shows the word again, whatever was typed
     WordField *hexadecimal() const { return m_hex; }
-    QWidget *more() const { return m_more; } // hidden where none of them is shown; to be put in its place
+    QWidget *more() const { return m_more; } // hidden if it shows none; for the caller to place
 
 Q_SIGNALS:
-    void wordTyped(codewheel::Word word);         // with every key that makes a word
+    void wordTyped(codewheel::Word word);         // with every key that gives a word
     void problemChanged(const QString &sentence); // empty: it is gone
-    void entered();                               // Return, on a good word: it is selected
+    void entered();                               // Return on a valid word, which is then selected
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -14,9 +14,8 @@ struct PositionRange
     friend bool operator==(const PositionRange &, const PositionRange &) = default;
 };
 
-// From the steps, revolutions and measuring range that are known, and the coding, or from the measuring
-// length of a rod; on a serial line from the measuring range, which is in steps there. Nothing where one is
-// missing.
+// From the known steps, revolutions and measuring range, and the coding, or from the measuring length of a
+// rod; on a serial line from the measuring range, which is in steps there. Nothing if one of them is missing.
 std::optional<PositionRange> positionRange(const EncoderSession &encoder);
 
 } // namespace codewheel

@@ -38,7 +38,7 @@ int bitsOf(const WordChannel &channel)
     return std::max(channel.inWords(), channel.outWords()) > 1 ? 32 : 16;
 }
 
-// Words shorter than the other one of their device are not shown.
+// A word shorter than the device's other one is not shown.
 bool has(const WordChannel &channel, WordDirection direction)
 {
     const int words = direction == WordDirection::out ? channel.outWords() : channel.inWords();
@@ -214,7 +214,7 @@ WordLine *WordCard::outLine() const
     return !m_lines.empty() && m_lines.front()->isOut() ? m_lines.front() : nullptr;
 }
 
-// That of the fields in use, else that of the bits.
+// That of the fields in use, otherwise that of the bits.
 const WordLine &WordCard::chosenLine() const
 {
     const auto focused = std::ranges::find_if(m_lines, [](const WordLine *line) {
@@ -242,7 +242,7 @@ void WordCard::makeSender(WordSender &sender, NumberFields &numbers)
         if (m_hasSent)
             showRefusal(why);
     });
-    numbers.hexadecimal()->setAcceptDrops(false); // a device belongs onto the card
+    numbers.hexadecimal()->setAcceptDrops(false); // a device is dropped on the card
     connect(&numbers, &NumberFields::wordTyped, this, &WordCard::stageTyped);
     connect(&numbers, &NumberFields::problemChanged, this, &WordCard::showProblem);
     connect(&numbers, &NumberFields::entered, &sender, &WordSender::edited);
@@ -252,7 +252,7 @@ void WordCard::makeSender(WordSender &sender, NumberFields &numbers)
     connect(&sender, &WordSender::sent, this, [this, &numbers] {
         m_hasSent = true;
         if (numbers.hexadecimal()->hasFocus())
-            numbers.hexadecimal()->selectAll(); // the next word takes its place
+            numbers.hexadecimal()->selectAll(); // the next word typed replaces it
         withdraw(Cause::refusal);
         withdraw(Cause::question);
     });
@@ -326,7 +326,7 @@ void WordCard::stageTyped(Word word)
     m_channel->stage(word);
 }
 
-// What was a word on the way to bad input is not to be sent.
+// A word typed on the way to bad input must not be sent.
 void WordCard::showProblem(const QString &sentence)
 {
     withdraw(Cause::badInput);

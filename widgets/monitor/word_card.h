@@ -19,38 +19,38 @@ class DisplayMenu;
 class InlineMessage;
 class WordView;
 
-// The words of one device: OUT over IN, bit under bit, each as numbers and in a sentence. An OUT word is
-// staged by clicking and typing, and sent by Write. Stands in the MonitorArea, which tells it of each frame
-// of the bus.
+// The words of one device: OUT above IN, bit under bit, each as numbers and in a sentence. An OUT word is
+// staged by clicking and typing, and sent by Write. Part of the MonitorArea, which passes on each frame of
+// the bus.
 //
-// Keys: Ctrl+Return writes, Esc discards, Ctrl+C copies the word that was chosen last, Ctrl+Shift+C as the
+// Keys: Ctrl+Return writes, Esc discards, Ctrl+C copies the word chosen last, Ctrl+Shift+C copies it as the
 // two words of a PLC.
 class WordCard : public QFrame
 {
     Q_OBJECT
 
 public:
-    // encoder, device: null where the make is not known. They and the channel may end before the card.
+    // encoder, device: null if the make is not known. They and the channel may end before the card.
     WordCard(WordChannel &channel, EncoderSession *encoder, const DeviceDescription *device,
              QWidget *parent = nullptr);
 
-    // Of a device that has words.
+    // Whether the device has words.
     static bool canShow(const WordChannel &channel);
-    // Its place has another name now: it is to be made anew.
+    // Its place has a new name: the card has to be replaced.
     bool isNamedAnew() const;
     Place place() const { return m_place; }
     const WordChannel *channel() const { return m_channel; } // null: it has ended
     const EncoderSession *encoder() const { return m_encoder; }
 
-    void setStation(const QString &station); // what the device is called at the plant; empty: nothing
+    void setStation(const QString &station); // the device's name at the plant; empty: none
     QString title() const;                   // "1.0  Hoist  FRABA OCD-IB K3"
     void setDisplay(const MonitorDisplay &display);
     void setPinned(bool pinned);
     bool isPinned() const;
 
-    // A frame of the bus was taken at now.
+    // A frame of the bus was taken at `now`.
     void showFrame(Instant now);
-    // Watch, Operate, start or stop: what was refused before may not be now.
+    // Watch, Operate, start or stop: what was refused may be allowed now.
     void busStateChanged();
 
     // Null: the device has no such word.
@@ -62,7 +62,7 @@ Q_SIGNALS:
     void displayChosen(const codewheel::MonitorDisplay &display); // by the user
 
 private:
-    // Why the message is there; it goes when the cause goes.
+    // Why the message is shown; it goes with its cause.
     enum class Cause : std::uint8_t { none, badInput, refusal, question };
 
     void makeLines();
@@ -101,7 +101,7 @@ private:
     Cause m_cause = Cause::none;
     bool m_isTyping = false;
     std::optional<Word> m_stagedBefore; // before the typing began
-    bool m_hasSent = false;             // what comes back as refused now was sent from here
+    bool m_hasSent = false;             // a refusal that comes back now is for a word sent from here
     Instant m_now{};
     AgeTimer *m_age;
 };

@@ -8,7 +8,7 @@ class QAction;
 namespace codewheel {
 
 // The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does.
-// A click into it selects the word, as Tab does: what is typed takes its place.
+// Clicking into it selects the word, as Tab does, so that typing replaces it.
 class WordField : public QLineEdit
 {
     Q_OBJECT
@@ -17,8 +17,8 @@ public:
     // widest: the longest text it will show.
     explicit WordField(const QString &widest, QWidget *parent = nullptr);
 
-    void showText(const QString &text); // does nothing where it is shown already
-    // Marks what was typed as no input; empty: it is one.
+    void showText(const QString &text); // does nothing if it is already shown
+    // Marks the input as bad; empty: it is good.
     void setProblem(const QString &sentence);
     bool hasProblem() const { return !m_problem.isEmpty(); }
 
@@ -38,7 +38,7 @@ protected:
 private:
     QString m_widest;
     bool m_isClicked = false; // the click that gave it the focus has not ended
-    bool m_shows = false;     // a text of the program's own
+    bool m_shows = false;     // showing a text of the program's own
     QString m_problem;
     QString m_toolTip;
     QAction *m_mark = nullptr;

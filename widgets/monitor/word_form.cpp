@@ -13,8 +13,8 @@ constexpr WordForm k3Form{.bits = 32,
                           .dataBits = k3::dataBits,
                           .commandBits = k3::controlMask};
 
-// Service, read or write, error, 0: D31..D28 | service number D27..D24 | data D23..D0 by nibbles. Nothing is
-// done before the service bit is set.
+// Service, read or write, error, 0: D31..D28 | service number D27..D24 | data D23..D0 by nibbles. Nothing
+// happens until the service bit is set.
 constexpr WordForm la66Form{
     .bits = 32, .groupStarts = WordForm::nibbles, .dataBits = 24, .commandBits = 1U << 31};
 

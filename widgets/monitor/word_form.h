@@ -7,7 +7,7 @@ namespace codewheel {
 
 struct DeviceDescription;
 
-// How a device divides its word: in groups of bits, of which the lowest carry the data.
+// How a device divides its word into groups of bits, the lowest of which carry the data.
 struct WordForm
 {
     static constexpr Word nibbles = 0x1111'1111;
@@ -15,12 +15,12 @@ struct WordForm
     int bits = 32;               // 16 or 32
     Word groupStarts = nibbles;  // the lowest bit of each group is set
     int dataBits = 32;           // D(n-1)..D0: what is shown as a number
-    Word commandBits = ~Word{0}; // of OUT: any of them set, and the device may do something
+    Word commandBits = ~Word{0}; // of OUT: if any is set, the device may act on it
 
     friend bool operator==(const WordForm &, const WordForm &) = default;
 };
 
-// bits: 16 or 32; device: null for one that is not known, then every bit may be anything.
+// bits: 16 or 32; device: null if not known, in which case every bit may have any meaning.
 WordForm wordForm(int bits, const DeviceDescription *device);
 
 } // namespace codewheel

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int cellWidth = 22;
 constexpr int cellHeight = 26;
-// So that a row of 32 bits has room beside the panels of a window of 1280 pixels.
+// So that a row of 32 bits fits beside the panels in a window 1280 pixels wide.
 constexpr int narrowCellWidth = 18;
 constexpr int narrowGroupGap = grid::unit;
-constexpr int widestNarrowRow = 16; // bits; more of them are narrow
+constexpr int widestNarrowRow = 16; // bits; longer rows are narrow
 constexpr int wordGap = 2;
 
 } // namespace
@@ -40,7 +40,7 @@ QSize WordLayout::size() const
     return {width, m_rows * rowHeight() + (m_rows - 1) * grid::unit};
 }
 
-// Rows are flush right, so that the nibbles of all stand above each other.
+// Rows are right-aligned, so that their nibbles line up.
 int WordLayout::left(int bit) const
 {
     const auto fromRight = [this](int of) {

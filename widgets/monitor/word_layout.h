@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// A bit of one of the words that stand above each other: 0 is the upper word.
+// A bit in one of several words shown one above the other: 0 is the upper word.
 struct WordBit
 {
     int word = 0;
@@ -19,23 +19,22 @@ struct WordBit
     friend bool operator==(const WordBit &, const WordBit &) = default;
 };
 
-// Where the bits of words stand that are shown bit under bit: the highest left, in groups, with one line of
-// numbers above them. Where they take several rows, each row has its part of every word. Pure geometry, for
-// WordView.
+// The geometry of words shown bit under bit: the highest bit left, in groups, with one line of numbers above
+// them. If they take several rows, each row has its part of every word. Used by WordView.
 class WordLayout
 {
 public:
     static constexpr int matrixBitsPerRow = 8;
 
-    // What stands around the cells, in pixels.
+    // The room around the cells, in pixels.
     struct Room
     {
         double factor = 1;    // of the cells: 1.5 with large controls
-        int numberHeight = 0; // of the numbers above them
-        int captionWidth = 0; // of the names of the words, left of them
+        int numberHeight = 0; // of the numbers above the cells
+        int captionWidth = 0; // of the words' names to the left
     };
 
-    // rows: 1, 2, or as many as a matrix has.
+    // rows: 1, 2, or as many as the matrix has.
     WordLayout(const WordForm &form, int words, int rows, const Room &room);
 
     const WordForm &form() const { return m_form; }
@@ -48,7 +47,7 @@ public:
     QRect cell(WordBit bit) const;
     QRect number(int bit) const;
     QRect caption(int word, int row) const;
-    // By its cell, or by its number, which stands for the upper word.
+    // By its cell, or by its number, which counts as the upper word.
     std::optional<WordBit> bitAt(QPoint point) const;
 
 private:

@@ -47,7 +47,7 @@ WordLine::WordLine(WordDirection direction, const Device &device, const WordForm
     arrange();
 }
 
-// The meaning of OUT has a line of its own, since Write stands beside the numbers.
+// The meaning of OUT has a line of its own, since Write is beside the numbers.
 void WordLine::arrange()
 {
     m_rows->setContentsMargins({});
@@ -85,7 +85,7 @@ Word WordLine::edges() const
     return m_channel == nullptr ? 0 : isOut() ? m_channel->outEdges() : m_channel->inEdges();
 }
 
-// OUT is what goes out when the bus runs again; without a connection it is of before as well.
+// OUT is not old: it goes out when the bus runs again. Without a connection it is.
 bool WordLine::isOld() const
 {
     if (m_channel == nullptr)

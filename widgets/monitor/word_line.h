@@ -19,17 +19,17 @@ class MeaningLine;
 class NumberFields;
 class WordSender;
 
-// "OUT 1.0": names word, bits and fields, on the screen and for screen readers.
+// "OUT 1.0": identifies word, bits and fields, on the screen and for screen readers.
 QString wordName(WordDirection direction, Place place);
 QString caption(WordDirection direction); // "OUT"
 
-// One word of a device below its bits: as numbers and in a sentence. An OUT word has Write beside them.
+// One word of a device below its bits: as numbers and in a sentence. An OUT word has Write beside it.
 class WordLine : public QWidget
 {
     Q_OBJECT
 
 public:
-    // Of whom the word is. Encoder and device are null where the make is not known; all of them may end
+    // The device of the word. Encoder and description are null if the make is not known; all of them may end
     // before the line.
     struct Device
     {
@@ -39,24 +39,24 @@ public:
     };
 
     WordLine(WordDirection direction, const Device &device, const WordForm &form, QWidget *parent = nullptr);
-    void setCaptionWidth(int width); // as wide as it is left of the bits
+    void setCaptionWidth(int width); // the same as to the left of the bits
 
     WordDirection direction() const { return m_direction; }
     bool isOut() const { return m_direction == WordDirection::out; }
     QString name() const { return m_name; }
-    Word shown() const; // with what is staged
+    Word shown() const; // including staged changes
     Word onBus() const;
     Word edges() const;
     bool isOld() const;
     QString bitText(int bit) const;
     QString meaning() const;
     QString hexText() const { return copiedText(WordNotation::hexadecimal); }
-    QString copiedText(WordNotation notation) const; // of the word that is shown
+    QString copiedText(WordNotation notation) const; // the shown word
 
     NumberFields *numbers() const { return m_numbers; }
-    WordSender *sender() const { return m_sender; } // null: IN
+    WordSender *sender() const { return m_sender; } // null for IN
     void setDisplay(const MonitorDisplay &display);
-    void showWord(); // as it stands now
+    void showWord(); // updates what is shown
 
 private:
     QString explain() const;

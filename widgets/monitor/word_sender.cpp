@@ -69,7 +69,7 @@ void WordSender::edited()
         Q_EMIT askedFor(*m_channel->staged());
 }
 
-// Write stays enabled: without a staged word it repeats the one that stands on the bus.
+// Write stays enabled: without a staged word it repeats the one on the bus.
 void WordSender::showStaged()
 {
     const bool staged = m_channel && m_channel->staged();

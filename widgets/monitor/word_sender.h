@@ -14,9 +14,9 @@ class QPushButton;
 
 namespace codewheel {
 
-// What sends an OUT word: Write, Discard, and beside them "At once", which its monitor puts in its place. At
-// once is off with every new monitor, and even then a word with a command bit or a parameter number is sent
-// only when the user says so: clicking bit 25 alone means steps = 0.
+// Sends an OUT word: Write, Discard, and "At once", which the monitor places itself. "At once" is off in
+// every new monitor, and even when it is on, a word with a command bit or a parameter number is sent only if
+// the user confirms it: clicking bit 25 alone means steps = 0.
 class WordSender : public QWidget
 {
     Q_OBJECT
@@ -25,18 +25,18 @@ public:
     // place: "OUT 1.0"
     WordSender(WordChannel &channel, const QString &place, const WordForm &form, QWidget *parent = nullptr);
 
-    // Asked before a word is sent: whether it may be.
+    // Asked before a word is sent, whether it may be.
     void setGate(std::function<bool(Word)> mayBeSent) { m_mayBeSent = std::move(mayBeSent); }
-    void setBlocked(bool blocked); // by bad input, which must not be taken for what is sent
+    void setBlocked(bool blocked); // by bad input, which must not be taken for the word sent
     void write();
     void discard();
-    void edited(); // the user has staged a whole word: it is sent if that is to happen at once
+    void edited(); // the user has staged a whole word: it is sent if "At once" is on
     void showStaged();
     QCheckBox *atOnce() const { return m_atOnce; }
 
 Q_SIGNALS:
     void refused(const codewheel::Refusal &why);
-    void askedFor(codewheel::Word word); // to be sent at once, but not without asking
+    void askedFor(codewheel::Word word); // to be sent at once, but only if the user agrees
     void sent();
     void discarded();
 

@@ -35,14 +35,14 @@ WordView::WordView(const WordForm &form, std::vector<Line> lines, QWidget *paren
     , m_layout(form, static_cast<int>(lines.size()), 1, {})
     , m_focused{0, form.bits - 1}
 {
-    installWordViewAccessibility(); // before anybody is told of it
+    installWordViewAccessibility(); // before assistive technology hears of it
     QStringList places;
     for (Line &line : lines) {
         places << line.place;
         m_words.push_back({.line = std::move(line)});
     }
     setAccessibleName(tr("%1 bits", "OUT 1.0, IN 1.0 bits").arg(places.join(QStringLiteral(", "))));
-    setAutoFillBackground(true); // so that a bit that changes does not paint what is behind it
+    setAutoFillBackground(true); // so that a changing bit does not repaint what is behind it
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -169,7 +169,7 @@ void WordView::setMatrix(bool matrix)
     updateGeometry();
 }
 
-// The width decides on one row or two, the style on the size of the cells.
+// The width decides between one row and two, the style the size of the cells.
 void WordView::arrange()
 {
     m_layout = layoutFor(width());
@@ -256,7 +256,7 @@ void WordView::paintCaptions(QPainter &painter, const QRegion &exposed) const
                 painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter, at(word).line.caption);
 }
 
-// Neighbours together: each rectangle costs as much as its cells.
+// Neighbouring cells together: the cost is per rectangle.
 void WordView::updateCells(int word, Word bitMask)
 {
     QRect together;
@@ -308,7 +308,7 @@ void WordView::mouseReleaseEvent(QMouseEvent *event)
         toggleBit(*pressed);
 }
 
-// By so many lines of bits, those of the words and of the rows; the same bit where there is none.
+// So many lines of bits further down, counting words and rows; the same bit if there is no such line.
 WordBit WordView::below(WordBit bit, int lines) const
 {
     const int line = (bits() - 1 - bit.bit) / m_layout.bitsPerRow() * words() + bit.word + lines;

@@ -13,9 +13,9 @@
 
 namespace codewheel {
 
-// The words of a device bit under bit, each bit a control of its own for mouse, keys and screen readers,
-// painted as one widget. It shows what it is given and asks for a change by bitToggled(). All bits stand in
-// one row where it is wide enough, else in two.
+// The words of a device bit under bit, each bit a separate control for mouse, keys and screen readers,
+// painted as one widget. It shows what it is given and asks for changes by bitToggled(). All bits are in one
+// row if it is wide enough, else in two.
 //
 // Keys: Left to the higher bit, Right to the lower, Up and Down to the bit above and below, Home to the
 // highest, End to bit 0, Space toggles.
@@ -29,7 +29,7 @@ public:
         QString caption; // "OUT", left of its bits
         QString place;   // "OUT 1.0": names the bits for screen readers
         bool isEditable = false;
-        // What a bit means in this device, for tooltip, status tip and screen reader; empty where nothing is
+        // The meaning of a bit in this device, for tooltip, status tip and screen reader; empty if nothing is
         // known.
         std::function<QString(int bit)> bitText{};
     };
@@ -37,14 +37,14 @@ public:
     // From top to bottom; at least one.
     WordView(const WordForm &form, std::vector<Line> lines, QWidget *parent = nullptr);
 
-    // The bits are of before: grey.
+    // Old bits are grey.
     void setOld(int word, bool old);
     bool isOld(int word) const { return at(word).isOld; }
     // In rows of 8 bits, whatever the width.
     void setMatrix(bool matrix);
 
-    // shown: with what is staged; onBus: as last sent or received; edges: bits that changed in any cycle
-    // since the last call. Call it for each frame, also where nothing changed: marks go by now.
+    // shown: including staged changes; onBus: as last sent or received; edges: bits that changed in any cycle
+    // since the last call. Call it for each frame, even if nothing has changed: marks expire by `now`.
     void setWord(int word, Word shown, Word onBus, Word edges, Instant now);
     Word word(int word = 0) const { return at(word).shown; }
 
@@ -58,18 +58,18 @@ public:
     QString bitDescription(WordBit bit) const;
     QRect bitRect(WordBit bit) const { return m_layout.cell(bit); }
     std::optional<WordBit> bitAt(QPoint point) const { return m_layout.bitAt(point); }
-    static int captionWidth(const QStringList &captions); // of the column they stand in
+    static int captionWidth(const QStringList &captions); // of the column of captions
 
     WordBit focusedBit() const { return m_focused; }
     void setFocusedBit(WordBit bit);
-    // As if the bit were clicked: does nothing where it cannot be.
+    // As if the bit were clicked: does nothing if it cannot be.
     void toggleBit(WordBit bit);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return layoutFor(width).size().height(); }
-    static QList<KeyHelp> keys(); // that it answers
+    static QList<KeyHelp> keys(); // that it handles
 
 Q_SIGNALS:
     void bitToggled(codewheel::WordBit bit);

@@ -12,7 +12,7 @@ namespace codewheel {
 
 class WordView;
 
-// Makes Qt ask us for the accessible side of WordView; may be called any number of times.
+// Makes Qt ask us for the accessibility of WordView; may be called any number of times.
 void installWordViewAccessibility();
 
 void announceBitFocus(WordView &view, WordBit bit);
@@ -40,7 +40,7 @@ private:
     mutable std::unordered_map<int, QAccessible::Id> m_bits; // by index, made when first asked for
 };
 
-// One bit: a check box; with a toggle action where the word is editable.
+// One bit: a check box; with a toggle action if the word is editable.
 class BitAccessible final : public QAccessibleInterface, public QAccessibleActionInterface
 {
 public:

@@ -46,7 +46,7 @@ void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, co
                      shown);
 }
 
-// On two lines where it has to be, or small where it does not fit.
+// On two lines if necessary, or small if it still does not fit.
 void drawName(QPainter &painter, const QRect &where, const QString &name)
 {
     const auto flags = static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
@@ -126,7 +126,7 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
     const int line = QFontMetrics(textFont()).height();
     const auto *table = qobject_cast<const QTableView *>(option.widget);
     const int room = table ? roomOf(*table, index) : width;
-    // A value that is cut could be another one: it stands on as many lines as it needs.
+    // A value that is cut off could be a different one: it wraps to as many lines as it needs.
     const QString text = index.data().toString();
     const int value = index.column() == ParameterModel::nameColumn
                           ? line

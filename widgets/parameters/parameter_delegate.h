@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Paints the parameter table's cells, a value over a small detail, and edits the wanted values. Bad input
-// keeps its field open, so that nothing typed is lost; Escape gives it up.
+// Paints the cells of the parameter table, a value over a small detail, and edits the wanted values. Bad
+// input keeps its field open, so that nothing typed is lost; Escape discards it.
 class ParameterDelegate final : public CheckedDelegate
 {
     Q_OBJECT

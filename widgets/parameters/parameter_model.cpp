@@ -118,7 +118,7 @@ ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
             m_wanted.value(m_encoder.place(), parameter.parameter)};
 }
 
-// What a scaling factor may be follows from its format.
+// The format of a scaling factor decides its range.
 ParameterDescription ParameterModel::withRange(const ParameterDescription &parameter) const
 {
     return withOptions(parameter, valueOptionsOf(m_encoder.session()));
@@ -142,7 +142,7 @@ void ParameterModel::showAge()
         Q_EMIT dataChanged(index(0, knownColumn), index(rowCount() - 1, knownColumn));
 }
 
-// What the encoder has was known of it once; since then nobody heard of it.
+// The value was known once, but the encoder has not been heard of since.
 bool ParameterModel::isKnownOfBefore(const ParameterRow &row) const
 {
     return row.known && m_encoder.session() != nullptr && m_encoder.session()->freshness().isOld();
@@ -154,7 +154,7 @@ Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
     if (!index.isValid() || index.column() != wantedColumn)
         return flags;
     const ParameterRow &row = rowAt(index.row());
-    const bool canBeTold = row.isTold() && m_encoder.session() != nullptr; // who knows it
+    const bool canBeTold = row.isTold() && m_encoder.session() != nullptr; // whose known value it becomes
     if (!row.isReadOnly() || canBeTold)
         flags |= Qt::ItemIsEditable;
     return flags;
@@ -182,7 +182,7 @@ QVariant ParameterModel::headerCell(int column, int role) const
     return QStringList{tr("Parameter"), tr("Known"), tr("Wanted")}.at(column);
 }
 
-// It stands across all columns.
+// Spans all columns.
 QVariant ParameterModel::headCell(const ParameterRow &row, int column, int role) const
 {
     const bool isReadOnly = row.head == ParameterRow::Head::readOnly;
@@ -237,7 +237,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return column == nameColumn || isPale || !row.parameter.choices.empty() ? textFont() : numberFont();
     case detailRole:
         return detail(row, column);
-    case shortDetailRole: // without the time, which the tooltip has
+    case shortDetailRole: // without the time, which the tooltip gives
         return column == knownColumn && row.known ? evidenceText(row.known) : detail(row, column);
     case detailMarkRole:
         return column == wantedColumn && row.differs() ? QVariant(static_cast<int>(Role::attention))
@@ -249,7 +249,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     }
 }
 
-// The unit stands behind the value, except where the parameter's name tells it: "Measuring length in steps".
+// The unit follows the value, unless the parameter's name contains it: "Measuring length in steps".
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// What an encoder is known to have of one parameter, and what the user wants it to have; or the head of a
+// What an encoder is known to have for one parameter, and what the user wants it to have; or the heading of a
 // group of rows.
 struct ParameterRow
 {
@@ -21,18 +21,18 @@ struct ParameterRow
 
     bool isHead() const { return head != Head::none; }
     bool isReadOnly() const { return !parameter.canBeWritten(); }
-    // Told by the label alone: what is entered is what is known.
+    // Known from the label only: what is entered is what is known.
     bool isTold() const { return parameter.onLabel; }
-    // Both are there and not the same.
+    // Both are given, and they are not the same.
     bool differs() const { return known && wanted && known->value != *wanted; }
 
     friend bool operator==(const ParameterRow &, const ParameterRow &) = default;
 };
 
-// The table of the parameter panel: parameter, what the encoder has, what is wanted. What can be written
-// comes first, then what can only be read; the registers of the bus chip are folded away at the end. A cell
-// may have a second, small line (detailRole): how and when the value came to be known, whether it differs. Of
-// an encoder that is planned only, nothing is known; what is wanted can be edited all the same.
+// The table of the parameter panel: parameter, what the encoder has, what is wanted. Writable parameters come
+// first, then the read-only ones; the registers of the bus chip are folded away at the end. A cell may have a
+// second, small line (detailRole): how and when the value came to be known, whether it differs. Of an encoder
+// that is only planned, nothing is known; wanted values can still be edited.
 class ParameterModel final : public TableModelBase<ParameterRow>
 {
     Q_OBJECT
@@ -42,21 +42,21 @@ public:
     static constexpr int detailRole = Qt::UserRole + 1;      // QString
     static constexpr int detailMarkRole = Qt::UserRole + 2;  // int, a Role: icon before the detail
     static constexpr int isPaleRole = Qt::UserRole + 3;      // bool: stands for "no value"
-    static constexpr int shortDetailRole = Qt::UserRole + 4; // QString: where the detail has no room
+    static constexpr int shortDetailRole = Qt::UserRole + 4; // QString: if the detail has no room
 
     explicit ParameterModel(WantedValues &wanted, QObject *parent = nullptr);
 
     void setEncoder(const ShownEncoder &encoder);
     int differing() const; // rows
 
-    // The head of the registers opens and closes them.
+    // Whether it is the heading that folds and unfolds the registers.
     bool isFoldable(const QModelIndex &index) const;
     void toggleRegisters();
     bool showsRegisters() const;
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is. What stands on the
-    // label is told instead.
+    // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is. A value from the label
+    // becomes known instead.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:

@@ -48,7 +48,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     m_pages->addWidget(m_tablePage);
     m_pages->addWidget(m_review);
     m_whose->setTextFormat(Qt::PlainText);
-    m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name does not widen the panel
+    m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name must not widen the panel
     m_whose->setObjectName(QStringLiteral("whose"));
     layOutColumn(this, {m_whose, {m_pages, 1}});
     connectParts();
@@ -177,7 +177,7 @@ QList<QAction *> ParameterPanel::functionActions() const
 void ParameterPanel::showWhose()
 {
     const bool hasParameters = m_encoder.isThere() && !m_encoder.device().parameters.empty();
-    m_whose->setVisible(hasParameters); // else the sentence on the page names it
+    m_whose->setVisible(hasParameters); // otherwise the sentence on the page names it
     if (!hasParameters)
         return;
     m_whose->setText(QStringLiteral("%1  %2").arg(m_encoder.place().shown(), m_encoder.device().fullName()));
@@ -214,7 +214,7 @@ void ParameterPanel::connectSession(EncoderSession &session)
     connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
 }
 
-// What sends, or tells what the encoder has, needs one that is connected; the tooltips and a note say so.
+// Commands that send, or enter what the encoder has, need a connected one; the tooltips and a note say so.
 void ParameterPanel::showWhatIsPossible()
 {
     const Capabilities &can = m_encoder.can();
@@ -254,7 +254,7 @@ void ParameterPanel::showDifferences()
                             count == 1 ? tr("1 value differs") : tr("%1 values differ").arg(count));
 }
 
-// What the wanted values bring about besides: told as soon as they are wanted, of a planned encoder too.
+// Side effects of the wanted values: shown as soon as they are wanted, for a planned encoder too.
 void ParameterPanel::showValueNotes()
 {
     ParameterValues written;
@@ -354,7 +354,7 @@ void ParameterPanel::askWhatItHas()
         known ? std::optional(known->value) : std::nullopt);
 }
 
-// Where the command brings its value along.
+// For encoders whose command carries the value with it.
 void ParameterPanel::askWherePositionIs()
 {
     if (!session())
@@ -395,7 +395,7 @@ void ParameterPanel::finished(const Outcome &outcome)
     const bool resetWaits =
         m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
     const JobEnd end = endOf(*session(), outcome);
-    if (resetWaits) // without the way back: run would carry it out
+    if (resetWaits) // without the way back: run would carry out the reset
         showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
     else
         showMessage(Cause::outcome, end.role, end.text, end.wayBack);

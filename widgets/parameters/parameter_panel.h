@@ -25,10 +25,9 @@ class ValueBar;
 class WantedValues;
 class WriteReview;
 
-// The parameters of the encoder that is chosen in the bus structure: what it is known to have, what is
-// wanted, and the ways to make them the same. Sends nothing unless asked, and shows what will be written
-// before. While the encoder is not connected, what is wanted of the planned one can be edited, and nothing
-// else.
+// The parameters of the encoder chosen in the bus structure: what it is known to have, what is wanted, and
+// the ways to make them the same. Sends nothing unless asked, and first shows what will be written. While the
+// encoder is not connected, only the wanted values of the planned one can be edited.
 class ParameterPanel : public QWidget
 {
     Q_OBJECT
@@ -37,14 +36,14 @@ public:
     explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
 
     void setEncoder(const codewheel::ShownEncoder &encoder);
-    // Modes, FRABA preset, reset: in the menu here, and for that of the window.
+    // Modes, FRABA preset, reset: for the menu here and that of the window.
     QList<QAction *> functionActions() const;
 
-    void showWhose(); // its bus is called otherwise than before
+    void showWhose(); // the name of its bus has changed
 
 Q_SIGNALS:
     void wizardRequested();
-    void refusalShown(); // of one of the function actions
+    void refusalShown(); // after one of the function actions
 
 private:
     enum class Cause { input, refusal, outcome };
@@ -72,7 +71,7 @@ private:
     void showRunningJob();
     void showWrongInput(const QString &wrong);
     void showMessage(Cause cause, Role role, const QString &sentence, const QString &action = {});
-    void withdraw(Cause cause); // its message, if that is the one which is shown
+    void withdraw(Cause cause); // its message, if that is the one shown
     Parameter currentParameter() const;
     EncoderSession *session() const { return m_encoder.session(); } // null: not connected
 
@@ -82,7 +81,7 @@ private:
 
     ParameterModel *m_model;
     EncoderFunctions *m_functions;
-    QLabel *m_whose;         // the encoder that is set up here
+    QLabel *m_whose;         // the encoder that is being set up
     QStackedWidget *m_pages; // empty, table, review
     EmptyState *m_empty;
     QWidget *m_tablePage = nullptr;

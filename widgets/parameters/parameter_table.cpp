@@ -53,7 +53,7 @@ bool ParameterTable::finishEditing()
     return true;
 }
 
-// What is read only has no wanted value: what the encoder has takes the room of both.
+// A read-only parameter has no wanted value: the known one takes up both columns.
 void ParameterTable::spanColumns()
 {
     clearSpans();
@@ -125,7 +125,7 @@ void ParameterTable::resizeEvent(QResizeEvent *event)
     fitNames();
 }
 
-// So wide that the longest word of a name stands on one line where there is room for it.
+// So wide that the longest word of a name fits on one line, if there is room.
 void ParameterTable::fitNames()
 {
     const QFontMetrics small(textFont(TextSize::small));

@@ -10,8 +10,8 @@ namespace codewheel {
 class ParameterDelegate;
 class ParameterModel;
 
-// The view of a ParameterModel: one click or Enter edits a wanted value, and while editing, Tab goes on to
-// the next one. One click or Enter on the head of a folded group opens it.
+// The view of a ParameterModel: one click or Enter edits a wanted value, and from there Tab goes on to the
+// next one. One click or Enter on the heading of a folded group opens it.
 class ParameterTable : public QTableView
 {
     Q_OBJECT
@@ -19,9 +19,9 @@ class ParameterTable : public QTableView
 public:
     explicit ParameterTable(ParameterModel &model, QWidget *parent = nullptr);
 
-    // False, and back in its field, while what is typed is bad.
+    // False while what is typed is bad; the focus is then back in its field.
     bool finishEditing();
-    static QList<KeyHelp> keys(); // that it answers
+    static QList<KeyHelp> keys(); // that it handles
 
 Q_SIGNALS:
     void inputChecked(const QString &wrong); // empty: good, or given up

@@ -6,12 +6,11 @@
 
 namespace codewheel {
 
-// The position that may be given to the encoder where the command that sets it brings the value along: an
-// encoder on a serial line takes 1 to its measuring range (ESC manual, GP), an LA-66 any of 24 bit (manual
-// 3.4).
+// The position that can be given to the encoder by a command that carries it: an encoder on a serial line
+// takes 1 to its measuring range (ESC manual, GP), an LA-66 any of 24 bits (manual 3.4).
 ParameterDescription positionToSet(const EncoderSession &encoder);
 
-// What is sent for it, and what it costs.
+// What is sent to set it, and what that costs.
 QString positionToSetText(const EncoderSession &encoder);
 
 } // namespace codewheel

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace codewheel {
 
-// "Steps: the encoder has [    ] [Tell] [Cancel]": asks for one value and does with it what the panel wants.
-// Hidden until asked for.
+// "Steps: the encoder has [    ] [Tell] [Cancel]": asks for one value, which the panel then uses. Hidden
+// until asked for.
 class ValueBar : public QWidget
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     {
         ParameterDescription parameter;
         QString label;
-        QString ifEmpty; // stands in the empty field
+        QString ifEmpty; // shown in the empty field
         QString button;
         QString toolTip;
         bool mayBeEmpty = false;

@@ -32,7 +32,7 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     }
 }
 
-// Losing the focus by going is no leaving of the field.
+// The focus lost in the destructor must not count as leaving the field.
 ValueField::~ValueField()
 {
     m_input->disconnect(this);
@@ -46,7 +46,7 @@ void ValueField::setValue(std::optional<std::int64_t> value)
         m_taken = number->text();
 }
 
-// Esc is for the field where something was typed; else for whoever is around it.
+// The field handles Esc if something was typed; otherwise its surroundings do.
 bool ValueField::eventFilter(QObject *input, QEvent *event)
 {
     auto *number = qobject_cast<NumberInput *>(input);

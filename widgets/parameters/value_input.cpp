@@ -19,10 +19,10 @@ namespace codewheel {
 
 namespace {
 
-constexpr double largestInput = 1e12; // beyond every range
+constexpr double largestInput = 1e12; // beyond any range
 constexpr int typedDigits = 12;
 
-// As it is typed: mm for a length that goes in micrometres, the bits of a scaling factor, else a whole
+// As it is typed: mm for a length sent in micrometres, the bits of a scaling factor, otherwise a whole
 // number.
 QString inputText(const ParameterDescription &parameter, std::int64_t value)
 {
@@ -45,7 +45,7 @@ tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &para
     return micrometresOf(std::clamp(*millimetres, -largestInput, largestInput));
 }
 
-// Anything can be typed, so that what is wrong can be said; only what is good is taken.
+// Anything can be typed, so that what is wrong can be explained; only what is good is taken.
 class RangeCheck final : public QValidator
 {
 public:

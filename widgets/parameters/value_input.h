@@ -12,7 +12,7 @@ class QComboBox;
 namespace codewheel {
 
 // A field for one number of an encoder, decimal or hexadecimal, or a length in mm, that says while you type
-// what is wrong with it. Empty is allowed: no value.
+// what is wrong. May be empty: no value.
 class NumberInput : public QLineEdit
 {
     Q_OBJECT
@@ -34,8 +34,8 @@ private:
     InputMark m_mark;
 };
 
-// What an item delegate, the "tell" row and a page of fields need: a NumberInput, or a combo box for the
-// choices the device has. ifEmpty is how no value is called: "as it is".
+// For item delegates, the "tell" row and forms: a NumberInput, or a combo box for the choices the device has.
+// ifEmpty stands for no value: "as it is".
 QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent);
 void setInputValue(QWidget &input, std::optional<std::int64_t> value);
 Result<std::optional<std::int64_t>> inputValue(const QWidget &input);

@@ -13,11 +13,11 @@ namespace codewheel {
 
 class ProjectDocument;
 
-// Takes the place of what is wanted of the parameter; nothing: it is unchanged.
+// Replaces the wanted value of the parameter; nothing: unchanged.
 void putWanted(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value);
 
-// What the user wants each encoder to have: typed, not sent. A face of the project, shared by parameter panel
-// and wizard; each change is a step of undo.
+// What the user wants each encoder to have: entered, not sent. A facade of the project, shared by parameter
+// panel and wizard; each change is an undo step.
 class WantedValues : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ public:
     ParameterValues values(Place number) const; // in the order of the parameters
     // Nothing: leave it as it is.
     void set(Place number, Parameter parameter, std::optional<std::int64_t> value);
-    // All of them at once: one step of undo, called `what`.
+    // All at once, as an undo step named `what`.
     void replace(Place number, ParameterValues values, const QString &what);
     void clear(Place number);
 
@@ -40,7 +40,7 @@ private:
     void tellChanges();
 
     ProjectDocument &m_project;
-    std::map<Place, ParameterValues> m_told; // of those that have any
+    std::map<Place, ParameterValues> m_told; // last reported, for places that have any
 };
 
 } // namespace codewheel

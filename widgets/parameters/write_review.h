@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Of the parameter panel: parameter, old, new, word.
+// The review of the parameter panel: parameter, old, new, word.
 class WriteReview final : public JobReview
 {
     Q_OBJECT

@@ -25,15 +25,15 @@
 namespace codewheel {
 namespace {
 
-constexpr int leastRows = 2; // that are seen at once
+constexpr int leastRows = 2; // always in sight
 
-// As it is shown by what takes "&" for the mark of a key.
+// For texts in which "&" marks a key.
 QString withoutKey(QString text)
 {
     return text.replace(u'&', QLatin1String("&&"));
 }
 
-// What is being typed stays when its row is told to have changed.
+// What is being typed stays when its row changes.
 class NameCells final : public CheckedDelegate
 {
 public:
@@ -153,7 +153,7 @@ void BusList::rename()
     m_table->edit(cell);
 }
 
-// Asks where devices go with it.
+// Asks if devices would go with the bus.
 void BusList::askRemove()
 {
     const auto bus = chosen();
@@ -198,7 +198,7 @@ void BusList::showInput(const QString &wrong)
     }
 }
 
-// A question about something else than before is none.
+// A question lapses when what it is about changes.
 void BusList::followProject()
 {
     if (m_question) {
@@ -224,7 +224,7 @@ void BusList::withdraw()
     m_message->withdraw();
 }
 
-// What is half typed is taken first; what is refused stays to be corrected.
+// Half-typed input is taken first; if refused, it stays to be corrected.
 bool BusList::takesFields()
 {
     const QString wrong = takeFields(*this);

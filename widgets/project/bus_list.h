@@ -19,14 +19,14 @@ class BusKind;
 class InlineMessage;
 class ProjectDocument;
 
-// The buses of the project, on the page "Project": they are added, renamed and removed, each as one step of
-// undo. What is connected is not touched.
+// The buses of the project, on the page "Project": they are added, renamed and removed, each as one undo
+// step. Connected buses are not touched.
 class BusList : public QWidget
 {
     Q_OBJECT
 
 public:
-    // Whether a new bus of this kind may have this number, as far as what is connected is concerned.
+    // Whether what is connected leaves this number free for a new bus of this kind.
     using IsFree = std::function<bool(BusId bus, const QString &kind)>;
 
     // The document outlives the list.
@@ -61,7 +61,7 @@ private:
     QAction *m_add = nullptr;
     QAction *m_remove = nullptr;
     QAction *m_rename = nullptr;
-    std::optional<BusRow> m_question; // what the message asks about
+    std::optional<BusRow> m_question; // that the message asks about
 };
 
 } // namespace codewheel

@@ -64,7 +64,7 @@ std::optional<int> BusModel::rowOf(BusId bus) const
     return found == rows().end() ? std::nullopt : std::optional(static_cast<int>(found - rows().begin()));
 }
 
-// BUS/PLACE names a device.
+// Bus names appear in BUS/PLACE, which identifies a device.
 QString BusModel::complaint(const QModelIndex &index, const QString &text) const
 {
     const QString wanted = text.trimmed();

@@ -23,8 +23,8 @@ struct BusRow
     friend bool operator==(const BusRow &, const BusRow &) = default;
 };
 
-// The buses of the project, whose names are edited in place. Rows that stay are the same rows, so that what
-// is being typed in one stays while something else changes.
+// The buses of the project, whose names are edited in place. Surviving rows keep their identity, so that
+// typing in one is not disturbed by other changes.
 class BusModel : public TableModelBase<BusRow>
 {
     Q_OBJECT
@@ -36,7 +36,7 @@ public:
     explicit BusModel(ProjectDocument &document, QObject *parent = nullptr);
 
     std::optional<int> rowOf(BusId bus) const;
-    // What is wrong with the text for this cell; empty: nothing.
+    // What is wrong with the text for this cell; empty: nothing is.
     QString complaint(const QModelIndex &index, const QString &text) const;
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;

@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// What a device is taken for: its make, and what its label tells of the resolution; 0: as described.
+// What a device is taken for: its make, and the resolution on its label; 0: as described.
 struct Name
 {
     QString key;
@@ -64,7 +64,7 @@ void DeviceNames::nameDevices()
             continue;
         const Name wanted = nameOf(m_bus.catalog(), planned.participant.deviceKey, planned.label.turns,
                                    planned.label.stepsPerTurn);
-        // While a job runs it is refused, and done with the next change.
+        // While a job runs it is refused, and tried again at the next change.
         if (wanted != nameOnTheBus(m_bus, *found))
             (void)m_bus.name(planned.place(), wanted.key, wanted.turns, wanted.stepsPerTurn);
     }

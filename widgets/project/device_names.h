@@ -9,9 +9,9 @@ class EncoderBus;
 class ProjectDocument;
 struct Place;
 
-// What the bus does not tell, the project does: it names the devices of a connected bus that fit for certain.
-// Among neighbours of the same code that differ in the plan nobody can say which is which, so none takes the
-// name of another. A device named in the window is named in the project, which can be undone.
+// The project supplies what the bus does not tell: it names those devices of a connected bus that match for
+// certain. Neighbours with the same code but different plans cannot be told apart, so none takes the name of
+// another. A device named in the window is also named in the project, which can be undone.
 class DeviceNames : public QObject
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
     DeviceNames(ProjectDocument &document, EncoderBus &bus, QObject *parent = nullptr);
 
 private:
-    void nameDevices(); // all that fit
+    void nameDevices(); // all that match
     void takeName(Place number);
 
     ProjectDocument &m_document;

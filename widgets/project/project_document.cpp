@@ -16,7 +16,7 @@ ProjectDocument::ProjectDocument(QObject *parent)
 
 ProjectDocument::~ProjectDocument()
 {
-    m_undo.disconnect(this); // it tells of its end
+    m_undo.disconnect(this); // it would signal its destruction
 }
 
 std::span<const ProjectDocument::DeviceId> ProjectDocument::ids(BusId bus) const
@@ -61,7 +61,7 @@ std::vector<Place> ProjectDocument::notPlanned() const
 {
     std::vector<Place> numbers;
     for (const auto &[number, device] : m_others)
-        if (!number.isAddress() && !findDevice(m_project, number)) // of the training line nothing is kept
+        if (!number.isAddress() && !findDevice(m_project, number)) // nothing of the training line is kept
             numbers.push_back(number);
     return numbers;
 }
@@ -108,7 +108,7 @@ void ProjectDocument::setRecovered()
     Q_EMIT savedChanged(isSaved());
 }
 
-// Of devices that are as they were, from both ends; the others keep theirs by place, if there are as many.
+// If the number of devices is unchanged, each keeps its id; otherwise the unchanged ones at both ends do.
 std::vector<ProjectDocument::DeviceId> ProjectDocument::keptIds(const Project &after)
 {
     if (after.devices.size() == m_ids.size())
@@ -146,7 +146,7 @@ void ProjectDocument::edit(Project after, BusId bus, const Origins &origins, con
     pushPlanned(std::move(after), std::move(kept), what, noGesture);
 }
 
-// A device that is planned now takes along the values it was given before.
+// A device that is now planned takes over the values it was given before.
 void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, const QString &what,
                                   Gesture gesture)
 {

@@ -16,9 +16,9 @@ namespace codewheel {
 
 class ProjectStep;
 
-// The project that is open, and all that can be undone in it. What views show and change of it goes through
-// here: structure editor, wanted values, cams, sequences. Outlives the window, which is made anew in another
-// language.
+// The open project, and everything that can be undone in it. What views show and change of it goes through
+// here: structure editor, wanted values, cams, sequences. Outlives the window, which is rebuilt when the
+// language changes.
 //
 // A device has an id besides its number: the number follows from its place, the id stays.
 class ProjectDocument : public QObject
@@ -27,49 +27,49 @@ class ProjectDocument : public QObject
 
 public:
     using DeviceId = unsigned;
-    // Changes of one gesture, such as typing in one field or a drag of the mouse, are one step of undo.
+    // Changes within one gesture, such as typing in one field or a mouse drag, are one undo step.
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
-    // Where each device of a bus stood before an edit, among those of the bus; nothing: it is new.
+    // Where each device of a bus was before an edit, as an index on the bus; nothing: it is new.
     using Origins = std::vector<std::optional<std::size_t>>;
 
     explicit ProjectDocument(QObject *parent = nullptr);
     ~ProjectDocument() override;
 
     const Project &project() const { return m_project; }
-    // Of the devices of a bus, in its order.
+    // The devices of a bus, in its order.
     std::span<const DeviceId> ids(BusId bus) const;
     std::optional<DeviceId> idAt(Place place) const; // nothing: it is not planned
-    const ProjectDevice *device(DeviceId id) const;  // null: there is none any more
-    // Among those of its bus.
+    const ProjectDevice *device(DeviceId id) const;  // null: it no longer exists
+    // Its index on its bus.
     std::optional<std::size_t> indexOf(DeviceId id) const;
-    // What is planned for the device of this number. One that the project does not have (a connected ring may
-    // have others) can be given values as well: they go with it into the project once it is planned under
-    // this number. Until then they are in no file, and the project is not saved.
+    // What is planned for the device at this place. Values can also be given to one that is not in the
+    // project (a connected ring may have others): they enter the project once it is planned at this place.
+    // Until then they are in no file, and the project counts as unsaved.
     const ProjectDevice &device(Place number) const;
-    // Those of the ring that have values, and that the project does not have.
+    // The places of the ring that have values but are not in the project.
     std::vector<Place> notPlanned() const;
     void forEachDevice(const std::function<void(Place, const ProjectDevice &)> &visit) const;
 
-    // Another project, or the same read from its file again. There is nothing to undo then. fileMark:
-    // projectMark() of what the file held.
+    // Another project, or the same one read from its file again. Clears the undo stack. fileMark:
+    // projectMark() of the content of the file.
     void setProject(Project project, const QString &file, const QByteArray &fileMark = {});
-    QString file() const { return m_file; }                             // empty: it has none yet
-    void setFile(const QString &file, const QByteArray &fileMark = {}); // it was saved there, as it is now
-    // Of what the file held when it was read, or saved here; empty: not known.
+    QString file() const { return m_file; }                             // empty: not saved yet
+    void setFile(const QString &file, const QByteArray &fileMark = {}); // saved there as it is now
+    // Of the file's content when it was read, or saved here; empty: not known.
     const QByteArray &fileMark() const { return m_fileMark; }
     bool isSaved() const { return m_undo.isClean() && !m_isRecovered && notPlanned().empty(); }
-    // It was found after a crash: its file has something else.
+    // It was recovered after a crash: its file has other content.
     void setRecovered();
 
-    // A step of undo; none where nothing changes. what: its name, "Move 3.0". No origins: each device stands
-    // where it stood; where there are more or less of them, those between what is the same are new.
+    // One undo step; none if nothing changes. what: its name, "Move 3.0". Without origins, each device is
+    // where it was; if their number changes, those between the unchanged ones at both ends are new.
     void edit(Project after, const QString &what, Gesture gesture = noGesture);
     void edit(Project after, BusId bus, const Origins &origins, const QString &what);
     void editDevice(Place number, const QString &what, const std::function<void(ProjectDevice &)> &edit,
                     Gesture gesture = noGesture);
-    // The encoder has another address now: all that is planned and known of it goes along. Nothing is to be
-    // planned for `to` any more: what stands there is replaced.
+    // The encoder has a new address: all that is planned and known of it goes along, and replaces anything
+    // planned for `to`.
     void renumber(Place from, Place to, const QString &what);
     Gesture newGesture() { return ++m_lastGesture; }
 
@@ -77,13 +77,13 @@ public:
 
 Q_SIGNALS:
     void changed();     // anything of the project or of its devices
-    void replaced();    // by another one; changed() comes as well
+    void replaced();    // by another project; changed() is emitted as well
     void fileChanged(); // its name
     void savedChanged(bool isSaved);
 
 private:
     friend class ProjectStep;
-    struct Content; // all that a step changes but the devices
+    struct Content; // everything a step changes except the devices
     Content content() const;
     void apply(const Content &content, std::size_t first, std::size_t count,
                const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids);
@@ -94,7 +94,7 @@ private:
 
     Project m_project;
     std::vector<DeviceId> m_ids;
-    std::map<Place, ProjectDevice> m_others; // of devices that the project does not have
+    std::map<Place, ProjectDevice> m_others; // of devices that are not in the project
     QString m_file;
     QByteArray m_fileMark;
     QUndoStack m_undo;

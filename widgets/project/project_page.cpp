@@ -42,7 +42,7 @@ ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     showProject();
 }
 
-// Losing the focus by going is no leaving of a field.
+// The focus lost in the destructor must not count as leaving a field.
 ProjectPage::~ProjectPage()
 {
     m_title->disconnect(this);
@@ -103,7 +103,7 @@ void ProjectPage::setNote(const QString &note)
     edit(tr("Note on the project"), [&](Project &project) { project.note = note; });
 }
 
-// What is being typed stays while something else changes.
+// What is being typed stays when something else changes.
 void ProjectPage::showProject()
 {
     const Project &project = m_document.project();

@@ -12,7 +12,7 @@ class BusList;
 class NoteField;
 class TextField;
 
-// What the project says of itself: title, buses and note. A field that was left is one step of undo.
+// The project's own data: title, buses and note. Leaving an edited field is one undo step.
 class ProjectPage : public Page
 {
     Q_OBJECT

@@ -46,7 +46,7 @@ void ProjectStep::redo()
     m_document.apply(m_after.content, m_first, m_before.devices.size(), m_after.devices, m_after.ids);
 }
 
-// Only what changes the same devices of the same gesture, so that the two spans are one.
+// Merges only changes to the same devices in the same gesture, so that the two spans are the same.
 bool ProjectStep::mergeWith(const QUndoCommand *next)
 {
     const auto &later = static_cast<const ProjectStep &>(*next);

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What a step changes of a document besides its devices.
+// What a step changes in a document besides its devices.
 struct ProjectDocument::Content
 {
     Project header; // without devices
@@ -16,8 +16,8 @@ struct ProjectDocument::Content
     friend bool operator==(const Content &, const Content &) = default;
 };
 
-// The one kind of step there is: the project before and after. Of the devices only those are kept between the
-// first and the last that changed.
+// The only kind of undo step: the project before and after. It keeps only the devices from the first to the
+// last that changed.
 class ProjectStep final : public QUndoCommand
 {
 public:
@@ -45,7 +45,7 @@ private:
     };
 
     ProjectDocument &m_document;
-    std::size_t m_first = 0; // place of the first device that changes
+    std::size_t m_first = 0; // index of the first device that changes
     State m_before;
     State m_after;
     ProjectDocument::Gesture m_gesture;

@@ -59,11 +59,11 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     });
     connect(
         &view, &SequenceView::holdTaken, this, [this] { m_holding = m_document.newGesture(); },
-        Qt::QueuedConnection); // what was given before is kept then, too
+        Qt::QueuedConnection); // after keep(), which may be queued for earlier edits
     take();
 }
 
-// Losing the focus by going is no leaving of the field.
+// The focus lost in the destructor must not count as leaving the field.
 ProjectSequences::~ProjectSequences()
 {
     m_names->lineEdit()->disconnect(this);
@@ -71,7 +71,7 @@ ProjectSequences::~ProjectSequences()
 
 void ProjectSequences::take()
 {
-    if (m_isTaking || m_view.isSending()) // what is sent stays in sight
+    if (m_isTaking || m_view.isSending()) // what is being sent stays in sight
         return;
     const QScopedValueRollback taking(m_isTaking, true);
     const std::vector<ProjectSequence> &sequences = m_document.project().sequences;
@@ -94,7 +94,7 @@ void ProjectSequences::take()
         m_view.setList(list);
 }
 
-// What was edited in the view. The first words make the first sequence.
+// Keeps what was edited in the view. The first words make the first sequence.
 void ProjectSequences::keep()
 {
     m_isPending = false;
@@ -135,7 +135,7 @@ void ProjectSequences::remove()
     });
 }
 
-// Without a name it keeps the one it had.
+// An empty name leaves the old one.
 void ProjectSequences::rename(const QString &typed)
 {
     const QString name = typed.trimmed();

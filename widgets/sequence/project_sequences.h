@@ -12,8 +12,8 @@ namespace codewheel {
 
 class SequenceView;
 
-// The sequences of the project, above the sequence view: one of them is open there, and what is edited of it
-// is a step of undo of the project.
+// The sequences of the project, above the sequence view: one of them is open there, and editing it makes undo
+// steps of the project.
 class ProjectSequences : public QWidget
 {
     Q_OBJECT
@@ -36,13 +36,13 @@ private:
 
     ProjectDocument &m_document;
     SequenceView &m_view;
-    std::size_t m_open = 0; // of the project's
+    std::size_t m_open = 0; // index of the open one
     QComboBox *m_names;
     QToolButton *m_add;
     QToolButton *m_remove;
-    ProjectDocument::Gesture m_holding; // steps of the cycles, until their field is left
+    ProjectDocument::Gesture m_holding; // changes of the cycles, until their field is left
     bool m_isTaking = false;
-    bool m_isPending = false; // edits of one event are one step
+    bool m_isPending = false; // the edits of one event make one step
 };
 
 } // namespace codewheel

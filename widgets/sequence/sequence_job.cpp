@@ -33,7 +33,7 @@ void SequenceJob::cancel(OnCancel how)
         m_encoder->cancel(how);
 }
 
-// Once it failed or was cancelled, other steps follow, which bring OUT back.
+// After a failure or cancel come other steps, which bring OUT back.
 void SequenceJob::takeProgress(const Progress &progress)
 {
     if (progress.job != m_job || progress.index >= m_words)

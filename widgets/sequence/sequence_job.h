@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// A sequence on its way to one encoder. It goes on when another encoder is selected.
+// A sequence being sent to one encoder. It goes on when another encoder is selected.
 class SequenceJob : public QObject
 {
     Q_OBJECT
@@ -20,8 +20,8 @@ public:
     bool isRunning() const { return m_job.has_value(); }
 
 Q_SIGNALS:
-    void reached(int word); // from 0; it is being sent
-    // words: how many were sent to the end
+    void reached(int word); // from 0; now being sent
+    // words: how many were sent completely
     void ended(const codewheel::Outcome &outcome, int words);
 
 private:

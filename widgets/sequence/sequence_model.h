@@ -15,7 +15,7 @@ struct SequenceRow
     State state = State::waiting;
 };
 
-// The words of a sequence, each with what it means to the encoder it would go to, and how far sending is.
+// The words of a sequence, each with its meaning for the encoder it would go to, and the progress of sending.
 class SequenceModel : public TableModelBase<SequenceRow>
 {
     Q_OBJECT
@@ -29,13 +29,13 @@ public:
     void setWords(const std::vector<Word> &words);
     // Null: no encoder; words are not explained. The description must outlive its use here.
     void setDevice(const DeviceDescription *device, std::optional<Mode> mode);
-    // The words before this row are sent, those after it wait; nothing: all wait.
+    // The words before this row have been sent, those after it wait; nothing: all wait.
     void setSendingRow(std::optional<int> row);
     void setLocked(bool locked); // while it is being sent
     void moveRowTo(int row, int to);
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // Hexadecimal; anything else changes nothing and is told by badInput().
+    // Hexadecimal; anything else changes nothing and is reported by badInput().
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
 
 Q_SIGNALS:

@@ -75,7 +75,7 @@ SequenceView::SequenceView(QWidget *parent)
     setEncoder(nullptr);
 }
 
-// Losing the focus by going is no leaving of a field.
+// The focus lost in the destructor must not count as leaving a field.
 SequenceView::~SequenceView()
 {
     m_hold->disconnect(this);
@@ -260,7 +260,7 @@ void SequenceView::moveSelected(int by)
     m_table->selectRow(row + by);
 }
 
-// Words to be pasted into a PLC program, a table or a sequence: one a line.
+// Words for pasting into a PLC program, a table or a sequence: one per line.
 void SequenceView::makeCopying()
 {
     auto *action = new QAction(lineIcon(Icon::copy), tr("&Copy"), m_table);
@@ -311,7 +311,7 @@ void SequenceView::dragEnterEvent(QDragEnterEvent *event)
         event->acceptProposedAction();
 }
 
-// What the list has stays: words can be removed again, and another encoder may have been meant.
+// Appends to the list: words can be removed again, and another encoder may have been meant.
 void SequenceView::dropEvent(QDropEvent *event)
 {
     const auto place = placeDragged(*event->mimeData());

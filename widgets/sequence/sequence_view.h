@@ -28,8 +28,8 @@ class EmptyState;
 class InlineMessage;
 class SequenceModel;
 
-// A list of words that are sent one after the other to the selected encoder, as a manual tells them. The list
-// stays when another encoder is selected; ProjectSequences keeps it in the project.
+// A list of words sent one after the other to the selected encoder, as printed in manuals. The list stays
+// when another encoder is selected; ProjectSequences keeps it in the project.
 class SequenceView : public QWidget
 {
     Q_OBJECT
@@ -38,32 +38,32 @@ public:
     explicit SequenceView(QWidget *parent = nullptr);
     ~SequenceView() override;
 
-    // Null: an empty state, which tells whether one is chosen that is not connected.
+    // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
-    // What was sent to an encoder, for one that is dropped here out of the bus structure.
+    // The words sent to an encoder, for when it is dropped here from the bus structure.
     using WordsOf = std::function<std::vector<Word>(Place)>;
     void setWordsOf(WordsOf wordsOf) { m_wordsOf = std::move(wordsOf); }
 
     WordList list() const;
     void setList(const WordList &list);
     bool isSending() const { return m_job->isRunning(); }
-    // Says on the spot what went wrong.
+    // Reports on the spot what went wrong.
     bool load(const QString &path);
     bool save(const QString &path);
 
 Q_SIGNALS:
-    void listChanged(); // perhaps: also when a word was sent
-    void holdTaken();   // the field of the cycles was left, or Return pressed in it
+    void listChanged(); // or may have: also after a word was sent
+    void holdTaken();   // the field for the cycles was left, or Return was pressed in it
     void sendingEnded();
-    void terminalRequested(); // where what an encoder on a serial line is to be sent is typed
+    void terminalRequested(); // where requests for an encoder on a serial line are typed
 
 protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
 private:
-    void insert(const std::vector<Word> &words); // below the chosen row
+    void insert(const std::vector<Word> &words); // below the selected row
     void makeTable();
     void makeTools();
     void makeSending();
@@ -99,7 +99,7 @@ private:
     QPushButton *m_stop;
     InlineMessage *m_message;
     WordsOf m_wordsOf;
-    bool m_isRefused = false;      // what the message says: it goes when sending is allowed
+    bool m_isRefused = false;      // the message is a refusal: it goes when sending is allowed
     QList<QAction *> m_rowActions; // need a selected row
 };
 

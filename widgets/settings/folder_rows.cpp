@@ -18,7 +18,7 @@
 namespace codewheel {
 namespace {
 
-// One that nothing was kept in yet is not there: the nearest folder that is.
+// A folder in which nothing has been kept does not exist yet: use the nearest one that does.
 QString nearestFolder(const QString &path)
 {
     QDir folder(path);

@@ -15,7 +15,7 @@ struct KeptFolder
     QString path;
 };
 
-// Folders, each to be opened or its path copied.
+// Folders, each of which can be opened, or its path copied.
 class FolderRows : public QWidget
 {
     Q_OBJECT

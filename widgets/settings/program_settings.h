@@ -7,25 +7,25 @@
 
 namespace codewheel {
 
-// How numbers are written: as the language does it, or with this sign before decimals.
+// How numbers are written: in the style of the language, or with this decimal sign.
 enum class DecimalSign : std::uint8_t { ofLanguage, point, comma };
 
-// What can be set of the program as a whole, beside what a project has.
+// The settings of the program as a whole, apart from those of a project.
 struct ProgramSettings
 {
     QString language{}; // "de", "en", or empty: the system's
     Appearance appearance{};
     DecimalSign decimalSign = DecimalSign::ofLanguage;
     int framesPerSecond = 30;
-    int eepromQuestionFrom = 75;    // percent of what the manual speaks of; never more
+    int eepromQuestionFrom = 75;    // percent of the manual's figure; never more
     int largestMessageFile = 200;   // MB
     int traceRows = 20'000;         // of one encoder
-    int secondsBetweenKeeping = 30; // of unsaved changes, for after a crash
+    int secondsBetweenKeeping = 30; // of unsaved changes, for recovery after a crash
 
     friend bool operator==(const ProgramSettings &, const ProgramSettings &) = default;
 };
 
-// What each may be; what is read from a file is brought into it.
+// The range of each setting; what is read from a file is brought into it.
 struct SettingRange
 {
     int least;

@@ -24,7 +24,7 @@ namespace codewheel {
 namespace {
 
 constexpr int charactersInLine = 60;
-constexpr int linesHigh = 34; // the highest page; in a smaller window it is scrolled
+constexpr int linesHigh = 34; // the height of a page at most; it scrolls in a smaller window
 
 QString nameOfLabel(const QString &label)
 {
@@ -210,7 +210,7 @@ void SettingsDialog::setPage(int page)
     m_pages->setCurrentIndex(page);
 }
 
-// What is being typed is meant; what is refused stays to be corrected.
+// What is being typed counts; if refused, it stays to be corrected.
 void SettingsDialog::accept()
 {
     if (takeFields(*this).isEmpty())

@@ -14,8 +14,8 @@ class QTabWidget;
 
 namespace codewheel {
 
-// The settings of the program. Stands beside the window, so that ALARM STOP stays in reach, and what is
-// chosen acts at once: changed(). Whoever shows it takes back what was changed when it is rejected.
+// The settings of the program. Not modal, so that ALARM STOP stays within reach; choices take effect at once:
+// changed(). Whoever shows it undoes the changes when it is rejected.
 class SettingsDialog : public QDialog
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
                    QWidget *parent = nullptr);
 
     const ProgramSettings &settings() const { return m_settings; }
-    void setSettings(const ProgramSettings &settings); // as somebody changed them elsewhere
+    void setSettings(const ProgramSettings &settings); // after a change made elsewhere
     int page() const;
     void setPage(int page);
 
@@ -48,7 +48,7 @@ private:
     void take();
 
     ProgramSettings m_settings;
-    bool m_isShowing = true; // what comes from the fields then is nobody's choice
+    bool m_isShowing = true; // changes of the fields are not the user's
     QTabWidget *m_pages;
     QComboBox *m_language = nullptr;
     QComboBox *m_scheme = nullptr;

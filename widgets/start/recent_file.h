@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// A file that was open once, and whether it can be opened now, as far as that is known.
+// A file that was open before, and whether it can be opened now, as far as is known.
 struct RecentFile
 {
     enum class State : std::uint8_t { unknown, there, missing, notReadable, silent };

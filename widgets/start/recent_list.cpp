@@ -58,7 +58,7 @@ void RecentList::setFiles(const std::vector<RecentFile> &files)
     updateGeometry();
 }
 
-// A text in a cell is read by screen readers, so it has the reason too. Only the path's form is looked at:
+// Screen readers read the text of a cell, so it includes the reason. Only the form of the path is examined:
 // the disk may not answer.
 void RecentList::show(QListWidgetItem &item, const RecentFile &file)
 {

@@ -13,7 +13,7 @@ namespace codewheel {
 QString whyNotOpened(RecentFile::State state);
 
 // The projects that were open last, each with its folder. One that cannot be opened is grey and says why; any
-// can be taken off the list. As high as its rows: whoever holds it scrolls.
+// can be taken off the list. As high as its rows: its container scrolls.
 class RecentList : public QListWidget
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
     explicit RecentList(QWidget *parent = nullptr);
 
     void setFiles(const std::vector<RecentFile> &files);
-    void removeCurrent(); // asks for it
+    void removeCurrent(); // emits the request
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

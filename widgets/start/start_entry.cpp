@@ -36,7 +36,7 @@ StartEntry::StartEntry(QAction &action, QWidget *parent)
         label->setTextFormat(Qt::PlainText);
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
     }
-    setAutoDefault(true); // Return presses it, as Space does
+    setAutoDefault(true); // Return presses it, like Space
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     connect(&action, &QAction::changed, this, &StartEntry::follow);
     connect(this, &QPushButton::clicked, &action, &QAction::trigger);

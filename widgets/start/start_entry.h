@@ -8,13 +8,13 @@ class QLabel;
 
 namespace codewheel {
 
-// An action as a large button: icon, title, what it does in a sentence (its tool tip), and its key.
+// An action as a large button: icon, title, a sentence about what it does (its tooltip), and its key.
 class StartEntry : public QPushButton
 {
     Q_OBJECT
 
 public:
-    // The action outlives it, and says what it shows.
+    // The action outlives it, and provides its texts.
     explicit StartEntry(QAction &action, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;

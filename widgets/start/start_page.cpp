@@ -21,7 +21,7 @@ namespace {
 
 constexpr int twoColumnsFrom = 96; // characters
 
-// Its key works in the page, whatever has the focus there.
+// Its key works anywhere on the page.
 QAction *entry(StartPage &page, Icon icon, const QString &title, const QString &sentence, Qt::Key key)
 {
     auto *action = new QAction(lineIcon(icon), title, &page);
@@ -159,7 +159,7 @@ void StartPage::resizeEvent(QResizeEvent *event)
     QScrollArea::resizeEvent(event);
 }
 
-// What was done last is what is likely now.
+// The last activity is the most likely next one.
 void StartPage::focusInEvent(QFocusEvent *event)
 {
     const bool isReopened = reopen->isVisible() && reopen->isEnabled();

@@ -18,7 +18,7 @@ class RecentList;
 class StartEntry;
 
 // What can be done while no bus is connected, in the middle of the window: the training bus, connecting,
-// opening a project or one of the last, replacing an encoder. Does nothing of its own.
+// opening a project or a recent one, replacing an encoder. Does nothing by itself.
 class StartPage : public QScrollArea
 {
     Q_OBJECT
@@ -26,12 +26,12 @@ class StartPage : public QScrollArea
 public:
     explicit StartPage(QWidget *parent = nullptr);
 
-    // The project that is open; empty: none has a file.
+    // The open project; empty: none has a file.
     void setProject(const QString &file);
-    // That of the session before; no path: none is offered.
+    // The project of the last session; no path: none is offered.
     void setLast(const RecentFile &file);
     void setRecent(const std::vector<RecentFile> &files);
-    QWidget *connectEntry() const; // where a menu of buses belongs
+    QWidget *connectEntry() const; // for attaching a menu of buses
 
     QAction *reopen;
     QAction *training;

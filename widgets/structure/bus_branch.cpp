@@ -48,7 +48,7 @@ BusBranch::Row BusBranch::make(quintptr rowId, std::size_t node, const BusNode &
             .children = {}};
 }
 
-// Of another kind of device the station is not told.
+// If another kind of device is connected, it does not get the planned station.
 QString BusBranch::stationOf(const BusNode &node, const ProjectDocument *project) const
 {
     if (project == nullptr)

@@ -12,23 +12,23 @@ namespace codewheel {
 class ProjectDocument;
 
 // A bus in the tree of the bus structure: its own row and those of its devices. Used by StructureModel, which
-// tells the views.
+// notifies the views.
 struct BusBranch
 {
     struct Row
     {
-        quintptr id = 0; // by which views know it, as long as it is there
+        quintptr id = 0; // by which views know it, while it exists
         BusNode node;
-        QString station; // as the project has it; empty: none
+        QString station; // from the project; empty: none
         NodeState state;
         std::vector<std::size_t> children; // in `rows`
-        std::size_t place = 0;             // among those it hangs beside
+        std::size_t place = 0;             // among its siblings
     };
 
     BusId bus;
     quintptr id = 0;
-    EncoderBus *connected = nullptr;             // null: it is only planned
-    std::shared_ptr<const BusOutline> planned{}; // null: it is not planned, or connected
+    EncoderBus *connected = nullptr;             // null: only planned
+    std::shared_ptr<const BusOutline> planned{}; // null: not planned, or connected
     QString title{};
     StateWord state{};
     QString mode{};                 // Watch or Operate; empty: not connected
@@ -40,13 +40,13 @@ struct BusBranch
     bool isFlat() const { return top.size() == rows.size(); }
     std::optional<std::size_t> find(NodeId node) const;
     const std::vector<std::size_t> &siblings(const Row &row) const;
-    // After rows came or went: what hangs where.
+    // To be called after rows were added or removed: sets children and places.
     void arrange();
     Row make(quintptr rowId, std::size_t node, const BusNode &what, const ProjectDocument *project) const;
     QString stationOf(const BusNode &node, const ProjectDocument *project) const;
 };
 
-// "hoist: Kübler 5882", or only the latter: its station comes first, that is how people at the plant call it.
+// "hoist: Kübler 5882", or only the latter: the station comes first, as people at the plant use it.
 QString calledText(const QString &station, const QString &name);
 
 } // namespace codewheel

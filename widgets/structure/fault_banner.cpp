@@ -21,7 +21,7 @@ FaultBanner::FaultBanner(OfferOf offerOf, QWidget *parent)
     setObjectName(QStringLiteral("faultBanner"));
     addButton(m_show);
     connect(m_show, &QToolButton::clicked, this, [this] {
-        const OnBus worst = m_faults.front(); // what is chosen may be another by then
+        const OnBus worst = m_faults.front(); // a copy, since showing it may change the list
         Q_EMIT showRequested(worst.bus, worst.fault);
     });
     for (const auto &[action, id] :

@@ -10,26 +10,26 @@ class QToolButton;
 
 namespace codewheel {
 
-// The worst fault of all buses: a sentence that says what is wrong, where, and what to do, with the code of
-// its manual small behind it; what can be done from here; and the others, one click away. Closed by the user,
-// it comes back when another fault comes.
+// The worst fault of all buses: a sentence that says what is wrong, where, and what to do, with the manual's
+// code small after it; what can be done from here; and the other faults, one click away. If the user closes
+// it, it comes back for another fault.
 class FaultBanner : public InlineMessage
 {
     Q_OBJECT
 
 public:
-    // An action as it can be had now.
+    // An action, and whether it is available now.
     struct Offer
     {
         QString text;
         QString tip;
-        QString whyNot{}; // empty: it can be had
+        QString whyNot{}; // empty: it is available
     };
     using OfferOf = std::function<Offer(BusId bus, const Fault &fault, FaultAction action)>;
 
     FaultBanner(OfferOf offerOf, QWidget *parent = nullptr);
 
-    // Worst first; `nameOf`: of a bus, where it has to be told.
+    // Worst first; `nameOf`: the name of a bus, if it has to be given.
     void showFaults(const BusFaults &faults, const std::function<QString(BusId)> &nameOf);
 
 Q_SIGNALS:
@@ -50,7 +50,7 @@ private:
     std::function<QString(BusId)> m_nameOf;
     std::vector<OnBus> m_faults;
     std::vector<OnBus> m_dismissed;
-    std::optional<OnBus> m_told; // that was alerted of
+    std::optional<OnBus> m_told; // last announced to screen readers
     QToolButton *m_show;
     std::vector<std::pair<FaultAction, QToolButton *>> m_actions;
     QToolButton *m_others;

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// A device in the bus structure: what people at the plant call it first, its place and make small behind it.
-// Where there is no room, the latter are cut off first.
+// A device in the bus structure: first its name at the plant, then its place and make in small type, which
+// are cut off first if there is no room.
 class NameDelegate : public QStyledItemDelegate
 {
 public:

@@ -17,7 +17,7 @@ constexpr int nameCharacters = 16;     // at least
 constexpr int wideNameCharacters = 28; // before there are more columns
 constexpr int stateCharacters = 11;
 constexpr int detailCharacters = 11;        // "37h = 55"
-constexpr int largestPosition = 33'554'431; // of 25 bit
+constexpr int largestPosition = 33'554'431; // of 25 bits
 
 struct Room
 {

@@ -77,7 +77,7 @@ void StructureModel::followBus(EncoderBus &bus)
     followWords(bus);
 }
 
-// Other devices may have other words.
+// With other devices, the words may have changed.
 void StructureModel::followWords(EncoderBus &bus)
 {
     const BusId id = bus.id();
@@ -97,7 +97,7 @@ std::vector<EncoderBus *> StructureModel::connected() const
     return buses;
 }
 
-// In a new project nobody has planned anything yet: its ring is not worth a row.
+// A new project has no plan yet, so its ring is not worth a row.
 bool StructureModel::isShown(const PlannedBus &bus) const
 {
     const Project &project = m_project->project();
@@ -148,8 +148,8 @@ void StructureModel::noteWhere()
     }
 }
 
-// Of connected buses the project has but the stations. Another make or station is no other row: what is
-// chosen stays so.
+// The project supplies only the stations of connected buses. A change of make or station keeps the row, and
+// with it the selection.
 void StructureModel::followProject()
 {
     std::vector<BusBranch> now = branches();
@@ -179,7 +179,7 @@ void StructureModel::showTitles()
             Q_EMIT dataChanged(indexOf(branch, deviceColumn), indexOf(branch, deviceColumn));
 }
 
-// Other devices, or others in their places. Rows that stay are the same rows.
+// The devices, or their places, have changed. Surviving rows keep their identity.
 void StructureModel::takeNodes(BusId bus, std::optional<std::pair<Place, Place>> moved)
 {
     BusBranch *branch = find(bus);
@@ -246,7 +246,7 @@ void StructureModel::showNames(BusBranch &branch, const std::vector<BusNode> &no
     refresh(branch.bus);
 }
 
-// Only what changed is told to the views: most frames change no state at all.
+// Notifies the views only of changes: most frames change no state at all.
 void StructureModel::refresh(BusId bus)
 {
     BusBranch *branch = find(bus);

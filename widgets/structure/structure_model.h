@@ -11,9 +11,9 @@ namespace codewheel {
 class Catalog;
 struct PlannedBus;
 
-// The buses as a tree, connected or planned alike: each bus, below it what hangs on it. Of connected ones
-// states and positions follow the bus and rows stay; of the others it shows what the project plans. Stations
-// are those of the project. Used by StructureView.
+// The buses as a tree, connected or planned alike: each bus with its devices below it. For connected buses,
+// states and positions follow the bus and rows stay; for the others it shows the project's plan. Stations
+// come from the project. Used by StructureView.
 class StructureModel : public QAbstractItemModel
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
         stateColumn,
         positionColumn,
         profileColumn,
-        codeColumn, // by which its bus knows it: ID code, address
+        codeColumn, // that identifies it on its bus: ID code, address
         wordsColumn,
         columns
     };
@@ -36,21 +36,21 @@ public:
 
     explicit StructureModel(QObject *parent = nullptr);
 
-    // It is connected, or has other devices than before. It must outlive the model, or be taken away first.
+    // The bus is connected, or its devices have changed. It must outlive the model, or be removed first.
     void addBus(EncoderBus &bus);
-    // What the project plans takes its place. Nothing, if it is not here.
+    // Shows what the project plans instead. Does nothing if the bus is not here.
     void removeBus(BusId bus);
     // Both must outlive the model.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
 
-    // Buses are told apart by other names than before (nameAmongOthers()).
+    // The buses' distinguishing names have changed (nameAmongOthers()).
     void showTitles();
 
     std::optional<Place> placeAt(const QModelIndex &index) const; // nothing for the row of a bus
     std::optional<BusId> busAt(const QModelIndex &index) const;   // nothing for the row of a device
     QModelIndex indexOf(Place place) const;
     QModelIndex indexOf(BusId bus) const;
-    // Its bus does not tell which make it is, nobody has named it, and there are several.
+    // Its bus does not tell which make it is, nobody has named it, and several are possible.
     bool makeIsOpen(Place place) const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
@@ -59,17 +59,17 @@ public:
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // Of a device: its place, and a text with name, state and position.
+    // For a device: its place, and a text with name, state and position.
     QMimeData *mimeData(const QModelIndexList &indexes) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
-    // A device has another place: both rows are there now, then that of the first goes.
+    // A device has a new place: both rows exist now, then the old one is removed.
     void deviceMoved(codewheel::Place from, codewheel::Place to);
 
 private:
     using Row = BusBranch::Row;
-    // Where a row is; without a row it is that of the bus.
+    // Where a row is; without a row: that of the bus.
     struct Where
     {
         std::size_t branch = 0;
@@ -88,7 +88,7 @@ private:
     BusBranch *find(BusId bus);
     const BusBranch *find(BusId bus) const;
     const Where *whereIs(const QModelIndex &index) const;
-    const Row *rowAt(const QModelIndex &index) const; // null: none of a device
+    const Row *rowAt(const QModelIndex &index) const; // null: not the row of a device
     QModelIndex indexOf(const BusBranch &branch, std::size_t row, int column) const;
     QModelIndex indexOf(const BusBranch &branch, int column) const;
 

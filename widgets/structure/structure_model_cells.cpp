@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the cells of the tree.
+// The cells of the tree.
 #include "widgets/dial/state_note.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
@@ -20,7 +20,7 @@ QString positionText(const NodeState &state)
     return state.position ? QLocale().toString(qlonglong{*state.position}) : QString();
 }
 
-// Grey, and said to those who do not see it.
+// Grey, and put into words for those who cannot see it.
 QVariant oldPositionLook(const NodeState &state, int role)
 {
     if (role == Qt::ForegroundRole)
@@ -41,7 +41,7 @@ QString nameText(const BusBranch::Row &row)
     return row.station.isEmpty() ? device : QStringLiteral("%1  %2").arg(row.station, device);
 }
 
-// For those who do not see where the tree is broken.
+// For those who cannot see where the tree is broken.
 QVariant spokenName(const BusBranch::Row &row)
 {
     return row.state.isBehindBreak
@@ -56,7 +56,7 @@ QVariant stateIcon(const StateWord &state)
 
 } // namespace
 
-// Where none of an encoder is known a dash stands, and the tooltip says why.
+// An encoder without a known position shows a dash, and the tooltip says why.
 QString StructureModel::shownPosition(const BusBranch &branch, const Row &row)
 {
     const QString known = positionText(row.state);

@@ -11,16 +11,16 @@
 
 namespace codewheel {
 
-// Where the rows that changed are not neighbours, QTreeView paints them whole; this one stays within the
-// column that changed.
+// If the changed rows are not adjacent, QTreeView paints them in full; this one stays within the changed
+// column.
 void StructureTree::paintEvent(QPaintEvent *event)
 {
     const QRect changed = event->region().boundingRect();
-    QPaintEvent ofColumn(changed); // what did not change in it is clipped
+    QPaintEvent ofColumn(changed); // clips everything else
     QTreeView::paintEvent(columnAt(changed.left()) == columnAt(changed.right()) ? &ofColumn : event);
 }
 
-// The focus alone chooses nothing: what is chosen is acted on.
+// Getting the focus selects nothing: the selection has consequences.
 void StructureTree::focusInEvent(QFocusEvent *event)
 {
     if (currentIndex().isValid())

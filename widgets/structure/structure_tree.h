@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// A tree whose positions change 30 times a second, and that draws where the bus is broken: between two rows.
+// A tree whose positions change 30 times a second, and that shows between two rows where the bus is broken.
 class StructureTree : public QTreeView
 {
     Q_OBJECT

@@ -22,7 +22,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
+constexpr int indentation = 3 * grid::unit; // rings are wide and flat, and the panel is narrow
 
 int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
 {
@@ -124,7 +124,7 @@ void StructureView::changeEvent(QEvent *event)
 
 bool StructureView::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() == QEvent::Resize) // a scroll bar comes or goes, too
+    if (event->type() == QEvent::Resize) // a scroll bar may come or go, too
         placeColumns();
     return QWidget::eventFilter(watched, event);
 }
@@ -152,7 +152,7 @@ void StructureView::removeBus(BusId bus)
     askForMake();
 }
 
-// Nobody has chosen anything.
+// Blocks signals, since the user has chosen nothing.
 void StructureView::restoreRow()
 {
     const QSignalBlocker silent(this);
@@ -214,8 +214,8 @@ void StructureView::showWhetherEmpty()
     placeColumns();
 }
 
-// The ID code tells the profile, never the make. A device that nobody named is asked for where the catalog
-// has devices of its code.
+// The ID code gives the profile, never the make. The user is asked about an unnamed device if the catalog has
+// devices with its code.
 void StructureView::askForMake()
 {
     const auto place = current();

@@ -19,8 +19,8 @@ class ProjectDocument;
 class StructureModel;
 class TreeFilter;
 
-// The bus structure as a tree. The chosen device is what the panels beside it show; Enter or a double click
-// opens its monitors.
+// The bus structure as a tree. The panels beside it show the chosen device; Enter or a double click opens its
+// monitors.
 class StructureView : public QWidget
 {
     Q_OBJECT
@@ -28,27 +28,27 @@ class StructureView : public QWidget
 public:
     explicit StructureView(QWidget *parent = nullptr);
 
-    // Connected, or with other devices than before. What is chosen stays so, if it is still there; else its
-    // first device is chosen.
+    // The bus is connected, or its devices have changed. The selection stays if its device still exists;
+    // otherwise the first device is selected.
     void addBus(EncoderBus &bus);
-    void removeBus(BusId bus); // what the project plans for it is shown instead
+    void removeBus(BusId bus); // shows what the project plans for it instead
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
-    void showTitles(); // buses are told apart by other names than before
+    void showTitles(); // after the buses' distinguishing names have changed
     std::optional<Place> current() const;
     std::optional<BusId> currentBus() const; // the row of the bus itself
-    // The row that is chosen: of a device, or, without a node, of a bus.
+    // The selected row: that of a device, or, without a node, of a bus.
     std::optional<Place> row() const;
     bool has(Place row) const;
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
     void chooseRow(Place row);
-    void reveal(Place row); // chosen, and to be seen, whatever was filtered out
+    void reveal(Place row); // selects it and scrolls to it, even if it was filtered out
 
 Q_SIGNALS:
     void chosen(codewheel::Place place);
     void opened(codewheel::Place place);
-    // Which make the chosen device is, the bus does not tell: the user wants to.
+    // The bus does not tell the make of the chosen device: the user wants to.
     void namingRequested(codewheel::Place place);
     void menuRequested(codewheel::Place place, const QPoint &globalPosition);
     // The row of a bus itself.
@@ -71,8 +71,8 @@ private:
     TreeFilter *m_filter;
     EmptyState *m_empty;
     InlineMessage *m_question;
-    std::optional<Place> m_rowBefore; // that was chosen before the rows were made anew
-    int m_levels = 0;                 // of the tree, the master one of them
+    std::optional<Place> m_rowBefore; // the selection before the rows were rebuilt
+    int m_levels = 0;                 // of the tree, including the master
 };
 
 } // namespace codewheel

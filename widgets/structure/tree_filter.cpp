@@ -65,7 +65,7 @@ void TreeFilter::apply()
         keep({}, row, words);
 }
 
-// The row of a bus stays, so that it is seen whose devices are left.
+// The row of a bus stays, to show which bus the remaining devices are on.
 bool TreeFilter::keep(const QModelIndex &parent, int row, const QStringList &words)
 {
     const QAbstractItemModel &model = *m_tree.model();

@@ -7,8 +7,8 @@ class QTreeView;
 
 namespace codewheel {
 
-// Shows of a tree the rows in which each word of it stands, in any column, with those they hang on. There
-// once the tree has so many rows that one looks for a device. Esc shows all of them again.
+// Filters a tree: shows only rows that contain all the words typed, in any column, and their parents. Appears
+// once the tree has so many rows that one has to search. Esc shows all of them again.
 class TreeFilter : public QLineEdit
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ class TreeFilter : public QLineEdit
 public:
     static constexpr int fromDevices = 12;
 
-    explicit TreeFilter(QTreeView &tree, QWidget *parent = nullptr); // its model stays the same one
+    explicit TreeFilter(QTreeView &tree, QWidget *parent = nullptr); // keeps its model
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;

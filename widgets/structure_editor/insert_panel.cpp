@@ -201,7 +201,7 @@ std::optional<Participant> InsertPanel::chosen() const
     return row < 0 ? std::nullopt : std::optional(m_offered.at(static_cast<std::size_t>(row)));
 }
 
-// What will be inserted, in words.
+// Describes what will be inserted.
 void InsertPanel::choose()
 {
     const auto device = chosen();

@@ -14,9 +14,9 @@ class QHBoxLayout;
 
 namespace codewheel {
 
-// Which device shall be inserted, and where: of those in the catalog that are for this kind of bus, searched
-// by name or ID code, or by ID code and length code where the kind has them. Stands in the structure editor,
-// which carries it out.
+// Which device to insert, and where: among those in the catalog for this kind of bus, searched by name or ID
+// code, or by ID code and length code if the kind has them. Part of the structure editor, which does the
+// inserting.
 class InsertPanel : public QWidget
 {
     Q_OBJECT
@@ -26,12 +26,12 @@ public:
     explicit InsertPanel(const PlanEdits &edits, QWidget *parent = nullptr);
 
     void showKind();                                  // of the bus that is edited
-    void setPlace(std::optional<std::size_t> chosen); // seen from this device, if there is one
+    void setPlace(std::optional<std::size_t> chosen); // as seen from this device, if any
     void focusSearch();
 
 Q_SIGNALS:
     void insertRequested(const codewheel::Participant &device, const codewheel::KindData &where);
-    void changeRequested(const codewheel::Participant &device); // the current one into this
+    void changeRequested(const codewheel::Participant &device); // the current device into this one
     void closeRequested();
 
 private:
@@ -44,14 +44,14 @@ private:
 
     const PlanEdits &m_edits;
     bool m_hasChosen = false;
-    std::vector<Participant> m_offered; // as m_devices
-    std::vector<PlanTarget> m_targets;  // as m_where
-    bool m_byCode = false;              // the codes were typed last
+    std::vector<Participant> m_offered; // parallel to m_devices
+    std::vector<PlanTarget> m_targets;  // parallel to m_where
+    bool m_byCode = false;              // the codes were the last input
     QLineEdit *m_search;
     QListWidget *m_devices;
     QLineEdit *m_idCode;
     QLineEdit *m_lengthCode;
-    QWidget *m_codes; // the row they stand in
+    QWidget *m_codes; // the row with the codes
     QLabel *m_codesLabel;
     QLabel *m_reading;
     QComboBox *m_where;

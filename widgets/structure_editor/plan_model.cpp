@@ -54,7 +54,7 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
         const PlanRow &row = m_nodes.at(id)->shown;
         const QString place = row.place.toString();
         const auto has = [&](const QString &its) { return its.contains(wanted, Qt::CaseInsensitive); };
-        // "2." is no part of "12.0", but "12" is one of "esc:12".
+        // "2." does not match "12.0", but "12" matches "esc:12".
         if (place.startsWith(wanted) || place.section(u':', 1).startsWith(wanted, Qt::CaseInsensitive) ||
             std::ranges::any_of(
                 row.codes + QStringList{row.station, row.group, row.note, row.serialNumber, row.name}, has))

@@ -10,9 +10,9 @@
 
 namespace codewheel {
 
-// The planned bus as a tree, in the columns of its kind. Follows the project by the smallest changes of rows,
-// so that a view keeps what is open and selected, whatever was done or undone. Cells are edited in place;
-// devices are moved by dragging where the kind has an order.
+// The planned bus as a tree, in the columns of its kind. Follows the project with the fewest row changes, so
+// that a view keeps what is expanded and selected, whatever is done or undone. Cells are edited in place;
+// devices are moved by dragging if the kind has an order.
 class PlanModel : public QAbstractItemModel
 {
     Q_OBJECT
@@ -28,9 +28,9 @@ public:
     std::optional<Id> idAt(const QModelIndex &index) const;
     QModelIndex indexOf(Id id, int column = 0) const;
     const PlanColumn &columnAt(int column) const { return m_columns[static_cast<std::size_t>(column)]; }
-    // What is wrong with a text for this cell; empty: nothing.
+    // What is wrong with a text for this cell; empty: nothing is.
     QString complaint(const QModelIndex &index, const QString &text) const;
-    // Devices whose place or texts have this text, in the order of the bus.
+    // Devices whose place or texts contain this text, in the order of the bus.
     std::vector<Id> find(const QString &text) const;
     std::vector<Id> withFindings() const;
 
@@ -45,7 +45,7 @@ public:
     Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
     QStringList mimeTypes() const override;
     QMimeData *mimeData(const QModelIndexList &indexes) const override;
-    // Moves by itself; answers false, so that the view removes nothing.
+    // Does the moving itself; returns false, so that the view removes nothing.
     bool dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int column,
                       const QModelIndex &parent) override;
 
@@ -62,7 +62,7 @@ private:
         std::vector<std::unique_ptr<Node>> children;
         PlanRow shown;
     };
-    struct Target; // the tree as it shall be
+    struct Target; // the tree as it is to be
 
     void follow();
     void arrange(Node &parent, const Target &target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the cells, what is typed into them, and devices dragged within the tree.
+// The content of the cells, their input, and dragging devices within the tree.
 #include "widgets/look/roles.h"
 #include "widgets/structure_editor/plan_model.h"
 
@@ -27,7 +27,7 @@ QString joined(const std::vector<Finding> &findings, const QString &between)
     return texts.join(between);
 }
 
-// Ids, which mean nothing to another program.
+// Ids are meaningless to other programs.
 QString deviceFormat()
 {
     return QStringLiteral("application/x-codewheel-devices-%1").arg(QCoreApplication::applicationPid());
@@ -90,7 +90,7 @@ QString PlanModel::display(const PlanRow &row, const PlanColumn &column) const
 QVariant PlanModel::decoration(const PlanRow &row, const PlanColumn &column)
 {
     const bool isPlace = column.field == PlanField::place;
-    // A finding is seen before its column is scrolled into view.
+    // A finding should be seen even before its column is scrolled into view.
     if (!row.findings.empty() && (isPlace || column.field == PlanField::findings))
         return lineIcon(roleIcon(worst(row.findings)), worst(row.findings));
     return isPlace ? lineIcon(row.isCoupler ? Icon::ring : Icon::encoder) : QVariant();

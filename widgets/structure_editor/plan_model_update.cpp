@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the rows follow the project: what stays in order stays, what stands elsewhere is moved, the rest comes
-// or goes.
+// How the rows follow the project: rows still in order stay, others are moved, added or removed.
 #include "widgets/structure_editor/plan_model.h"
 
 #include <algorithm>
@@ -33,11 +32,11 @@ struct PlanModel::Target
 
 namespace {
 
-// Of these numbers, the most that are in rising order: their indices.
+// The longest rising subsequence of these numbers, as indices.
 std::vector<std::size_t> longestRising(const std::vector<int> &numbers)
 {
-    std::vector<std::size_t> lastOf;                 // of a run of each length, the one with the smallest end
-    std::vector<std::size_t> before(numbers.size()); // in its run
+    std::vector<std::size_t> lastOf;                 // index of the smallest end of a run, by its length
+    std::vector<std::size_t> before(numbers.size()); // the previous index in its run
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const auto at = std::ranges::lower_bound(lastOf, numbers[i], {},
                                                  [&](std::size_t index) { return numbers[index]; });
@@ -68,7 +67,7 @@ void PlanModel::follow()
         target.places[ids[device]] = {parent, static_cast<int>(children.size()), device};
         children.push_back(ids[device]);
     }
-    // From the top: a row is where it belongs before those below it are.
+    // From the top: a row has to be in its place before those below it.
     arrange(m_root, target);
     for (const Id id : ids)
         if (target.children.contains(id))
@@ -77,7 +76,7 @@ void PlanModel::follow()
     showRows(m_root, target);
 }
 
-// Another kind has other ones.
+// Another kind has other columns.
 void PlanModel::showColumns()
 {
     std::vector<PlanColumn> columns = m_edits.rules().columns(m_edits.project(), m_edits.bus());
@@ -108,7 +107,7 @@ void PlanModel::arrange(Node &parent, const Target &target)
 
     int row = 0;
     for (const Id id : target.childrenOf(parent.id)) {
-        // What does not stay goes by itself, later.
+        // Rows that do not stay are removed later.
         while (row < std::ssize(parent.children) &&
                !staying.contains(parent.children[static_cast<std::size_t>(row)]->id))
             ++row;
@@ -127,7 +126,7 @@ void PlanModel::arrange(Node &parent, const Target &target)
     }
 }
 
-// row: counted with the node where it stands.
+// row: counted while the node is still in its old place.
 void PlanModel::moveTo(Node &node, Node &parent, int row)
 {
     Node &from = *node.parent;
@@ -187,7 +186,7 @@ void PlanModel::removeOthers(Node &parent, const Target &target)
         std::erase_if(m_nodes, [&](const auto &node) { return !target.has(node.first); });
 }
 
-// Tells what looks different, neighbours at once.
+// Notifies of changed rows, adjacent ones together.
 void PlanModel::showRows(Node &parent, const Target &target)
 {
     int first = -1;

@@ -41,7 +41,7 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
     m_tree->scrollTo(index);
 }
 
-// What is chosen in the bus before is not chosen anew while its rows go.
+// Removing the rows of the previous bus must not count as a choice.
 void StructureEditor::setBus(BusId bus, const QString &kind)
 {
     if (bus == m_edits.bus() && (kind.isEmpty() || kind == m_edits.kindKey()))
@@ -69,7 +69,7 @@ void StructureEditor::addFields(BusId bus, QWidget *fields)
 void StructureEditor::choose(Place number)
 {
     const auto id = m_document.idAt(number);
-    if (id && number.bus == m_edits.bus() && id != current()) // else what is selected with it stays so
+    if (id && number.bus == m_edits.bus() && id != current()) // otherwise a multiple selection would be lost
         makeCurrent(*id);
 }
 
@@ -104,10 +104,10 @@ void StructureEditor::search()
     goToFound(0);
 }
 
-// From the chosen device on, round and round.
+// Starts at the chosen device, and wraps around.
 void StructureEditor::goToFound(int by)
 {
-    if (by != 0) // it may have been edited meanwhile
+    if (by != 0) // the text may have been edited meanwhile
         m_matches = m_model->find(m_search->text());
     const bool isAsked = !m_search->text().trimmed().isEmpty();
     if (m_matches.empty()) {
@@ -122,7 +122,7 @@ void StructureEditor::goToFound(int by)
     m_found->setText(tr("%1 of %2", "hits of a search").arg(at + 1).arg(count));
 }
 
-// From the chosen device on, round and round.
+// Starts at the chosen device, and wraps around.
 void StructureEditor::goToFinding()
 {
     const std::vector<PlanEdits::Id> found = m_model->withFindings();
@@ -153,7 +153,7 @@ void StructureEditor::showCurrent()
         action->setEnabled(id.has_value());
     const auto place = id ? m_document.indexOf(*id) : std::nullopt;
     m_insert->setPlace(place);
-    if (place) // while rows go, their numbers are not yet those of the plan
+    if (place) // while rows are removed, their numbers are not yet the plan's
         Q_EMIT chosen(m_document.device(*id)->place());
 }
 
@@ -170,7 +170,7 @@ void StructureEditor::showProject()
     m_insert->setPlace(id ? m_document.indexOf(*id) : std::nullopt);
 }
 
-// One that is not planned yet stands behind the others.
+// A bus that is not planned yet goes last.
 void StructureEditor::showBuses()
 {
     m_buses.clear();
@@ -189,7 +189,7 @@ void StructureEditor::showBuses()
     Q_EMIT headChanged();
 }
 
-// What is to be seen and done is the kind's.
+// The kind decides what is shown and possible.
 void StructureEditor::showKind()
 {
     const bool isOrdered = m_edits.rules().isOrdered();

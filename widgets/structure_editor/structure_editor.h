@@ -26,8 +26,8 @@ class InlineMessage;
 class InsertPanel;
 class PlanModel;
 
-// The planned bus: insert, remove, move by drag and by keys, search, stations, groups and addresses in place;
-// what is wrong stands beside it. All of it can be undone. Nothing here is sent to the bus.
+// The planned bus: insert, remove, move by dragging and by keys, search, edit stations, groups and addresses
+// in place; problems are shown beside them. Everything can be undone. Nothing here is sent to the bus.
 class StructureEditor : public Page
 {
     Q_OBJECT
@@ -36,9 +36,9 @@ public:
     // Both must outlive it.
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The bus that is planned here; the first ring at first. `kind`: of one that is not planned yet.
+    // The bus to plan here, initially the first ring. `kind`: for one that is not planned yet.
     void setBus(BusId bus, const QString &kind = {});
-    // What a bus has below the editor besides: the kind's own, and in whosever hands it is.
+    // The kind's own fields for a bus, below the editor.
     void addFields(BusId bus, QWidget *fields);
     void choose(Place number);
     void openInsertPanel();
@@ -86,11 +86,11 @@ private:
     PlanEdits m_edits;
     PlanModel *m_model;
     QLabel *m_busLabel;
-    QComboBox *m_bus; // where the project has several
+    QComboBox *m_bus; // if the project has several
     std::vector<BusId> m_buses;
     QToolBar *m_tools;
     QList<QAction *> m_deviceActions; // need a chosen device
-    QList<QAction *> m_orderActions;  // of these, where the kind has an order
+    QList<QAction *> m_orderActions;  // of these, only if the kind has an order
     QLineEdit *m_search;
     QLabel *m_found;
     std::vector<PlanEdits::Id> m_matches;

@@ -31,8 +31,8 @@ namespace {
 
 constexpr int widestColumn = 44 * grid::unit;
 constexpr int narrowestStation = 28 * grid::unit;
-constexpr int rowsMeasured = 100; // for the width of columns, also before the page is shown
-constexpr int rowsInSight = 4;    // however low the window is; one is below the scroll bar
+constexpr int rowsMeasured = 100; // for the width of columns, even before the page is shown
+constexpr int rowsInSight = 4;    // however low the window; one is hidden by the scroll bar
 
 } // namespace
 
@@ -162,7 +162,7 @@ void StructureEditor::makeTree()
     setFocusProxy(m_tree);
 }
 
-// As wide as what stands in them, a little at least to type into; nothing jumps while one edits.
+// As wide as their content, with a minimum to type in; nothing jumps while editing.
 void StructureEditor::fitColumns()
 {
     m_tree->expandAll();
@@ -179,7 +179,7 @@ void StructureEditor::arrange()
     m_findings->setAutoRaise(true);
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setShortcut(Qt::Key_F3);
-    auto *below = new QWidget; // the tree
+    auto *below = new QWidget; // below the tree
     m_below = layOut<QVBoxLayout>(below, grid::unit);
     m_below->addWidget(m_insert);
     m_below->addWidget(m_findings, 0, Qt::AlignLeft);

@@ -228,7 +228,7 @@ void TraceView::showModel()
     showCounts();
 }
 
-// Columns of numbers become wider with their numbers and never narrower: nothing is cut off, nothing jumps.
+// Columns of numbers grow with their numbers and never shrink: nothing is cut off, nothing jumps.
 void TraceView::makeRoom(int first, int last)
 {
     const QFontMetrics metrics{numberFont()};

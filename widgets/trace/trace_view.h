@@ -23,8 +23,8 @@ class InlineMessage;
 class LogTable;
 class TrafficModel;
 
-// The handshake trace: one row per change of the words of the selected encoder, as the manuals print it, or
-// what else its bus tells of it alone. It collects for all encoders, also those that are not selected.
+// The handshake trace: one row per change of the selected encoder's words, as printed in the manuals, or what
+// else its bus reports for it alone. It collects for all encoders, selected or not.
 class TraceView : public QWidget
 {
     Q_OBJECT
@@ -33,21 +33,21 @@ public:
     explicit TraceView(Buses &buses, QWidget *parent = nullptr);
     ~TraceView() override;
 
-    // Null: an empty state, which tells whether one is chosen that is not connected.
+    // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
     void setMostRows(int rows);                         // of each encoder
-    bool hasRows() const { return m_shown != nullptr; } // a trace is shown, be it empty
+    bool hasRows() const { return m_shown != nullptr; } // a trace is shown, even an empty one
     std::vector<Place> places() const;                  // for which something was collected
     std::vector<Word>
     outWords(Place place) const;             // that it has, oldest first, without what stood there at first
     TrafficModel *model(Place number) const; // null: nothing was collected for it
 
-    // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
+    // UTF-8, comma-separated (docs/manual/sequence-and-trace.md). Reports on the spot what went wrong.
     bool exportTo(const QString &path);
     void exportRows(); // asks for the file
 
 Q_SIGNALS:
-    void terminalRequested(); // where what passes on a serial line is shown
+    void terminalRequested(); // which shows the traffic of a serial line
     void goToWanted(codewheel::Place place);
 
 private:
@@ -57,7 +57,7 @@ private:
         std::unique_ptr<TrafficModel> rows{};
     };
 
-    // Sessions come and go with the connection; what was collected stays as long as it is the same device.
+    // Sessions come and go with the connection; a trace stays as long as the device is the same.
     void watchEncoders();
     void collect(const EncoderSession &encoder);
     void add(const TrafficRow &row);

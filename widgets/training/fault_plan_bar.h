@@ -14,7 +14,7 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Loads a fault plan, starts and stops it, and tells what comes next. Used by the training panel.
+// Loads a fault plan, starts and stops it, and shows what comes next. Used by the training panel.
 class FaultPlanBar : public QWidget
 {
     Q_OBJECT
@@ -23,9 +23,9 @@ public:
     // The controls outlive it.
     explicit FaultPlanBar(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // Says on the spot what is wrong with it.
+    // Reports on the spot what is wrong with it.
     bool load(const QString &path);
-    // With every frame. Steps carried out since the last one are told.
+    // Called with each frame. Reports the steps carried out since the last one.
     void refresh();
 
 Q_SIGNALS:
@@ -39,7 +39,7 @@ private:
 
     TrainingControls &m_controls;
     std::optional<FaultPlan> m_loaded;
-    std::shared_ptr<const FaultPlan> m_told; // whose steps were told
+    std::shared_ptr<const FaultPlan> m_told; // whose steps were reported
     std::size_t m_toldSteps = 0;
     QString m_file;
     QPushButton *m_load;

@@ -74,12 +74,12 @@ void HandWheel::showRaw(std::int64_t raw)
         return;
     const std::int64_t inTurn = raw % m_stepsPerTurn;
     const int place = static_cast<int>(inTurn * places / m_stepsPerTurn);
-    m_place = (place + places / 2) % places; // a dial that wraps has its 0 below
+    m_place = (place + places / 2) % places; // a wrapping dial has its 0 at the bottom
     const QSignalBlocker silent(m_wheel);
     m_wheel->setValue(m_place);
 }
 
-// The way it went is the shorter one.
+// The wheel is taken to have turned the shorter way.
 void HandWheel::turnWheel(int place)
 {
     const std::int64_t moved = shorterWay(m_place % places, place % places, places);

@@ -20,7 +20,7 @@ public:
     explicit HandWheel(QWidget *parent = nullptr);
 
     void setStepsPerTurn(int steps);
-    // Where the shaft stands; not while the wheel is held.
+    // Follows the shaft, except while the wheel is held.
     void showRaw(std::int64_t raw);
 
 Q_SIGNALS:
@@ -37,11 +37,11 @@ private:
     void addButton(QGridLayout *grid, int row, const Turn &turn);
     void turnWheel(int place);
 
-    static constexpr int places = 1024; // of the wheel in one turn
+    static constexpr int places = 1024; // of the wheel per turn
 
     QDial *m_wheel;
     int m_stepsPerTurn = places;
-    int m_place = 0; // where the wheel stands
+    int m_place = 0; // position of the wheel
 };
 
 } // namespace codewheel

@@ -3,14 +3,14 @@
 
 namespace codewheel {
 
-// A move by hand is told of once: when the part was left alone for half a second.
+// Decides when to report a move by hand: once, after half a second without another one.
 class LeftAlone
 {
 public:
     void moved() { m_framesToRest = framesOfRest; }
     void forget() { m_framesToRest = 0; }
     bool isMoving() const { return m_framesToRest > 0; }
-    // With each frame. True once after the last move.
+    // Called with each frame. True once, after the last move.
     bool frame() { return m_framesToRest > 0 && --m_framesToRest == 0; }
 
 private:

@@ -23,8 +23,8 @@ class LineEncoderBox : public QWidget
 public:
     explicit LineEncoderBox(QWidget *parent = nullptr);
 
-    // With every frame; the line outlives it, or another one is shown before. An address where no encoder
-    // is any more shows the last one.
+    // With each frame; the line outlives it, or another one is shown first. An address that no longer has an
+    // encoder keeps showing the last one.
     void showEncoder(SimulatedLine &line, LineAddress address);
 
 Q_SIGNALS:
@@ -34,7 +34,7 @@ private:
     struct Trouble
     {
         bool EscCondition::*flag;
-        QString text; // of its box
+        QString text; // of its check box
         QString toolTip;
         QCheckBox *box = nullptr;
     };

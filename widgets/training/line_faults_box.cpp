@@ -83,7 +83,7 @@ void LineFaultsBox::makeRates(QGridLayout &grid)
     connect(m_delay, &QSpinBox::valueChanged, this, &LineFaultsBox::setDelay);
 }
 
-// A field is changed only when the line changed: what the user has just typed is not undone.
+// A field changes only when the line has changed, so as not to undo what the user has just typed.
 void LineFaultsBox::showLine(SimulatedLine &line)
 {
     if (&line != m_line)

@@ -23,7 +23,7 @@ class LineFaultsBox : public QWidget
 public:
     explicit LineFaultsBox(QWidget *parent = nullptr);
 
-    // With every frame; the line outlives it, or another one is shown before.
+    // With each frame; the line outlives it, or another one is shown first.
     void showLine(SimulatedLine &line);
 
 Q_SIGNALS:

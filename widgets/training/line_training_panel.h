@@ -9,8 +9,8 @@ class LineEncoderBox;
 class LineFaultsBox;
 class SimulatedLine;
 
-// What a trainer does to a simulated serial line: what happens to the line itself (a place without a node),
-// and each of its encoders. Used by the training dock.
+// What a trainer can do to a simulated serial line: to the line itself (a place without a node), and to each
+// of its encoders. Used by the training dock.
 class LineTrainingPanel final : public TrainingArea
 {
     Q_OBJECT
@@ -18,7 +18,7 @@ class LineTrainingPanel final : public TrainingArea
 public:
     explicit LineTrainingPanel(BusId bus, QWidget *parent = nullptr);
 
-    // It outlives the panel, or is taken away first; null: it is no simulated line.
+    // The line outlives the panel, or is removed first; null: not a simulated line.
     void setLine(SimulatedLine *line);
     void refresh() override;
 

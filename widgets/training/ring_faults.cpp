@@ -54,7 +54,7 @@ void RingFaults::addBoxFor(QVBoxLayout *column, TrainingFault fault, const QStri
 void RingFaults::addRate(QVBoxLayout *column)
 {
     m_rateRow = new QWidget(this);
-    // a dock is narrow
+    // Below each other, since a dock is narrow.
     auto *row = layOut<QVBoxLayout>(m_rateRow, grid::unit);
     auto *caption = new QLabel(tr("CRC errors per 1000"), m_rateRow);
     m_rate = describe(new IntegerField(m_rateRow), tr("CRC errors of 1000 data cycles"),
@@ -77,8 +77,8 @@ void RingFaults::set(TrainingFault fault, int value)
     Q_EMIT acted(trainingFaultText(fault, m_shown->number, value));
 }
 
-// A field is changed only when the ring changed: what the user has just ticked is not undone before the bus
-// has come round.
+// A field changes only when the ring has changed, so as not to undo what the user has just ticked before the
+// bus has taken it.
 void RingFaults::showPlace(const TrainingPlace &place)
 {
     const bool isOther = !m_shown || m_shown->number != place.number;

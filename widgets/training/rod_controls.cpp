@@ -23,7 +23,7 @@ using namespace training_fields;
 
 namespace {
 
-constexpr int tenths = 10; // of a mm, the unit of the track
+constexpr int tenths = 10; // of a mm: the unit of the track
 constexpr int placeDecimals = 2;
 constexpr double fastest = 10'000; // mm/s
 

@@ -17,7 +17,7 @@ class QSlider;
 namespace codewheel {
 
 // The magnet of a simulated linear encoder: moved along its rod by hand, to a place, or at a speed, and taken
-// out of its range. Part of the training panel.
+// out of range. Part of the training panel.
 class RodControls : public QWidget
 {
     Q_OBJECT
@@ -25,10 +25,10 @@ class RodControls : public QWidget
 public:
     explicit RodControls(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // With every frame. A field is changed only when the rod changed: what the user has just typed is not
-    // undone before the bus has come round.
+    // With each frame. A field changes only when the rod has changed, so as not to undo what the user has
+    // just typed before the bus has taken it.
     void showRod(const TrainingControls::Rod &rod);
-    // The panel goes to another device.
+    // The panel turns to another device.
     void leave();
 
 Q_SIGNALS:

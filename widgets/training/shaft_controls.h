@@ -25,10 +25,10 @@ class ShaftControls : public QWidget
 public:
     explicit ShaftControls(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // With every frame. A field is changed only when the shaft changed: what the user has just typed is not
-    // undone before the bus has come round.
+    // With each frame. A field changes only when the shaft has changed, so as not to undo what the user has
+    // just typed before the bus has taken it.
     void showShaft(const TrainingControls::Shaft &shaft);
-    // The panel goes to another device.
+    // The panel turns to another device.
     void leave();
 
 Q_SIGNALS:

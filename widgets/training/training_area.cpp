@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int areaHeight = 260; // the rest is scrolled to
+constexpr int areaHeight = 260; // of the content; beyond this it scrolls
 
 } // namespace
 

@@ -12,8 +12,8 @@ class QVBoxLayout;
 
 namespace codewheel {
 
-// What the training panels of all buses have in common: the field to choose a device, and a column for what
-// can be done to it, which is scrolled where the dock is low.
+// What the training panels of all buses have in common: the field for choosing a device, and a column of
+// controls for it, which scrolls if the dock is low.
 class TrainingArea : public ScrolledPanel
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ class TrainingArea : public ScrolledPanel
 public:
     // Chooses this device, if it has anything to train with.
     void setDevice(Place place);
-    // Shows how it stands; called by the window with every frame.
+    // Shows the present state; called by the window with each frame.
     virtual void refresh() = 0;
 
 Q_SIGNALS:
@@ -31,11 +31,11 @@ protected:
     TrainingArea(const QString &toolTip, QWidget *parent);
 
     QVBoxLayout *column() const { return m_column; }
-    // Without a node it is the bus itself, which is called so.
+    // A place without a node is the bus itself, listed under its name.
     void setDevices(std::vector<Place> devices, const QString &bus = {});
     std::optional<Place> chosen() const { return m_chosen; }
     void act(const QString &what);
-    virtual void leave() {} // another device is chosen after this
+    virtual void leave() {} // another device is about to be chosen
 
 private:
     void choose();

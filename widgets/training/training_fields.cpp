@@ -16,7 +16,7 @@
 namespace codewheel::training_fields {
 namespace {
 
-// Its text can be selected where the mouse is: a label whose text can be costs six times as much to paint.
+// Its text becomes selectable under the mouse: a selectable label costs six times as much to paint.
 class NumberLabel : public QLabel
 {
 public:
@@ -45,7 +45,7 @@ QLabel *numberLabel(const QString &name, QWidget *parent)
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     label->setAccessibleName(name);
     label->setAutoFillBackground(true);
-    // Of one size, or each number that comes would lay the panel out anew.
+    // Of fixed size, so that a new number does not lay out the panel again.
     label->setFixedSize(QFontMetrics(numberFont()).size(0, QStringLiteral("-33,554,431")));
     return label;
 }

@@ -14,16 +14,16 @@ class QToolButton;
 class QVBoxLayout;
 class QWidget;
 
-// The fields of the training panel: as narrow as its dock wants, each with its name for screen readers.
+// The fields of the training panel: as narrow as the dock wants, each named for screen readers.
 namespace codewheel::training_fields {
 
 QLabel *numberLabel(const QString &name, QWidget *parent);
 void prepare(QAbstractSpinBox *field, int digits);
 QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent);
 QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip);
-// Two columns, captions and fields, with room for a button behind them.
+// Two columns, captions and fields, with room for a button after them.
 QGridLayout *fieldGrid();
-// How fast something moves, with a button that stops it.
+// The speed of something that moves, with a button that stops it.
 void addSpeed(QGridLayout *grid, int row, const QString &caption, QDoubleSpinBox *speed, double fastest,
               const QString &stopName);
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);

@@ -149,8 +149,8 @@ void TrainingPanel::refresh()
     m_plan->refresh();
 }
 
-// A field is changed only when the encoder changed: what the user has just ticked is not undone before the
-// bus has come round.
+// A field changes only when the encoder has changed, so as not to undo what the user has just ticked before
+// the bus has taken it.
 void TrainingPanel::showCommon(const Common &common)
 {
     const bool isNew = !m_shown;
@@ -180,7 +180,7 @@ void TrainingPanel::showCommon(const Common &common)
         m_codeDisc->setChecked(common.codeDiscFaulty);
 }
 
-// A bus terminal: nothing but what happens to the ring.
+// For a bus terminal, only what can happen to the ring.
 void TrainingPanel::hideCommon()
 {
     m_shown.reset();

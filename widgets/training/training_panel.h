@@ -17,9 +17,8 @@ class RingFaults;
 class RodControls;
 class ShaftControls;
 
-// What a trainer does to the simulated encoders of a ring: turn a shaft or move a magnet, switch the power,
-// cause faults. Of each device only what it has is shown. Used by the training
-// dock.
+// What a trainer can do to the simulated encoders of a ring: turn a shaft or move a magnet, switch the power,
+// cause faults. Shows only what a device has. Used by the training dock.
 class TrainingPanel final : public TrainingArea
 {
     Q_OBJECT
@@ -40,7 +39,7 @@ private:
         bool powered = true;
         bool hasParameters = true;
         int eepromWrites = 0;
-        bool hasConfirmations = false; // of which the time can be changed
+        bool hasConfirmations = false; // whose time can be changed
         bool slow = false;
         bool hasBattery = false;
         bool batteryLow = false;
@@ -59,7 +58,7 @@ private:
 
     TrainingControls &m_controls;
     const BusId m_ring;
-    std::optional<Common> m_shown; // what the fields say of the encoder
+    std::optional<Common> m_shown; // shown by the fields
 
     ShaftControls *m_shaft;
     RodControls *m_rod;

@@ -102,7 +102,7 @@ void ReplaceDeviceStep::readKey(const QString &typed)
     take();
 }
 
-// While a key is being typed it always ends too early: that is told only when the typing ends.
+// While a key is being typed it is always incomplete, so that is reported only when the typing ends.
 void ReplaceDeviceStep::tellProblem()
 {
     if (m_problem)
@@ -141,7 +141,7 @@ void ReplaceDeviceStep::showDifferences()
                                : transfer_words::differences(differences, now).join(u'\n'));
 }
 
-// A key that stands for no encoder of this place must not be passed over.
+// A key that stands for no encoder of this place must not be ignored.
 bool ReplaceDeviceStep::leave()
 {
     tellProblem();

@@ -12,8 +12,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Which encoder is there now: by the key on its label, or a choice of the catalog, with its serial number;
-// and how it differs from the one before.
+// Which encoder is there now: by the key on its label or a choice from the catalog, with its serial number;
+// and how it differs from the previous one.
 class ReplaceDeviceStep final : public ReplaceStep
 {
     Q_OBJECT

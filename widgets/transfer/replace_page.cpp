@@ -86,7 +86,7 @@ ReplaceStep *ReplacePage::current() const
     return m_steps[static_cast<std::size_t>(m_pages->currentIndex())];
 }
 
-// The steps are made anew, so that nothing typed for another encoder stands in them.
+// The steps are rebuilt, so that nothing typed for another encoder remains in them.
 void ReplacePage::replace(Place number)
 {
     if (isBusy())
@@ -122,7 +122,7 @@ void ReplacePage::followProject()
     current()->refresh();
 }
 
-// What was planned in it is nothing to another project. An account of what was written stays to be saved.
+// The old project's plan means nothing to another project. An account of what was written stays to be saved.
 void ReplacePage::leaveProject()
 {
     if (!isVisible() || m_hasBegun)
@@ -221,7 +221,7 @@ void ReplacePage::cancel()
         Q_EMIT closeRequested();
 }
 
-// It stands there, whatever becomes of the writing.
+// The new encoder is in place, whatever becomes of the writing.
 void ReplacePage::putIntoProject()
 {
     m_replacing.project.editDevice(m_replacing.place, tr("Replace encoder %1").arg(m_replacing.place.shown()),

@@ -18,8 +18,8 @@ class ReplaceAccountStep;
 class ReplaceWriteStep;
 class StepList;
 
-// An encoder has been replaced, perhaps at night: which one is there now, which position it shall show, what
-// is written to it from the project, and what was written. A page of the main window, step by step as the
+// An encoder has been replaced, perhaps at night: which one is there now, which position it is to show, what
+// is written to it from the project, and what was written. A page of the main window, step by step like the
 // parameter wizard.
 class ReplacePage : public Page
 {
@@ -30,7 +30,7 @@ public:
     ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
                 const LastPositions &positions, QWidget *parent = nullptr);
 
-    // Begins anew; not while something is written.
+    // Starts afresh; not while something is being written.
     void replace(Place number);
     bool isBusy() const;
     QString title() const override;
@@ -68,9 +68,9 @@ private:
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
-    bool m_hasBegun = false; // to write: what was looked at counts from then on
+    bool m_hasBegun = false; // writing: what was reviewed is fixed from then on
     StepList *m_list = nullptr;
-    QLabel *m_stepName; // where there is no room for the list
+    QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;
     QPushButton *m_back;
     QPushButton *m_next;

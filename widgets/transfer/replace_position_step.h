@@ -12,8 +12,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Which position the new encoder shall show: that of the one before, as it was seen last or as the project
-// keeps it, one that is typed, or whatever it shows.
+// Which position the new encoder is to show: that of the previous one, as last seen or as kept in the
+// project, one that is typed, or whatever it shows.
 class ReplacePositionStep final : public ReplaceStep
 {
     Q_OBJECT

@@ -11,16 +11,16 @@ class Buses;
 class Catalog;
 class ProjectDocument;
 
-// What the steps of ReplacePage hand on to each other.
+// What the steps of ReplacePage pass on to each other.
 struct Replacing
 {
     const Buses &buses;
     const Catalog &catalog;
     ProjectDocument &project;
     Place place{};
-    ProjectDevice before{};                 // as planned until Write is begun
+    ProjectDevice before{};                 // as planned until writing begins
     Replacement now{};                      // device null: not chosen yet
-    std::optional<std::int64_t> position{}; // to be set; nothing: it stays as it is
+    std::optional<std::int64_t> position{}; // to be set; nothing: left as it is
 };
 
 // One step of the replacement of an encoder.
@@ -41,7 +41,7 @@ public:
     virtual void enter() {}
     // The project has changed while the step is shown.
     virtual void refresh() { enter(); }
-    // Takes what was given here; false: the step says what is missing.
+    // Takes the input of the step; false: the step says what is missing.
     virtual bool leave() { return true; }
     virtual bool mayGoOn() const { return true; }
     virtual bool mayGoBack() const { return true; }

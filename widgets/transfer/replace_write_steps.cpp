@@ -47,13 +47,13 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     });
 }
 
-// Nothing that was known of the encoder before may be taken for the new one's.
+// Naming it discards what was known of the previous encoder, which must not be taken for the new one's.
 void ReplaceWriteStep::enter()
 {
     m_message->withdraw();
     const Replacement &now = m_replacing.now;
     EncoderBus *bus = m_replacing.buses.busOf(m_replacing.place);
-    if (bus && !places().hindranceToReplace(m_replacing.place)) { // else another encoder may stand there
+    if (bus && !places().hindranceToReplace(m_replacing.place)) { // otherwise another encoder may be there
         const auto named = bus->name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
         if (!named)
             m_message->showMessage(Role::attention, refusalText(named.error()));

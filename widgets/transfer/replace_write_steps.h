@@ -33,7 +33,7 @@ public:
     bool isBusy() const { return m_round.isRunning(); }
     void begin();
     void cancel();
-    // Of the writing that has ended.
+    // Of the writing, once it has ended.
     TransferAccount account() const;
 
 Q_SIGNALS:
@@ -45,7 +45,7 @@ private:
 
     JobRound m_round;
     TransferPlan m_plan;
-    QString m_source; // of the account: another project may be open when the writing ends
+    QString m_source; // for the account: another project may be open when the writing ends
     TransferModel *m_model;
     TransferTable *m_table;
     QLabel *m_note;

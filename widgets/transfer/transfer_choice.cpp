@@ -20,7 +20,7 @@ namespace {
 
 constexpr int shortestText = 12; // characters
 
-// All that is planned or known of devices, those that the project does not have too, by number.
+// All that is planned or known of devices, including those outside the project, by number.
 std::vector<ProjectDevice> plannedDevices(const ProjectDocument &project)
 {
     std::vector<ProjectDevice> devices;
@@ -48,11 +48,11 @@ TransferChoice::TransferChoice(const Buses &buses, FindValuesBefore findBefore, 
                       tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
                          "costs an EEPROM write.")))
 {
-    // In the order of What.
+    // In the order of `What`.
     m_what->addItems({tr("Write what the project wants"), tr("Write what the project has stored"),
                       tr("Store in the project what encoders have"),
                       tr("Give the values of one encoder to others"), tr("Restore values from before")});
-    for (QComboBox *box : {m_what, m_from, m_before}) { // they give way in a narrow window
+    for (QComboBox *box : {m_what, m_from, m_before}) { // they shrink in a narrow window
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(shortestText);
     }

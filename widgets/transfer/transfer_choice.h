@@ -15,7 +15,7 @@ class Buses;
 class Catalog;
 class ProjectDocument;
 
-// What is to be transferred: from the project, from one encoder to others, from before, or into the project.
+// What to transfer: from the project, from one encoder to others, previous values, or into the project.
 class TransferChoice : public QWidget
 {
     Q_OBJECT
@@ -27,13 +27,13 @@ public:
 
     What what() const;
     void choose(What what);
-    void showEncoders(); // of all buses: there may be others
-    // Whose values are cloned, or restored.
+    void showEncoders(); // of all buses, after they may have changed
+    // The encoder whose values are cloned or restored.
     void setEncoder(Place number);
     std::optional<Place> from() const;  // of a clone
-    const ValuesBefore *before() const; // null: there is nothing to restore
-    bool withCams() const;              // store, clone
-    // Which values each encoder is to get: restored, cloned, or written from the project.
+    const ValuesBefore *before() const; // null: nothing to restore
+    bool withCams() const;              // for store and clone
+    // The values each encoder is to get: restored, cloned, or from the project.
     std::vector<TransferWish> wishes(const Catalog &catalog, const ProjectDocument &project) const;
 
 Q_SIGNALS:

@@ -139,7 +139,7 @@ void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, co
                          .place = place});
 }
 
-// Nothing is stored of an encoder that may be another than the project's.
+// Nothing is stored for an encoder that may not be the project's.
 void addHindered(std::vector<ReviewRow> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
                  const Refusal &why)
 {
@@ -154,7 +154,7 @@ void addHindered(std::vector<ReviewRow> &lines, const EncoderSession &encoder, c
 
 } // namespace
 
-// To the cost that the plan tells, that of leaving a cam program that was changed is added.
+// To the plan's cost, adds that of leaving a changed cam program.
 std::vector<EepromWrites> writesOf(const Buses &buses, const TransferPlan &plan)
 {
     std::vector<EepromWrites> writes;

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// What differs between encoders and what is wanted of them: place, parameter, now, wanted, sent, EEPROM
-// writes. Each encoder has a check box; all that can be chosen are, unless told otherwise.
+// How encoders differ from what is wanted of them: place, parameter, now, wanted, sent, EEPROM writes. Each
+// encoder has a check box; all that can be chosen initially are.
 class TransferModel final : public ReviewTable
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
 
     explicit TransferModel(Choice choice, QObject *parent = nullptr);
 
-    // Keeps what was chosen.
+    // Keeps the user's choice.
     void show(std::vector<ReviewRow> lines, Heads heads = Heads::write);
     bool isChosen(Place number) const;
     void choose(Place number, bool chosen);
@@ -44,7 +44,7 @@ private:
 
     Choice m_choice;
     Heads m_heads = Heads::write;
-    std::map<Place, bool> m_chosen; // where the user chose
+    std::map<Place, bool> m_chosen; // by the user
 };
 
 } // namespace codewheel

@@ -77,7 +77,7 @@ QString TransferPage::effect() const
                : tr("Writes to encoders. Nothing is sent before Write.");
 }
 
-// Nothing changes in the table while it is carried out.
+// The table does not change while it is being carried out.
 void TransferPage::planSoon()
 {
     if (isVisible() && !isBusy() && m_stage->currentWidget() == m_choosing)
@@ -150,7 +150,7 @@ std::vector<EncoderJobs> TransferPage::jobsToDo() const
     return jobs;
 }
 
-// Reading cams may store a program that was changed before.
+// Reading cams may first store a changed program.
 TransferPlan TransferPage::planOfCost() const
 {
     if (m_choice->what() != What::store)
@@ -171,7 +171,7 @@ void TransferPage::showBegin()
     m_begin->setEnabled(!m_model->chosen().empty() && !isBusy() && m_gate->isOpen());
 }
 
-// Of an encoder that shows no position meanwhile in Operate alone.
+// An encoder that shows no position meanwhile may only be read in Operate.
 bool TransferPage::mayBeRead() const
 {
     return std::ranges::none_of(jobsToDo(), [this](const EncoderJobs &one) {
@@ -182,7 +182,7 @@ bool TransferPage::mayBeRead() const
 
 void TransferPage::begin()
 {
-    showPlan(); // of this moment
+    showPlan(); // as of this moment
     m_toStore = m_model->chosen();
     if (m_toStore.empty() || !m_gate->isOpen())
         return;
@@ -218,11 +218,11 @@ void TransferPage::finish()
         finishWriting();
 }
 
-// What an encoder did not tell keeps what was known of it.
+// If an encoder did not report a value, the one known before is kept.
 void TransferPage::finishStoring()
 {
     Project project = m_project.project();
-    const ProjectPlaces places(project, m_buses); // others may be connected meanwhile
+    const ProjectPlaces places(project, m_buses); // other buses may be connected meanwhile
     std::vector<ProjectDevice> stored;
     for (ProjectDevice &device : project.devices) {
         const EncoderSession *encoder = m_buses.encoder(device.place());

@@ -23,9 +23,9 @@ class JobStrip;
 class ProjectDocument;
 class TransferTable;
 
-// Values to and from several encoders: what is transferred, which encoders, what differs with its words and
+// Values to and from several encoders: what to transfer, which encoders, what differs with its words and
 // EEPROM writes; then the writing, with progress and cancel; then what was written where. A page of the main
-// window, for engineers who commission a bus, and technicians who bring it back.
+// window, for engineers commissioning a bus, and technicians restoring one.
 class TransferPage : public Page
 {
     Q_OBJECT
@@ -35,7 +35,7 @@ public:
     TransferPage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
                  FindValuesBefore findBefore, QWidget *parent = nullptr);
 
-    // Shows what differs now. `number`: the encoder that is chosen elsewhere.
+    // Shows what differs now. `number`: the encoder chosen elsewhere.
     void choose(TransferChoice::What what, std::optional<Place> number);
     bool isBusy() const { return m_round.isRunning(); }
     QString title() const override { return tr("Transfer"); }
@@ -73,7 +73,7 @@ private:
     JobRound m_round;
     TransferPlan m_plan;
     std::vector<Place> m_toStore;
-    QTimer m_soon; // many encoders change at once
+    QTimer m_soon; // many encoders change together
     TransferChoice *m_choice;
     TransferModel *m_model;
     TransferTable *m_table;

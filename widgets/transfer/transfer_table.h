@@ -7,7 +7,7 @@ namespace codewheel {
 
 class TransferModel;
 
-// The table of a transfer: sentences below an encoder take all of their row. In TransferPage and
+// The table of a transfer: sentences below an encoder span the whole row. Used in TransferPage and
 // ReplaceWriteStep.
 class TransferTable : public QTableView
 {

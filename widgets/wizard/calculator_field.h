@@ -9,8 +9,7 @@ class QWidget;
 
 namespace codewheel {
 
-// A number that goes into a calculator of the wizard. `caption` has its mnemonic, `name` is for screen
-// readers.
+// A number for a calculator of the wizard. `caption` includes its mnemonic, `name` is for screen readers.
 struct CalculatorField
 {
     QString caption;

@@ -12,8 +12,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Below the wanted values: what they come to, what is wrong with them, and a calculator that finds some. Each
-// kind of encoder has its own.
+// Below the wanted values: what they lead to, what is wrong with them, and a calculator for finding some.
+// Each kind of encoder has its own.
 class Consequences : public QWidget
 {
     Q_OBJECT

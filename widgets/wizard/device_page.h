@@ -10,7 +10,7 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Which encoder is to be set up: those of the bus that can be written.
+// Which encoder to set up: those of the bus that can be written.
 class DevicePage final : public WizardPage
 {
     Q_OBJECT

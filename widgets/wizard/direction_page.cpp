@@ -27,7 +27,7 @@
 namespace codewheel {
 namespace {
 
-// "unsigned-cw" and "unsigned-ccw", "increasing" and "decreasing"; empty where it says no direction.
+// "unsigned-cw" and "unsigned-ccw", "increasing" and "decreasing"; empty if it gives no direction.
 QString turnedRound(const QString &key)
 {
     static const std::array<std::pair<QString, QString>, 2> pairs{
@@ -128,7 +128,7 @@ void DirectionPage::begin()
     showLatest();
 }
 
-// What is old tells nothing of the way the shaft turns, and what comes after it lies anywhere.
+// Old positions say nothing about the sense of rotation, and the next one may be anywhere.
 void DirectionPage::showLatest()
 {
     m_age->follow(*m_setup.encoder);
@@ -154,7 +154,7 @@ void DirectionPage::showOld()
 void DirectionPage::showNow()
 {
     const Reading &reading = m_setup.encoder->latest();
-    if (m_usesRawWord && reading.position) { // what was missing is known now
+    if (m_usesRawWord && reading.position) { // what was missing has become known
         begin();
         return;
     }

@@ -14,8 +14,8 @@ class AgeTimer;
 class InlineMessage;
 class RoleLabel;
 
-// The user moves shaft or magnet the way that shall count up; the page tells what the encoder does, and turns
-// the wanted direction round if the user says so. Sends nothing.
+// The user moves shaft or magnet in the direction that is to count up; the page shows what the encoder does,
+// and reverses the wanted direction if the user says so. Sends nothing.
 class DirectionPage final : public WizardPage
 {
     Q_OBJECT
@@ -47,7 +47,7 @@ private:
     InlineMessage *m_problem;
 };
 
-// The value of direction or coding that is the same but turned round; nothing where the device has none.
+// The same direction or coding reversed; nothing if the device has none.
 std::optional<ParameterValue> otherDirection(const EncoderSession &encoder);
 
 } // namespace codewheel

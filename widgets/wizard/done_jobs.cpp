@@ -20,7 +20,7 @@ void DoneJobs::add(std::vector<Step> steps, const Outcome &outcome)
     m_outcomes.push_back(outcome);
 }
 
-// What a job that is done has written, the next one cannot restore.
+// The next job cannot restore what a finished one has written.
 Progress DoneJobs::followedBy(Progress progress) const
 {
     prepend(progress.steps, m_steps);

@@ -5,12 +5,11 @@
 
 namespace codewheel {
 
-// A handshake that takes several jobs, one after the other, told as one: the jobs that are done, and the one
-// on its way seen behind them.
+// Presents a handshake of several consecutive jobs as one: the finished jobs, followed by the running one.
 class DoneJobs
 {
 public:
-    // steps: all so far, of the jobs before as well.
+    // steps: all so far, including those of previous jobs.
     void add(std::vector<Step> steps, const Outcome &outcome);
 
     Progress followedBy(Progress progress) const;

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr double equallyClose = 1e-9; // of a turn's steps
+constexpr double equallyClose = 1e-9; // in steps per turn
 
 bool isPositive(double number)
 {

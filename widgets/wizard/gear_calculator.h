@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// What the machine does: one turn of the driven part moves it by mmPerTurn, and the encoder makes
-// encoderTurns while that part makes partTurns.
+// The machine: one turn of the driven part moves it by mmPerTurn, and the encoder makes encoderTurns while
+// that part makes partTurns.
 struct Gear
 {
     double mmPerTurn = 0;
@@ -15,11 +15,11 @@ struct Gear
     double partTurns = 1;
     double mmPerStep = 0; // wanted resolution
 
-    // Of travel, for one turn of the encoder; 0 where the input makes no sense.
+    // Travel per turn of the encoder; 0 if the input makes no sense.
     double mmPerEncoderTurn() const;
 };
 
-// What the encoder takes.
+// What the encoder accepts.
 struct GearLimits
 {
     std::int64_t maxSteps = 33'554'431;
@@ -32,14 +32,13 @@ struct GearResult
 {
     std::int64_t steps = 0;
     std::int64_t revolutions = 0;
-    double mmPerStep = 0;       // as it will be
+    double mmPerStep = 0;       // as achieved
     double travel = 0;          // mm over all turns
-    double errorOverTravel = 0; // mm by which the position differs from the wanted one at the far end
+    double errorOverTravel = 0; // mm by which the position is off at the far end
 };
 
-// The steps and revolutions that come closest to the wanted resolution; of those that are equally close, the
-// ones with the fewest revolutions. Nothing where the input makes no sense or no pair within the limits gives
-// even one step.
+// The steps and revolutions that come closest to the wanted resolution; of equally close ones, those with the
+// fewest revolutions. Nothing if the input makes no sense or no pair within the limits gives even one step.
 std::optional<GearResult> stepsForGear(const Gear &gear, const GearLimits &limits);
 
 } // namespace codewheel

@@ -29,7 +29,7 @@
 namespace codewheel {
 namespace {
 
-// The values from before of all that was taken; empty where one of them is not known.
+// The previous values of everything taken; empty if one of them is not known.
 ParameterValues valuesToRestore(const HandshakeRecord &record)
 {
     ParameterValues values;
@@ -70,7 +70,7 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     for (QLabel *word : {m_out, m_in}) {
         word->setFont(numberFont());
         word->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        word->setMinimumWidth(1); // a long meaning is cut, not the page widened
+        word->setMinimumWidth(1); // a long meaning is cut off rather than widening the page
     }
 
     layOutColumn(this,
@@ -126,7 +126,7 @@ void HandshakePage::start()
     Q_EMIT changed();
 }
 
-// The first of the jobs that are left.
+// Starts the first of the remaining jobs.
 Result<void> HandshakePage::startJob()
 {
     const auto job = m_setup.encoder->start(m_jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
@@ -234,7 +234,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
     Q_EMIT changed();
 }
 
-// The buttons and the sentence for where the handshake has got to.
+// The buttons and the sentence for the stage the handshake has reached.
 void HandshakePage::showEnd()
 {
     const HandshakeRecord &record = m_setup.record;

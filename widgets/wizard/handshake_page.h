@@ -34,9 +34,9 @@ public:
     void showProgress() override;
     void showOutcome(const Outcome &ended) override;
 
-    void start(); // sends nothing by hand, the first word running by itself
+    void start(); // by hand it sends nothing, otherwise the first word
     bool isBusy() const { return m_job.has_value(); }
-    // Asks where the encoder has taken something, perhaps a moment later. False: the user goes on with the
+    // Asks if the encoder has taken something, perhaps a moment later. False: the user goes on with the
     // handshake.
     bool cancel();
     void showRow(const Exchange &row);
@@ -65,7 +65,7 @@ private:
     QPushButton *m_run;
     JobCancel *m_cancel;
     std::vector<Job> m_jobs;    // to come
-    DoneJobs m_done;            // before the one that runs
+    DoneJobs m_done;            // before the running one
     std::optional<JobId> m_job; // of the handshake, or bringing the encoder back
     bool m_isRecovery = false;
     bool m_isCancelled = false;

@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-// One handshake from its first word to its outcome, as the report tells it.
+// One handshake from its first word to its outcome, as shown in the report.
 struct HandshakeRecord
 {
     QString place;  // "1.0"
@@ -20,23 +20,23 @@ struct HandshakeRecord
     QDateTime begun;
     QDateTime ended;
     WriteParameters job;
-    std::optional<std::int64_t> setPositionTo; // by the job after it
+    std::optional<std::int64_t> setPositionTo; // by the following job
     std::vector<Known> before;                 // what was known
     std::vector<Known> after;
     std::vector<Exchange> rows;
     std::optional<std::int64_t> positionBefore;
     std::optional<std::int64_t> positionAfter;
     Progress progress;               // the last one
-    std::optional<Outcome> outcome;  // nothing: on its way
-    std::optional<Outcome> recovery; // bringing it back after a cancel or an error
-    int eepromWritesInAll = 0;       // by this program, with this handshake
+    std::optional<Outcome> outcome;  // nothing: still running
+    std::optional<Outcome> recovery; // of bringing it back after a cancel or an error
+    int eepromWritesInAll = 0;       // by this program, including this handshake
 
-    // Has the encoder taken a value, in this handshake, that cancel would have to deal with?
+    // Whether the encoder has taken a value in this handshake that a cancel would have to deal with.
     bool hasTaken() const;
     ParameterValues taken() const; // confirmed, or active by run
 
-    // On a serial line a single read may be damaged: the job's positions are those that reads agreed on.
-    // After bringing back, the one before stays.
+    // On a serial line a single read may be damaged: the job's positions are those on which reads agreed.
+    // Bringing the encoder back keeps the position before.
     void takePositions(const Outcome &last);
 };
 

@@ -22,7 +22,7 @@
 namespace codewheel {
 namespace {
 
-// Told start-up mode 1: position as K3 (FRABA manual 10.2).
+// Entered as start-up mode 1: position as K3 (FRABA manual 10.2).
 constexpr std::int64_t startUpAsK3 = 1;
 
 ReadParameters everythingOf(const DeviceDescription &device)
@@ -119,7 +119,7 @@ void KnownPage::showTable()
     for (const ParameterDescription &described : encoder.device().parameters) {
         const Parameter parameter = described.parameter;
         if (isOpcRegister(parameter))
-            continue; // nothing a wizard asks for
+            continue; // irrelevant to the wizard
         const auto known = encoder.known(parameter);
         parameters.push_back(parameter);
         rows.push_back({.cells = {parameterName(parameter),
@@ -130,7 +130,7 @@ void KnownPage::showTable()
                         .tip = evidenceExplanation(known, encoder.can().reads)});
     }
     if (std::exchange(m_parameters, parameters) != parameters)
-        m_table.setRows({}); // of an encoder of another kind: no row is chosen any more
+        m_table.setRows({}); // for an encoder of another kind, no row is selected any more
     m_table.show(std::move(rows));
 }
 

@@ -15,8 +15,8 @@ class InlineMessage;
 class RoleLabel;
 class ValueField;
 
-// What is known of the encoder, and how: read, echoed, told or unknown. Reads on request, takes what the user
-// tells from the papers, and that the encoder is in position mode where it has several modes.
+// What is known of the encoder, and how: read, echoed, told or unknown. Reads on request; takes what the user
+// enters from the papers, and, if it has several modes, that it is in position mode.
 class KnownPage final : public WizardPage
 {
     Q_OBJECT
@@ -54,7 +54,7 @@ private:
     RoleLabel *m_mode;
     QPushButton *m_isPositionMode;
     InlineMessage *m_problem;
-    bool m_isRefused = false; // what the problem says: it goes when sending is allowed
+    bool m_isRefused = false; // the problem is a refusal: it goes when sending is allowed
     std::optional<JobId> m_reading;
 };
 

@@ -56,14 +56,14 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
     connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);
     connect(m_next, &QPushButton::clicked, this, &ParameterWizard::next);
     connect(&buses, &Buses::changed, this, [this] {
-        if (page() == device) // there may be other encoders now
+        if (page() == device) // the encoders may have changed
             m_devicePage->enter();
     });
     connect(&wanted, &WantedValues::changed, this, [this] { m_setup->takeWanted(); });
     showPage(device);
 }
 
-// The pages go before what they share: a field that is left as they go would still take its value.
+// The pages are destroyed before what they share: a field that loses the focus would still take its value.
 ParameterWizard::~ParameterWizard()
 {
     delete m_pages;
@@ -154,7 +154,7 @@ WizardPage *ParameterWizard::current() const
     return m_all[static_cast<std::size_t>(m_pages->currentIndex())];
 }
 
-// Whoever chooses encoders elsewhere keeps the focus there.
+// The focus stays where it is while the user chooses encoders elsewhere.
 void ParameterWizard::showPage(int page)
 {
     const QWidget *focus = window()->focusWidget();

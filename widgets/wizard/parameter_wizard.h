@@ -18,8 +18,8 @@ class HandshakePage;
 class StepList;
 class WizardPage;
 
-// The way through the parameterization of one encoder, page by page: encoder, what is known, direction,
-// values, review, handshake, report. A page of the main window, no dialog. Sends nothing before the review.
+// Parameterizes one encoder, page by page: encoder, what is known, direction, values, review, handshake,
+// report. A page of the main window, no dialog. Sends nothing before the review.
 class ParameterWizard : public codewheel::Page
 {
     Q_OBJECT
@@ -32,12 +32,12 @@ public:
     ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *parent = nullptr);
     ~ParameterWizard() override;
 
-    // Follows the bus structure until its way has begun; an encoder in work is not left for another one.
+    // Follows the bus structure until the first step; after that it stays with its encoder.
     void setEncoder(codewheel::EncoderSession *encoder);
     EncoderSession *encoder() const;
 
-    void focusPage();    // the keys go to the page that is shown
-    bool isBusy() const; // a handshake is on its way
+    void focusPage();    // gives the shown page the focus
+    bool isBusy() const; // a handshake is running
 
     using StationOf = std::function<QString(Place)>; // in the project; empty: none
     void setStations(StationOf stationOf) { m_stationOf = std::move(stationOf); }
@@ -46,7 +46,7 @@ public:
     QString title() const override;
     QString about() const override;
     QString effect() const override;
-    QString lostByClosing() const override; // what was set here; looking at the monitors meanwhile keeps it
+    QString lostByClosing() const override; // the settings made here; looking at the monitors keeps them
     void leave() override;
 
 protected:
@@ -71,7 +71,7 @@ private:
     DevicePage *m_devicePage = nullptr;
     HandshakePage *m_handshakePage = nullptr;
     StepList *m_stepList;
-    QLabel *m_stepName; // where there is no room for the list
+    QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;
     QPushButton *m_cancel;
     QPushButton *m_back;

@@ -28,8 +28,7 @@ namespace {
 
 enum ChangeColumn { nameColumn, oldColumn, newColumn, actionColumn };
 
-// A value takes two sevenths of the table, and more only where a word of it needs it; what is longer stands
-// on several lines.
+// A value takes two sevenths of the table, and more only if one of its words needs it; longer ones wrap.
 class ValueDelegate final : public QStyledItemDelegate
 {
 public:
@@ -48,7 +47,7 @@ public:
     }
 };
 
-// With its age, where it is not up to date.
+// With its age, if it is not up to date.
 QString positionNow(const EncoderSession &encoder)
 {
     const auto &position = encoder.latest().position;
@@ -77,7 +76,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     m_changes.setColumns(
         {{tr("Parameter")}, {tr("Old"), Kind::value}, {tr("New"), Kind::value}, {tr("What happens")}});
     setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
-    // What happens, and a value, may take several lines; a name that is cut could be any parameter's.
+    // What happens, and values, may wrap; a name cut off could be any parameter's.
     m_changesView->setWordWrap(true);
     m_changesView->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
     m_changesView->horizontalHeader()->setSectionResizeMode(actionColumn, QHeaderView::Stretch);

@@ -15,7 +15,7 @@ namespace codewheel {
 class EepromGate;
 class InlineMessage;
 
-// What will be sent, before anything is: old and new values, the exact words, EEPROM writes.
+// What is about to be sent: old and new values, the exact words, EEPROM writes.
 class ReviewPage final : public WizardPage
 {
     Q_OBJECT
@@ -35,7 +35,7 @@ private:
     ReviewTable m_changes;
     StepTable m_steps{StepTable::Stage::planned};
     QTableView *m_changesView;
-    QLabel *m_words; // what the steps are
+    QLabel *m_words; // describes the steps
     QTableView *m_stepsView;
     QCheckBox *m_writeAll;
     QLabel *m_writes;

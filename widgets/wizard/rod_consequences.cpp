@@ -46,7 +46,7 @@ QString RodConsequences::scaleText() const
              resolution(RodScale{*steps, *length}.millimetres(1)));
 }
 
-// What the manual leaves open is not refused.
+// Warns only: what the manual leaves open is not refused.
 QString RodConsequences::warning() const
 {
     const auto steps = m_setup.valueAfter(Parameter::measuringLength);

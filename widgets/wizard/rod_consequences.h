@@ -7,7 +7,7 @@ namespace codewheel {
 
 class RodPanel;
 
-// Of an encoder on a rod: the resolution in mm, and presets that lie beside the rod.
+// For an encoder on a rod: the resolution in mm, and presets that lie off the rod.
 class RodConsequences final : public Consequences
 {
     Q_OBJECT

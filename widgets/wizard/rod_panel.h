@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace codewheel {
 
-// Calculates the measuring length in steps from the length of the rod and the resolution that is wanted, and
-// says how far off it will be at the end.
+// Calculates the measuring length in steps from the length of the rod and the wanted resolution, and says how
+// far off the end will be.
 class RodPanel : public QGroupBox
 {
     Q_OBJECT

@@ -12,7 +12,7 @@ namespace codewheel {
 
 class CodeDisc;
 
-// What the shaft will read with the wanted values: here, and after so many turns from here.
+// What the shaft will read with the wanted values: here, and so many turns further on.
 class ScalePreview : public QWidget
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ class ScalePreview : public QWidget
 public:
     explicit ScalePreview(QWidget *parent = nullptr);
 
-    // `start`: the position right after the handshake; nothing where it cannot be told.
+    // `start`: the position right after the handshake; nothing if it cannot be predicted.
     void setScale(const std::optional<PositionScale> &scale, std::optional<std::int64_t> start,
                   const QString &whyNot);
 

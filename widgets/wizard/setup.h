@@ -14,7 +14,7 @@ namespace codewheel {
 
 class Buses;
 
-// What the pages of the wizard hand on to each other.
+// What the pages of the wizard pass on to each other.
 struct Setup
 {
     QPointer<Buses> buses;
@@ -30,7 +30,7 @@ struct Setup
     bool byHand = true;
     HandshakeRecord record;
 
-    // The value that will hold after the handshake: wanted, else known.
+    // The value after the handshake: the wanted one, otherwise the known one.
     std::optional<std::int64_t> valueAfter(Parameter parameter) const
     {
         const auto value = valueOf(wish.wanted, parameter);
@@ -43,14 +43,14 @@ struct Setup
     }
     using Wishes = std::map<Parameter, std::optional<std::int64_t>>; // nothing: unchanged
 
-    // One step of undo.
+    // As one undo step.
     void want(const Wishes &wishes);
     void want(Parameter parameter, std::optional<std::int64_t> value) { want(Wishes{{parameter, value}}); }
-    // What the pages of the wizard have put among the wanted values is as it was before; what was changed
-    // elsewhere since stays.
+    // Reverts what the pages of the wizard have put among the wanted values; changes made elsewhere since
+    // then stay.
     void takeBack();
-    QStringList changed() const; // names of what takeBack() would take
-    // It is the user's now: nothing is taken back.
+    QStringList changed() const; // names of what takeBack() would revert
+    // From now on they are the user's: nothing is reverted.
     void keep() { given.clear(); }
     void takeWanted() { wish.wanted = encoder ? wanted.values(encoder->place()) : ParameterValues{}; }
 };

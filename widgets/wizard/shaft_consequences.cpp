@@ -33,7 +33,7 @@ void ShaftConsequences::showLimits()
 {
     const DeviceDescription &device = m_setup.encoder->device();
     GearLimits limits{.physicalStepsPerTurn = device.physicalStepsPerTurn};
-    if (!device.hasWords()) { // it takes the steps of one turn
+    if (!device.hasWords()) { // its steps are per turn
         limits.maxRevolutions = 1;
         limits.turns = device.physicalTurns;
         m_gear->setLimits(limits);
@@ -69,7 +69,7 @@ QString ShaftConsequences::scaleText(const PositionScale &scale) const
              numberText(scale.total()), numberText(scale.turns));
 }
 
-// What is wrong with the scale, or where it makes the position jump; and what is set besides.
+// What is wrong with the scale, or makes the position jump; and what is set along with it.
 QStringList ShaftConsequences::warnings(const std::optional<PositionScale> &scale) const
 {
     QStringList warnings;

@@ -9,7 +9,7 @@ namespace codewheel {
 class GearPanel;
 class ScalePreview;
 
-// Of an encoder on a shaft: resolution, total range, a jump at the wrap, the position the shaft will read.
+// For an encoder on a shaft: resolution, total range, a jump at the wrap, the position the shaft will read.
 class ShaftConsequences final : public Consequences
 {
     Q_OBJECT

@@ -6,20 +6,19 @@
 
 namespace codewheel {
 
-// Which way an encoder counts while its shaft is turned: takes the positions as they come and tells whether
-// most moves went up or down. A wrap is seen through where the total range is known, and is outvoted where it
-// is not.
+// Which way an encoder counts while its shaft is turned: takes the positions as they come and determines
+// whether most moves went up or down. A wrap is recognised if the total range is known, and outvoted if not.
 class TurnCheck
 {
 public:
     enum class Verdict : std::uint8_t { doesNotMove, countsUp, countsDown, goesBothWays };
 
-    // total range in steps; 25 bit where it is not known.
+    // Total range in steps; 25 bits if it is not known.
     void begin(std::optional<std::int64_t> totalRange);
     void take(std::int64_t position);
 
     Verdict verdict() const;
-    std::int64_t moved() const { return m_moved; } // steps from the beginning, up is positive
+    std::int64_t moved() const { return m_moved; } // steps since begin(), up is positive
 
 private:
     std::int64_t m_total = 0;

@@ -57,7 +57,7 @@ void ValuesPage::enter()
     takeFields();
 }
 
-// Either the preset that is programmed, or a position given with the command.
+// Either the programmed preset, or a position given with the command.
 void ValuesPage::showSetting()
 {
     const Capabilities &can = m_setup.encoder->can();
@@ -76,7 +76,7 @@ void ValuesPage::showSetting()
     m_position->setValue(m_setup.wish.setPositionTo);
 }
 
-// Its range is that of the encoder, and follows what it tells.
+// Its range is that of the encoder, and follows what becomes known of it.
 void ValuesPage::makePositionField()
 {
     delete m_position;
@@ -95,7 +95,7 @@ void ValuesPage::makeRows()
     delete m_consequences;
     m_consequences = Consequences::make(m_setup, this);
     m_layout->insertWidget(m_layout->indexOf(m_badInput) + 1, m_consequences);
-    m_consequences->show(); // at once, as the fields
+    m_consequences->show(); // at once, like the fields
     connect(m_consequences, &Consequences::chosen, this, [this](const ParameterValues &values) {
         for (const ParameterValue &value : values)
             m_rows.at(value.parameter).field->setValue(value.value);
@@ -123,7 +123,7 @@ void ValuesPage::makeRows()
         m_rows[parameter.parameter] = row;
         connect(field, &ValueField::typed, this, &ValuesPage::checkFields);
         connect(field, &ValueField::edited, this, [this, changed = parameter.parameter] {
-            if (changed == Parameter::preset) { // who gives a preset wants it to hold
+            if (changed == Parameter::preset) { // entering a preset means wanting it in effect
                 const auto value = m_rows.at(Parameter::preset).field->value();
                 m_setup.wish.initialisePreset = value && *value && m_setup.encoder->can().presets;
                 m_initialise->setChecked(m_setup.wish.initialisePreset);
@@ -155,7 +155,7 @@ void ValuesPage::showLatest()
     m_consequences->refresh();
 }
 
-// What stands there, while it is typed as well. Nothing of it is wanted yet.
+// Checks the fields, also while typing. Nothing of it is wanted yet.
 void ValuesPage::checkFields()
 {
     m_inputIsGood = true;

@@ -17,7 +17,7 @@ class Consequences;
 class InlineMessage;
 class ValueField;
 
-// The wanted values, with what they come to.
+// The wanted values, with their consequences.
 class ValuesPage final : public WizardPage
 {
     Q_OBJECT
@@ -46,14 +46,14 @@ private:
     void makePositionField();
 
     std::map<Parameter, Row> m_rows;
-    QString m_rowsOf; // key of the device
+    QString m_rowsOf; // device key the rows were made for
     QWidget *m_form;
     QCheckBox *m_initialise;
     QHBoxLayout *m_setting;
-    ValueField *m_position = nullptr; // that is set where the command needs it; of this encoder
+    ValueField *m_position = nullptr; // to be set, if the command needs it; for this encoder
     InlineMessage *m_badInput;
     QVBoxLayout *m_layout;
-    Consequences *m_consequences = nullptr; // of this kind of encoder
+    Consequences *m_consequences = nullptr; // for this kind of encoder
     bool m_inputIsGood = true;
     bool m_hasAny = false;
 };

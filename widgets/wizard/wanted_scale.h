@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-// The scale the encoder has now, and the one it will have after the handshake; nothing where not all is
+// The scale the encoder has now, and the one it will have after the handshake; nothing if something is not
 // known.
 std::optional<PositionScale> scaleNow(const Setup &setup);
 std::optional<PositionScale> scaleAfter(const Setup &setup);
 
-// What the shaft will read where it stands: the preset where it is initialised, else by arithmetic from what
+// What the shaft will read where it stands: the preset if it is initialised, otherwise calculated from what
 // the encoder shows now.
 std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup);
 

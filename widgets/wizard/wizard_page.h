@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// One page of the parameter wizard. What the encoder does is told to the page that is shown.
+// One page of the parameter wizard. Only the page that is shown is notified of what the encoder does.
 class WizardPage : public QWidget
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
 
     const QString &title() const { return m_title; }
     virtual void enter() {} // the page is shown: fill it
-    virtual void leave() {} // for the next one, or the one before: what stands in its fields is taken
+    virtual void leave() {} // for the next or previous page: takes what is in its fields
     virtual bool mayGoOn() const { return true; }
     virtual bool mayGoBack() const { return true; }
     virtual QString nextText() const { return tr("&Next"); }

@@ -8,10 +8,10 @@
 namespace codewheel {
 
 // The report of a handshake, in the user's language: device, date, old and new values with their evidence,
-// the words with the answers of the encoder, EEPROM writes, position before and after, program version.
+// the words with the encoder's answers, EEPROM writes, position before and after, program version.
 Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version);
 
-// How the new values were made sure of: read back, or echoed and run.
+// How the new values were verified: read back, or echoed and run.
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device);
 
 } // namespace codewheel
