@@ -11,16 +11,16 @@ class EncoderBus;
 // ~/.local/share/codewheel. Need not exist.
 QString userJournalFolder();
 
-// In such a folder.
+// The file in such a folder.
 QString messageFile(const QString &folder);
 QString ledgerFile(const QString &folder);
 
 // Where EEPROM writes to the encoders of this bus are counted: in the user's ledger. Simulated encoders are
-// new with each start, and counted in memory.
+// new at each start, and counted in memory.
 DatabasePlace ledgerPlace(const EncoderBus &bus, const QString &folder);
 
-// What has to be told where neither messages nor EEPROM writes can be kept, not even in memory, since Qt's
-// driver for SQLite is missing; empty: it is there.
+// What to report if neither messages nor EEPROM writes can be kept, not even in memory, because Qt's SQLite
+// driver is missing; empty: it is there.
 QString nothingIsKept();
 
 } // namespace codewheel

@@ -10,7 +10,7 @@ namespace {
 
 const QString separator = QStringLiteral("_");
 
-// English has a file too (its singulars), so somebody who prefers English to German gets English.
+// English also has a file (for singulars), so that somebody who prefers English to German gets English.
 bool loadOurs(QTranslator &translator, const QLocale &locale)
 {
     const QString name = QStringLiteral("codewheel");
@@ -19,8 +19,8 @@ bool loadOurs(QTranslator &translator, const QLocale &locale)
            translator.load(QLocale(QLocale::English), name, separator, folder);
 }
 
-// A locale is not made up, so it is one of a country where the language is written so: German with a point
-// in Switzerland. What no country writes is written as in English.
+// A locale cannot be invented, so this takes that of a country which writes the language that way: German
+// with a point in Switzerland. If no country does, numbers are written as in English.
 QLocale withSign(const QLocale &locale, QStringView sign)
 {
     if (sign.isEmpty() || locale.decimalPoint() == sign)
@@ -44,7 +44,7 @@ void Language::use(const QString &chosen, QStringView decimalSign)
     QLocale::setDefault(withSign(locale, decimalSign));
     if (!loadOurs(m_ours, locale))
         return;
-    // Qt speaks the language that our texts are in, not one that only Qt knows.
+    // Qt's texts are in the language of ours, not in one that only Qt has.
     if (m_qts.load(QLocale(m_ours.language()), QStringLiteral("qtbase"), separator,
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_qts);

@@ -5,14 +5,13 @@
 
 namespace codewheel {
 
-// The language of the texts and the form of the numbers; both programs have one object of it as long as they
-// run. Texts that no translation has stay English.
+// The language of the texts and the format of numbers; both programs keep one object of it while they run.
+// Texts without a translation stay English.
 class Language
 {
 public:
-    // "de", "en", or empty for what the system is set to. `decimalSign`: "." or "," instead of the
-    // language's. Texts made before stay as they are: a window has to make its texts again. Needs a
-    // QCoreApplication.
+    // "de", "en", or empty for the system's setting. `decimalSign`: "." or "," instead of the language's.
+    // Existing texts stay as they are: a window has to make its texts again. Needs a QCoreApplication.
     void use(const QString &chosen, QStringView decimalSign = {});
 
 private:

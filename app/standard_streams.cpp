@@ -13,7 +13,7 @@ void prepareStandardStreams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         const bool isClosed = ::fcntl(stream, F_GETFD) < 0 && errno == EBADF;  // NOLINT(*-vararg)
-        if (isClosed)                                                          // the other way round
+        if (isClosed)                                                          // for the wrong direction
             ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // NOLINT(*-vararg)
     }
     std::signal(SIGPIPE, SIG_IGN);

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qint64 largestFile = 1 << 20; // far more than any description
+constexpr qint64 largestFile = 1 << 20; // far larger than any description
 
 } // namespace
 

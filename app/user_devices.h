@@ -9,8 +9,8 @@ namespace codewheel {
 // ~/.local/share/codewheel/devices. Need not exist.
 QString userDeviceFolder();
 
-// Adds the descriptions (*.json) of `folder`, but that in the file `except`, and tells what is wrong with
-// those that are left out. None takes the place of one that is in the catalog.
+// Adds the descriptions (*.json) of `folder`, except the file `except`, and returns what is wrong with those
+// it left out. None replaces one that is already in the catalog.
 std::vector<Catalog::Fault> addUserDevices(Catalog &catalog, const QString &folder,
                                            const QString &except = {});
 

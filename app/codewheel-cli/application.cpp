@@ -10,7 +10,7 @@ namespace {
 
 QtMessageHandler usualHandler = nullptr;
 
-// Qt warns of folders that only somebody who is logged in at a desktop has.
+// Qt warns about folders that exist only for users logged in at a desktop.
 void dropWarnings(QtMsgType type, const QMessageLogContext &context, const QString &text)
 {
     if (type != QtWarningMsg)

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What Qt needs of a program. For a PDF it is one with fonts, which neither looks for a screen nor needs one.
+// The Qt application the program needs. For a PDF it has fonts, but neither looks for a screen nor needs one.
 // argc and argv must outlive it.
 std::unique_ptr<QCoreApplication> makeApplication(int &argc, char **argv);
 

@@ -17,7 +17,7 @@ int main(int argc, char **argv)
     const auto application = codewheel::makeApplication(argc, argv);
 
     codewheel::Language language;
-    language.use(QString()); // that of the system
+    language.use(QString()); // the system's
 
     // What is printed can be typed in again: numbers without group separators.
     QLocale locale;

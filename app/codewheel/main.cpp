@@ -45,7 +45,7 @@ int complain(const QString &text)
     return EXIT_FAILURE;
 }
 
-// Help and version, where there is no screen too.
+// Help and version, which also work without a screen.
 int tell(int argc, char **argv)
 {
     QCoreApplication application(argc, argv);
@@ -74,7 +74,7 @@ int main(int argc, char **argv)
     codewheel::prepareStandardStreams();
     if (asksForText(argc, argv))
         return tell(argc, argv);
-    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // each of ours carries ALARM STOP
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // each of our own dialogs has ALARM STOP
     QApplication application(argc, argv);
     name(application);
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// How much of `room` each column gets that would like so much: those that want little get it, the others
-// share what is left. Where there is more than all want together, each gets more in proportion.
+// The widths of columns that want this much of `room`: those that want little get it, the others share what
+// is left. If there is more room than all of them want, each gets more in proportion.
 std::vector<qreal> columnWidths(const std::vector<qreal> &wanted, qreal room);
 
 } // namespace codewheel

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qreal withHeading = sheet::mm(24); // what must follow a heading on its sheet
+constexpr qreal withHeading = sheet::mm(24); // of what follows must be on the same sheet
 
 struct Span // from top to bottom
 {
@@ -44,7 +44,7 @@ private:
 
     const QTextDocument &m_document;
     std::vector<Span> m_lines;
-    std::vector<Span> m_kept;                      // what should not be cut
+    std::vector<Span> m_kept;                      // not to be cut
     std::vector<std::pair<Span, QRectF>> m_tables; // with their headers
 };
 
@@ -59,7 +59,7 @@ Spans::Spans(const QTextDocument &document)
 
 void Spans::addBlocks()
 {
-    qreal next = m_document.size().height(); // heading or end, from below
+    qreal next = m_document.size().height(); // next heading or end, going up
     for (QTextBlock block = m_document.lastBlock(); block.isValid(); block = block.previous()) {
         const QRectF rect = rectOf(block);
         const QTextLayout &layout = *block.layout();
@@ -76,7 +76,7 @@ void Spans::addBlocks()
     }
 }
 
-// Where its rows begin, and where the last one ends: halfway between the texts of two rows.
+// The edges of its rows: halfway between the texts of two rows.
 std::vector<qreal> Spans::rowsOf(const QTextTable &table) const
 {
     std::vector<Span> texts;
@@ -115,7 +115,7 @@ QRectF Spans::headerAt(qreal y) const
     return {};
 }
 
-// The lowest place that cuts none of them and is not below y.
+// The lowest place at or above y that cuts none of the spans.
 qreal Spans::above(const std::vector<Span> &spans, qreal y)
 {
     const auto isCut = [&](const Span &span) { return span.top < y && y < span.bottom; };

@@ -9,7 +9,7 @@ class QTextDocument;
 
 namespace codewheel {
 
-// What of a long document stands on one sheet. A sheet that begins within a table has its header once more.
+// The part of a long document on one sheet. A sheet that begins within a table repeats its header.
 struct PageCut
 {
     qreal top = 0;
@@ -17,8 +17,8 @@ struct PageCut
     QRectF header;
 };
 
-// Cuts it into sheets of this height: a row of a table, a picture or a line is cut only where it is higher
-// than a sheet, a heading stands with what follows, and the last chapter, to be signed, on one sheet.
+// Cuts it into sheets of this height: a table row, a picture or a line is cut only if it is higher than a
+// sheet, a heading stays with what follows, and the last chapter, for signing, stays on one sheet.
 std::vector<PageCut> pageCuts(const QTextDocument &document, qreal height);
 
 } // namespace codewheel

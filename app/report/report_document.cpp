@@ -19,7 +19,7 @@
 namespace codewheel {
 namespace {
 
-// Text documents know pixels of the screen, no millimetres.
+// Text documents know screen pixels, but no millimetres.
 QString styleInPixels()
 {
     static const QRegularExpression length(QStringLiteral("(\\d+|\\d*\\.\\d+)mm"));
@@ -48,7 +48,7 @@ QString pictureElement(const CamPicture &picture)
            QString::fromLatin1(camPictureAsSvg(picture).toUtf8().toBase64()) + QStringLiteral("\"/></p>");
 }
 
-// In percent of the sheet. A header may be broken between its words, other cells should not be.
+// In percent of the sheet. A header may wrap between its words, other cells should not.
 qreal wantedWidth(const QTextTableCell &cell, bool isHeader, QPaintDevice &device)
 {
     QTextCursor text = cell.firstCursorPosition();
@@ -85,7 +85,7 @@ void setWidths(QTextTable &table, QPaintDevice &device)
     QTextTableFormat format = table.format();
     format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
     format.setColumnWidthConstraints(columns);
-    // A block behind a table does without its own margin.
+    // A block after a table gets no margin of its own.
     format.setBottomMargin(table.lastCursorPosition().block().next().blockFormat().topMargin());
     table.setFormat(format);
 }
@@ -110,7 +110,7 @@ std::unique_ptr<QTextDocument> reportDocument(const Report &report, QPaintDevice
         if (auto *table = qobject_cast<QTextTable *>(frame))
             setWidths(*table, device);
     all.endEditBlock();
-    document->setTextWidth(sheet::body.width()); // lays all of it out anew
+    document->setTextWidth(sheet::body.width()); // lays out all of it again
     return document;
 }
 

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// The web page of the report as one long sheet, as wide as the body of a sheet, in dots of the device.
+// The report's web page as one long sheet, as wide as the body of a sheet, in dots of the device.
 std::unique_ptr<QTextDocument> reportDocument(const Report &report, QPaintDevice &device);
 
 } // namespace codewheel

@@ -65,12 +65,12 @@ void ReportPages::paintPart(QPainter &painter, const QRectF &part, qreal top) co
     context.clip = part;
     painter.save();
     painter.translate(sheet::body.left(), top - part.top());
-    painter.setClipRect(part.adjusted(0, 0, 0, sheet::thinLine)); // with the whole line below a row
+    painter.setClipRect(part.adjusted(0, 0, 0, sheet::thinLine)); // including the line below a row
     m_document->documentLayout()->draw(&painter, context);
     painter.restore();
 }
 
-// The first sheet has the title instead of a head.
+// The first sheet has the title instead of a header.
 void ReportPages::paintHeadAndFoot(QPainter &painter, int page) const
 {
     QFont font = m_document->defaultFont();

@@ -13,15 +13,14 @@ class QPainter;
 
 namespace codewheel {
 
-// The report on sheets of A4, each with a head and a foot that numbers it. Needs fonts, and so a
-// QGuiApplication.
+// The report on A4 sheets, each with a header and a numbered footer. Needs fonts, and so a QGuiApplication.
 class ReportPages
 {
 public:
     explicit ReportPages(const Report &report);
 
     int count() const { return static_cast<int>(m_cuts.size()); }
-    // In the dots of sheet_format.h, on whatever is there.
+    // In the dots of sheet_format.h, on any device.
     void paint(QPainter &painter, int page) const;
 
 private:
@@ -31,7 +30,7 @@ private:
     QString m_title;
     QString m_subject;
     QString m_origin;
-    QImage m_paper; // its dots, for the sizes of fonts
+    QImage m_paper; // gives the dots for font sizes
     std::unique_ptr<QTextDocument> m_document;
     std::vector<PageCut> m_cuts;
 };

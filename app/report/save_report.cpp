@@ -34,7 +34,7 @@ bool hasFonts()
            !QFontDatabase::families().isEmpty();
 }
 
-// The number of its sheets; 0 where they could not be painted.
+// Returns the number of sheets; 0 if they could not be painted.
 int writePdf(const Report &report, QIODevice &device)
 {
     const ReportPages pages(report);

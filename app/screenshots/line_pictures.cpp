@@ -40,7 +40,7 @@ void press(QWidget &view, const QString &text)
             button->click();
 }
 
-// What the manual shows of it: a read, an alarm, and a line that is not the best.
+// What the manual shows in it: a read, an alarm, and an imperfect line.
 void typeSome(TrainingWindow &shown)
 {
     LineSession &line = *shown.line().session();
@@ -79,7 +79,7 @@ QWidget *settingsAtWork(TrainingWindow &shown)
     form->setPorts(
         {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R USB UART"), QStringLiteral("A50285BI")}});
     LineSettings wish;
-    wish.port = QStringLiteral("/dev/ttyUSB0"); // whatever ports this computer has
+    wish.port = QStringLiteral("/dev/ttyUSB0"); // independent of this computer's ports
     form->setSettings(wish);
     shown.advance(whileMilliseconds);
     return form;

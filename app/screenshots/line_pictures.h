@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// The pictures of the serial line: its terminal, figures, settings and search, and its encoders in panels and
+// The pictures of the serial line: terminal, figures, settings and search, and its encoders in panels and
 // wizard.
 std::vector<Picture> linePictures();
 

@@ -12,7 +12,7 @@
 
 int main(int argc, char **argv)
 {
-    qputenv("TZ", "UTC"); // the same hour in every place
+    qputenv("TZ", "UTC"); // the same time everywhere
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));

@@ -59,7 +59,7 @@ QWidget *monitorsAtWork(TrainingWindow &shown)
     return shown.window().findChild<MonitorArea *>();
 }
 
-// The cam of FRABA manual 5.4.4 and some more, one of them through zero, and what the encoder has.
+// The cam of FRABA manual 5.4.4 and a few more, one of them passing through zero, and what the encoder has.
 CamProgram exampleCams()
 {
     CamProgram program;
@@ -125,7 +125,7 @@ QWidget *busFault(TrainingWindow &shown)
     return dock(shown, "masterDock");
 }
 
-// What is asked before this function of the encoder begins.
+// The question that comes before this function of the encoder.
 Picture questionBefore(const char *name, const char *action)
 {
     return pictureOfQuestion(name, [action](TrainingWindow &shown) {
@@ -178,7 +178,7 @@ std::vector<Picture> views()
             [](TrainingWindow &shown) {
                 QWidget *seen = dock(shown, "deviceDock");
                 QCoreApplication::processEvents();
-                // a long page is laid out bit by bit as time allows; the scroll bar tells how far
+                // A long page is laid out in idle time, which shows in its scroll bar.
                 shown.window()
                     .findChild<QTextBrowser *>(QStringLiteral("devicePage"))
                     ->document()
@@ -222,7 +222,7 @@ std::vector<Picture> views()
 
 QPixmap take(const Picture &picture, QSize size, bool whole)
 {
-    const QTemporaryDir settings; // each picture is of a first start
+    const QTemporaryDir settings; // each picture shows a first start
     TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), size);
     shown.window().show();
     shown.advance(beforePicture);
@@ -230,10 +230,10 @@ QPixmap take(const Picture &picture, QSize size, bool whole)
     return whole && !picture.isOfQuestion ? shown.window().grab() : taken;
 }
 
-// Light and dark, each by a name of its own.
+// Light and dark, under different names.
 bool inBothSchemes(QApplication &application, const std::function<bool(const QString &suffix)> &make)
 {
-    QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
+    QApplication::setCursorFlashTime(0); // or a cursor would be there by chance
     bool saved = true;
     for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
         applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});

@@ -8,15 +8,15 @@ class QDir;
 
 namespace codewheel {
 
-// Every view of the window at work. A window for one of them has been shown for a moment.
+// Every view of the window in use. The window has already been shown for a moment.
 std::vector<Picture> manualPictures();
 constexpr int beforePicture = 99; // ms
 
-// All of them as PNG files, light ("window.png") and dark ("window-dark.png"). False if
-// a file cannot be written.
+// All of them as PNG files, light ("window.png") and dark ("window-dark.png"). False: a file could not be
+// written.
 bool makeManualPictures(QApplication &application, const QDir &folder);
 
-// The same views, each in the whole window in its three sizes ("1024x640/window.png"), to be looked through.
+// The same views, each in the whole window in its three sizes ("1024x640/window.png"), for review.
 bool makeReviewPictures(QApplication &application, const QDir &folder);
 
 } // namespace codewheel

@@ -20,12 +20,12 @@ Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> p
     return {QString::fromLatin1(name), window,
             [prepare = std::move(prepare)](TrainingWindow &shown, const Picture::Look &look) {
                 QWidget *seen = prepare(shown);
-                QCoreApplication::processEvents(); // what it waits for to be laid out and painted
+                QCoreApplication::processEvents(); // waits for layout and painting
                 look(*seen);
             }};
 }
 
-// A question has an event loop of its own until it is answered: the picture is taken from within.
+// A question runs its own event loop until it is answered: the picture is taken from within it.
 Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)> ask)
 {
     return {QString::fromLatin1(name), usualWindow,

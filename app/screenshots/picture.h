@@ -12,24 +12,24 @@
 
 namespace codewheel {
 
-// A picture of the manual: of a window that has just started on a training bus of its own.
+// A picture of the manual, of a window just started on a training bus of its own.
 struct Picture
 {
     using Look = std::function<void(QWidget &)>;
 
-    QString name; // of the file, without its ending
+    QString name; // of the file, without its suffix
     QSize window;
-    // Brings the window to where there is something to see, and looks at that.
+    // Brings the window to what is worth showing, and passes on the widget.
     std::function<void(TrainingWindow &, const Look &)> show;
 
-    bool isOfQuestion = false; // before the window
+    bool isOfQuestion = false; // in front of the window
 
     QPixmap take(TrainingWindow &shown) const;
 };
 
 inline constexpr QSize usualWindow(1280, 800);
 
-// `prepare` brings the window to where there is something to see, and answers what of it.
+// `prepare` brings the window to what is worth showing, and returns the widget.
 Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> prepare,
                   QSize window = usualWindow);
 

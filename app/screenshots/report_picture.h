@@ -7,7 +7,7 @@ namespace codewheel {
 
 class TrainingWindow;
 
-// The first two sheets of the commissioning report, side by side. Answers what is to be seen.
+// The first two sheets of the commissioning report, side by side. Returns the widget to show.
 QWidget *reportOnPaper(TrainingWindow &shown);
 
 } // namespace codewheel

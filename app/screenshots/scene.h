@@ -7,16 +7,16 @@ class QDockWidget;
 
 namespace codewheel::scene {
 
-// What is done in a window for a picture, and where.
+// Actions in a window for a picture, and their places.
 
 inline constexpr Place fraba{firstRing, NodeId("1.0")};
 inline constexpr Place baumer{firstRing, NodeId("2.0")};
 inline constexpr Place rod{firstRing, NodeId("5.0")};
-inline constexpr int whileMilliseconds = 600; // until what was asked for is done
+inline constexpr int whileMilliseconds = 600; // until a request is carried out
 
 QDockWidget *dock(TrainingWindow &shown, const char *name);
 void choose(TrainingWindow &shown, Place number);
-// Presses the button of this name, if it can be pressed, and waits for what it does.
+// Presses the button of this name, if enabled, and waits for its effect.
 void click(TrainingWindow &shown, const char *button);
 void start(TrainingWindow &shown, Place number, const Job &job, int milliseconds = whileMilliseconds);
 void send(TrainingWindow &shown, Place number, Word word);

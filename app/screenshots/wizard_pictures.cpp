@@ -11,7 +11,7 @@ namespace {
 
 using namespace scene;
 
-// The way through the wizard, as far as the page that is wanted.
+// Goes through the wizard up to this page.
 QWidget *wizardAt(TrainingWindow &shown, ParameterWizard::Page page)
 {
     shown.window().showWizard();

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// Its pages with the example of FRABA's manual, and with a linear encoder.
+// The wizard's pages with the example of FRABA's manual, and with a linear encoder.
 std::vector<Picture> wizardPictures();
 
 } // namespace codewheel

@@ -13,9 +13,9 @@
 namespace codewheel {
 namespace {
 
-// The same in light and dark: whoever looks for it looks for this red. From the fault colour, and in
-// lightness between the grounds of both, so that the button stands out 3 : 1 from either, and white 4.5 : 1
-// from it.
+// The same in light and dark, so that it is always this red one looks for. Derived from the fault colour,
+// with a lightness between both backgrounds, so that the button has a contrast of 3 : 1 with either, and
+// white on it 4.5 : 1.
 constexpr QRgb red = 0xFFC84300;
 
 class AlarmStopButton : public QToolButton
@@ -36,7 +36,7 @@ public:
     }
 
 protected:
-    // In the colour of the words, which on the red is that of what is selected: white.
+    // In the colour of the text, which on the red is that of selected text: white.
     void initStyleOption(QStyleOptionToolButton *option) const override
     {
         QToolButton::initStyleOption(option);

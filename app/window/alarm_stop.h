@@ -9,18 +9,18 @@ class QWidget;
 
 namespace codewheel {
 
-// The key of ALARM STOP: both hands, or one hand with intent, and nothing else nearby.
+// The key of ALARM STOP: takes both hands, or one hand on purpose, with no other key nearby.
 QKeySequence alarmStopKey();
 
-// Of its button: filled with red, or only a red rim where another button is what one came for.
+// The look of its button: filled with red, or only a red rim where another button is the main one.
 enum class AlarmStopWeight : std::uint8_t { filled, rim };
 
-// A button for it: red, icon and words.
+// Its button: red, with icon and text.
 QWidget *makeAlarmStopButton(QAction *alarmStop, QWidget *parent,
                              AlarmStopWeight weight = AlarmStopWeight::filled);
 
-// Keeps ALARM STOP in reach of every focus: its key works while a question is on the screen, and each modal
-// dialog gets a button of its own, since the tool bar behind it cannot be clicked.
+// Keeps ALARM STOP within reach whatever has the focus: its key works while a question is open, and each
+// modal dialog gets a button of its own, since the tool bar behind it cannot be clicked.
 class AlarmStopEverywhere : public QObject
 {
     Q_OBJECT

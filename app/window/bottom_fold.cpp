@@ -28,7 +28,7 @@ void BottomFold::fold()
         tabs->installEventFilter(this);
 }
 
-// Of one that stands alone there is no tab: its title stays, and what is in it asks for no height.
+// A panel on its own has no tab: its title stays, and its content takes no height.
 void BottomFold::foldPanel(QDockWidget &panel)
 {
     m_folded[&panel] = panel.isVisible() ? panel.height() : 0;

@@ -10,9 +10,9 @@ class QTabBar;
 
 namespace codewheel {
 
-// Folds the panels at the bottom of the window to their tabs, so that a page has their height, and brings
-// them back as they were. A click on a tab, or whatever shows one of them, does that, too. Panels elsewhere,
-// and those that float, are left alone.
+// Folds the panels at the bottom of the window to their tabs, so that a page gets their height, and brings
+// them back as they were, as does clicking a tab or anything that shows one of them. Floating panels, and
+// those elsewhere, are left alone.
 class BottomFold : public QObject
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     bool isFolded() const { return m_isFolded; }
     bool isFolded(const QDockWidget &panel) const { return m_isFolded && m_folded.contains(&panel); }
 
-    // While the layout of the window is kept or restored, nothing is folded.
+    // Unfolds while the layout of the window is being saved or restored.
     class Pause
     {
     public:
@@ -57,7 +57,7 @@ private:
 
     QMainWindow &m_window;
     bool m_isFolded = false;
-    QHash<const QDockWidget *, int> m_folded; // their heights before
+    QHash<const QDockWidget *, int> m_folded; // with their previous heights
 };
 
 } // namespace codewheel

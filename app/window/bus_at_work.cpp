@@ -8,8 +8,7 @@
 namespace codewheel {
 namespace {
 
-// The account learns the file of the project and the serial numbers of its labels, now and whenever they
-// change.
+// Keeps the account informed of the project's file and the serial numbers on its labels.
 void keepAccountOf(ProjectDocument &project, LedgerKeeper &ledger)
 {
     const auto tell = [&project, &ledger] {
@@ -19,7 +18,7 @@ void keepAccountOf(ProjectDocument &project, LedgerKeeper &ledger)
         });
     };
     QObject::connect(&project, &ProjectDocument::changed, &ledger, tell);
-    // Another project has told its file with changed() before.
+    // A different project has already reported its file with changed().
     QObject::connect(&project, &ProjectDocument::fileChanged, &ledger,
                      [&project, &ledger] { ledger.projectSavedAs(project.file()); });
     tell();

@@ -13,24 +13,24 @@ class Catalog;
 class LedgerKeeper;
 class ProjectDocument;
 
-// One bus of the program, connected or not, with the account of the EEPROM writes of its encoders. Outlives
-// the window, which is made anew in another language.
+// One bus of the program, connected or not, with the account of the EEPROM writes to its encoders. Outlives
+// the window, which is rebuilt when the language changes.
 class BusAtWork : public QObject
 {
     Q_OBJECT
 
 public:
-    using Clock = std::function<QDateTime()>; // what Instant 0 of a bus that is opened now stands for
+    using Clock = std::function<QDateTime()>; // date and time of Instant 0 of a bus opened now
 
     // What all buses of the program share. Catalog and project outlive them.
     struct Surroundings
     {
         const Catalog &catalog;
         ProjectDocument &project;
-        QString dataFolder;   // of the ledger
-        bool byThread = true; // else by hand: simulated buses keep virtual time
+        QString dataFolder;   // for the ledger
+        bool byThread = true; // otherwise driven by hand: simulated buses keep virtual time
         Clock clock;
-        // What a kind puts in place of its usual training bus, of a type of its own; empty: nothing.
+        // A kind's replacement for its usual training bus, of a type of its own; empty: none.
         std::any training{};
     };
 
@@ -41,16 +41,16 @@ public:
     const Catalog &catalog() const { return m_surroundings.catalog; }
     ProjectDocument &project() const { return m_surroundings.project; }
     virtual QString kind() const = 0;    // as in projects: "interbus"
-    bool isTraining() const;             // always there
+    bool isTraining() const;             // such a bus always exists
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
-    virtual void openTraining() {} // connects a training bus, in Operate
-    virtual void start() {}        // by a thread of its own from now on, unless it is driven by hand
+    virtual void openTraining() {} // connects it in Operate
+    virtual void start() {}        // in a thread of its own from now on, unless driven by hand
     const LedgerKeeper *ledger() const { return m_ledger.get(); } // null: no bus
 
 Q_SIGNALS:
-    void aboutToChange(); // bus() and its encoders are gone after this
-    void changed();       // bus() is another one, or none
+    void aboutToChange(); // bus() and its encoders are about to go
+    void changed();       // bus() has changed, or is null
     void messaged(const codewheel::Message &message, const QDateTime &at);
 
 protected:

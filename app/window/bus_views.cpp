@@ -32,7 +32,7 @@ void BusViews::setCalled(const QString &called, bool isDoubtful)
         return;
     m_called = called;
     m_isDoubtful = isDoubtful;
-    if (m_isCurrent) // else it has nothing to say
+    if (m_isCurrent) // the others have nothing to show
         showCurrent();
 }
 

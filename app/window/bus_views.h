@@ -38,7 +38,7 @@ struct WindowParts
     StructureEditor &editor;
 };
 
-// What one bus adds to the window, each kind its own: panels, pages, and what the actions of its kind do.
+// What one bus adds to the window, depending on its kind: panels, pages, and the work of its kind's actions.
 class BusViews : public QObject
 {
     Q_OBJECT
@@ -47,44 +47,44 @@ public:
     using QObject::QObject;
     ~BusViews() override;
 
-    // Its pages, of the panels of its kind and of panel::training.
+    // Its pages, for the panels of its kind and for panel::training.
     virtual std::vector<std::pair<const Panel *, QWidget *>> pages() const = 0;
-    // The page that lays it beside the project.
+    // The page that compares it with the project.
     virtual QWidget *comparison() const = 0;
-    virtual bool tellsState() const { return false; } // at the head of the status line
+    virtual bool tellsState() const { return false; } // at the start of the status line
     virtual QMenu *menu() const { return nullptr; }   // of its row in the bus structure; null: none
 
     bool owns(const QWidget *page) const;
-    // This bus is meant by actions, docks and status line, or another one is.
+    // Whether actions, docks and status line refer to this bus.
     void setCurrent(bool isCurrent);
-    // How its actions call it; empty: nobody can take another bus for it. `isDoubtful`: it is one of several,
-    // and none of them is chosen, so no action connects or changes it.
+    // The name its actions use; empty: it cannot be confused with another bus. `isDoubtful`: it is one of
+    // several and none of them is chosen, so no action connects or changes it.
     void setCalled(const QString &called, bool isDoubtful);
-    // The device that is chosen in the window, if it is one of this bus.
+    // The device chosen in the window, if it is on this bus.
     virtual void setChosen(std::optional<Place>) {}
     virtual void open() = 0;              // its row was opened
-    virtual void connectBus() { open(); } // or leads to where that is done; nothing is sent
-    virtual void connectTraining() {}     // to its simulated link
-    // A device was opened. False: its words are to be looked at, as everybody's.
+    virtual void connectBus() { open(); } // or shows where to do that; sends nothing
+    virtual void connectTraining() {}     // to a simulated link
+    // A device was opened. False: show its words, as for any device.
     virtual bool open(Place) { return false; }
     virtual void showFrame() {} // with each frame of the window
-    virtual void compare() {}   // it says how its bus differs from the project
-    // What its faults name as an action, as it can be had now; done.
+    virtual void compare() {}   // reports how its bus differs from the project
+    // Whether an action that its faults name is available now; carries it out.
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}
 
 Q_SIGNALS:
-    void panelRequested(const codewheel::Panel &panel); // it is to be seen
+    void panelRequested(const codewheel::Panel &panel); // to be shown
     void told(const codewheel::Message &message);
     void goToWanted(codewheel::Place place); // to its row in the bus structure
-    void devicesChanged(); // another ring was read in: what is chosen stays so if it is there
+    void devicesChanged();                   // another ring was read in: the choice stays if it still exists
 
 protected:
     bool isCurrent() const { return m_isCurrent; }
     const QString &called() const { return m_called; }
-    bool isMeant() const { return m_isCurrent && !m_isDoubtful; } // by actions that change it
-    virtual void showCurrent() = 0;                               // one of these is another
-    // Actions mean the bus of its kind that is chosen, or was chosen last.
+    bool isMeant() const { return m_isCurrent && !m_isDoubtful; } // for actions that change it
+    virtual void showCurrent() = 0;                               // one of the above has changed
+    // Actions apply to the bus of its kind that is chosen, or was chosen last.
     template <typename What>
     void onAction(QAction *action, What what)
     {
@@ -93,14 +93,14 @@ protected:
                 what();
         });
     }
-    // A page or panel in the window, which goes with the views.
+    // A page or panel in the window, destroyed with the views.
     template <typename Widget>
     Widget *own(Widget *widget)
     {
         m_own.push_back(widget);
         return widget;
     }
-    // Without a node it is of the bus itself.
+    // A place without a node is the bus itself.
     void tellTraining(Place place, const QString &what, MessageId id = MessageId::training);
 
 private:

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr auto topicOfWindow = "README.md#the-window"; // of whatever has none of its own
+constexpr auto topicOfWindow = "README.md#the-window"; // for everything without a topic of its own
 constexpr auto topicOfFiles = "project.md#files";
 
 QWindow *handleOf(QWidget *window)
@@ -44,7 +44,7 @@ ContextHelp::~ContextHelp()
         keepLayout();
 }
 
-// The actions of the window cannot be had while a question is on the screen.
+// The window's actions are unavailable while a question is open.
 bool ContextHelp::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::KeyPress || QApplication::activeModalWidget() == nullptr)
@@ -61,7 +61,7 @@ void ContextHelp::showForFocus()
     const QWidget *focus = QApplication::focusWidget();
     if (const QWidget *asks = QApplication::activeModalWidget();
         asks != nullptr && (focus == nullptr || !asks->isAncestorOf(focus)))
-        focus = asks; // it has come just now
+        focus = asks; // it has only just appeared
     else if (focus == nullptr)
         focus = QApplication::activeWindow();
     QString topic = helpTopicOf(focus);
@@ -72,7 +72,7 @@ void ContextHelp::showForFocus()
     showTopic(topic);
 }
 
-// A question blocks every window but its own, so for as long the help belongs to it.
+// A question blocks all other windows, so meanwhile the help belongs to it.
 void ContextHelp::showTopic(const QString &topic)
 {
     if (!m_help)
@@ -90,7 +90,7 @@ void ContextHelp::showTopic(const QString &topic)
     m_help->activateWindow();
 }
 
-// No child of the main window, which could not come before it then.
+// Not a child of the main window, which could then not be brought in front of it.
 void ContextHelp::makeWindow()
 {
     m_help = std::make_unique<HelpWindow>();

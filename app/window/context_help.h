@@ -15,8 +15,7 @@ class HelpWindow;
 class WindowActions;
 class WindowSettings;
 
-// F1: opens the manual where it tells of what has the focus, in any window of the program, also while a
-// question stands on the screen.
+// F1: opens the manual at what has the focus, in any window of the program, even while a question is open.
 class ContextHelp : public QObject
 {
     Q_OBJECT

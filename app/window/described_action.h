@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// With its key, and what it does: in the status line, and in the tooltip with the key behind it.
+// Sets its key, and what it does: in the status line, and in the tooltip followed by the key.
 inline QAction *described(QAction *action, const QKeySequence &key, const QString &what)
 {
     action->setShortcut(key);
@@ -15,7 +15,7 @@ inline QAction *described(QAction *action, const QKeySequence &key, const QStrin
     return action;
 }
 
-// Which bus it means: behind its text, before what it does; empty: there is no doubt. As it was described.
+// The bus it applies to: after its text, before what it does; empty: as described.
 inline void tellBus(QAction *action, const QString &bus)
 {
     static constexpr const char *plain = "textWithoutBus";

@@ -23,7 +23,7 @@ DeviceChoice::DeviceChoice(const Buses &buses, const Catalog &catalog, const Pro
 {
     connect(&tree, &StructureView::chosen, this, &DeviceChoice::choose);
     connect(&editor, &StructureEditor::chosen, this, [this](Place number) {
-        if (m_editor.isVisible()) // else nobody has chosen anything there
+        if (m_editor.isVisible()) // otherwise it was not the user
             choose(number);
     });
     connect(&project, &ProjectDocument::changed, this, &DeviceChoice::followPlan);
@@ -50,7 +50,7 @@ void DeviceChoice::keep(std::optional<Place> before)
     choose(before && m_buses.isConnected(*before) ? before : otherwise());
 }
 
-// What the panel of the bus structure has chosen, or the first device of the bus, or the first there is.
+// The choice in the bus structure panel, or the first device of the bus, or the first one there is.
 std::optional<Place> DeviceChoice::otherwise() const
 {
     if (const auto current = m_tree.current())
@@ -73,7 +73,7 @@ ShownEncoder DeviceChoice::find() const
     return {};
 }
 
-// The panel of the bus structure may have been made anew, and numbers follow from the places.
+// The rows of the bus structure may have been rebuilt, and places may have changed.
 void DeviceChoice::followPlan()
 {
     if (m_place && m_buses.isConnected(*m_place) && m_tree.row()) {
@@ -82,7 +82,7 @@ void DeviceChoice::followPlan()
     }
     const ProjectDevice *planned = m_planned ? m_project.device(*m_planned) : nullptr;
     if (planned && planned->place() == m_place && m_tree.currentBus())
-        show(); // it stays chosen
+        show(); // the choice stays
     else
         choose(planned ? std::optional(planned->place()) : m_place);
 }

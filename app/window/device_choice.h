@@ -13,9 +13,9 @@ class Catalog;
 class StructureEditor;
 class StructureView;
 
-// Which device the panels of the window show: the one chosen in the panel of the bus structure or in the
-// structure editor; each follows the other. Of a connected bus it is the device with that number. What is
-// only planned stays chosen while the plan is edited, whatever its number becomes.
+// Which device the panels of the window show: the one chosen in the bus structure panel or in the structure
+// editor; each follows the other. On a connected bus it is the device at that place. One that is only planned
+// stays chosen while the plan is edited, whatever its place becomes.
 class DeviceChoice : public QObject
 {
     Q_OBJECT
@@ -26,16 +26,16 @@ public:
                  StructureView &tree, StructureEditor &editor, QObject *parent = nullptr);
 
     std::optional<Place> place() const { return m_place; }
-    const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing is known of it
-    // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead, or the
-    // first device.
+    const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing known of it
+    // If it is neither connected nor planned, the choice in the bus structure panel applies, or the first
+    // device.
     void choose(std::optional<Place> number);
-    // Another ring is connected: what the panel of the bus structure chose by itself gives way to the device
-    // of before, if that is in the ring.
+    // Another ring is connected: the device that the bus structure panel chose by itself gives way to the
+    // previous one, if that is in the ring.
     void keep(std::optional<Place> before);
 
 Q_SIGNALS:
-    void changed(); // number or encoder, and be it that it is connected now
+    void changed(); // place or encoder, or the encoder is now connected
 
 private:
     ShownEncoder find() const;
@@ -49,7 +49,7 @@ private:
     StructureView &m_tree;
     StructureEditor &m_editor;
     std::optional<Place> m_place;
-    std::optional<ProjectDocument::DeviceId> m_planned; // the device of that number in the plan
+    std::optional<ProjectDocument::DeviceId> m_planned; // the device at that place in the plan
     ShownEncoder m_encoder;
     std::optional<Place> m_told;
     bool m_isChoosing = false;

@@ -23,13 +23,13 @@ DroppedDevice::DroppedDevice(InlineMessage &notice, QString folder, QObject *par
     connect(&notice, &InlineMessage::actionTriggered, this, &DroppedDevice::keep);
 }
 
-// Those with another ending are not read.
+// Only files with this suffix are read.
 QString DroppedDevice::keptAs(const QString &path) const
 {
     return QDir(m_folder).filePath(QFileInfo(path).completeBaseName() + QStringLiteral(".json"));
 }
 
-// A newer version of one that is kept takes its place, so that one is not looked at.
+// A new version replaces the one that is kept, which is therefore ignored.
 void DroppedDevice::offer(const QString &path)
 {
     const QFileInfo file(path);

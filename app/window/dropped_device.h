@@ -7,14 +7,14 @@ namespace codewheel {
 
 class InlineMessage;
 
-// A device description that was dropped onto the window: looked at as at a start, and kept with the user's
-// own if that is wanted. Descriptions are read at the start alone, since encoders go by those there are.
+// A device description dropped onto the window: checked as at a start, and on request kept with the user's
+// own. Descriptions are read only at the start, since encoders rely on them.
 class DroppedDevice : public QObject
 {
     Q_OBJECT
 
 public:
-    // The notice stands in the window and is this one's alone.
+    // The notice is part of the window and used by nothing else.
     DroppedDevice(InlineMessage &notice, QString folder, QObject *parent = nullptr);
 
     void offer(const QString &path);

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qint64 largestDropped = 50'000'000; // bytes, more than any file of the program may have
+constexpr qint64 largestDropped = 50'000'000; // bytes, more than any file of the program
 
 QStringList localFiles(const QMimeData &data)
 {
@@ -31,7 +31,7 @@ bool holds(const QByteArray &text, const char *pattern)
 
 } // namespace
 
-// By its marks alone: whoever opens it says what is wrong with the rest, and where.
+// Looks only at its marks: whoever opens it says what is wrong with the rest, and where.
 FileKind fileKind(const QString &path)
 {
     const auto text = readWholeFile(path, largestDropped);
@@ -70,7 +70,7 @@ bool DroppedFiles::eventFilter(QObject *watched, QEvent *event)
         return QObject::eventFilter(watched, event);
     drop->setDropAction(Qt::CopyAction); // the file stays where it is
     drop->accept();
-    if (event->type() == QEvent::Drop) // questions come once the other program has been let go
+    if (event->type() == QEvent::Drop) // questions come once the other program has been released
         QMetaObject::invokeMethod(
             this, [this, paths] { take(paths); }, Qt::QueuedConnection);
     return true;

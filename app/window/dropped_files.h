@@ -8,11 +8,11 @@ class QWidget;
 
 namespace codewheel {
 
-// Of what kind a file is, by what it holds, whatever its name is.
+// The kind of a file by its content, whatever its name.
 enum class FileKind : std::uint8_t { project, cams, sequence, device, ofProgram, other, notReadable };
 FileKind fileKind(const QString &path);
 
-// Files that are dropped onto the window: tells what they are. What becomes of them is up to the window.
+// Files dropped onto the window: determines what they are. The window decides what to do with them.
 class DroppedFiles : public QObject
 {
     Q_OBJECT

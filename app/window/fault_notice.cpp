@@ -31,7 +31,7 @@ void FaultNotice::showFrame()
     m_banner->showFaults(m_faults, [this](BusId bus) { return nameOf(bus); });
 }
 
-// Where it could be any of them.
+// The name is given where it could be any of several buses.
 QString FaultNotice::nameOf(BusId bus) const
 {
     return m_faults.areOnSeveralBuses() ? m_plant.nameOf(bus) : nameAmongOthers(bus);

@@ -15,8 +15,8 @@ class BusViews;
 class FaultBanner;
 class Plant;
 
-// What is wrong anywhere, above the pages of the window: asks all buses with each frame, and has done what
-// the banner offers by who can do it.
+// What is wrong on any bus, above the pages of the window: checks all buses with each frame, and passes the
+// actions of the banner to the views that can carry them out.
 class FaultNotice : public QObject
 {
     Q_OBJECT
@@ -24,15 +24,15 @@ class FaultNotice : public QObject
 public:
     using ViewsOf = std::function<BusViews *(BusId bus)>; // null: it has none
 
-    // The plant outlives it. The banner is put on top of the notices.
+    // The plant outlives it. The banner goes above the other notices.
     FaultNotice(Plant &plant, ViewsOf viewsOf, QVBoxLayout &notices, QObject *parent);
 
     void showFrame();
-    // The worst of each bus that is `meant`: "Ring 2: BUS FAIL".
+    // The worst fault of each bus that is `meant`: "Ring 2: BUS FAIL".
     QStringList inBrief(const std::function<bool(BusId bus)> &isMeant) const;
 
 Q_SIGNALS:
-    void shown(codewheel::BusId bus, const codewheel::Fault &fault); // its place is to be chosen
+    void shown(codewheel::BusId bus, const codewheel::Fault &fault); // its place should be chosen
 
 private:
     QString nameOf(BusId bus) const;

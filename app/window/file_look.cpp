@@ -25,7 +25,7 @@ RecentFile::State lookAt(const QString &path)
 
 } // namespace
 
-// Outlives the object as long as a thread waits.
+// Outlives the object while a thread is waiting.
 struct FileLook::Mail
 {
     std::mutex mutex;

@@ -11,8 +11,8 @@
 
 namespace codewheel {
 
-// Looks whether files are there, each in a thread of its own: a network folder that is gone may keep one
-// waiting for minutes, and then neither the window nor the end of the program waits for it.
+// Checks whether files exist, each in a thread of its own: an unreachable network folder may take minutes to
+// answer, and neither the window nor the end of the program waits for it.
 class FileLook : public QObject
 {
     Q_OBJECT
@@ -21,14 +21,14 @@ public:
     explicit FileLook(QObject *parent = nullptr);
     ~FileLook() override;
 
-    // As far as it is known: unknown at first, silent where no answer came for a while.
+    // As far as known: unknown at first, silent after a while without an answer.
     RecentFile::State state(const QString &path) const;
-    // Again, unless it is being looked at.
+    // Checks again, unless a check is under way.
     void look(const QString &path);
 
 Q_SIGNALS:
-    void changed(); // state() of any
-    void hasMail(); // from a thread that looked
+    void changed(); // state() of any path
+    void hasMail(); // from a thread that has looked
 
 private:
     struct Mail;
@@ -37,7 +37,7 @@ private:
 
     std::shared_ptr<Mail> m_mail;
     std::map<QString, RecentFile::State> m_states;
-    std::map<QString, RecentFile::State> m_pending; // what was known before
+    std::map<QString, RecentFile::State> m_pending; // the previous states
     QTimer m_patience;
 };
 

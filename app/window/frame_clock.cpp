@@ -14,7 +14,7 @@ namespace {
 constexpr int usualRate = 30; // frames a second
 constexpr int unseenRate = 5;
 
-// Not minimized, not on another desktop: as far as the desktop tells.
+// Neither minimized nor on another desktop, as far as the desktop reports it.
 bool isAnythingSeen()
 {
     return std::ranges::any_of(QGuiApplication::topLevelWindows(), &QWindow::isExposed);
@@ -52,7 +52,7 @@ void FrameClock::takeFrame()
     m_window->showFrame();
 }
 
-// Before the window paints.
+// Takes a frame before a window that is seen again paints.
 bool FrameClock::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Expose && m_left > 0 && isAnythingSeen())

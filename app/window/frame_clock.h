@@ -8,8 +8,8 @@ namespace codewheel {
 
 class MainWindow;
 
-// Has a window take its frames: 30 a second, or as many as are set, while any window of the program can be
-// seen or a job runs, else 5, so that messages are kept. What comes in sight again is of now.
+// Makes a window take its frames: 30 a second, or the set rate, while any window of the program is visible or
+// a job runs, otherwise 5, so that messages are kept. A window that becomes visible again is up to date.
 class FrameClock : public QObject
 {
 public:
@@ -33,7 +33,7 @@ private:
     MainWindow *m_window = nullptr;
     QTimer m_timer;
     int m_leftOutUnseen = 0;
-    int m_left = 0; // frames left out since the last one
+    int m_left = 0; // skipped since the last one
 };
 
 } // namespace codewheel

@@ -35,7 +35,7 @@ void addRow(KeyGroup &group, const QAction &action)
     const auto isSame = [&](const KeyHelp &other) {
         return other.keys == row.keys && other.what == row.what;
     };
-    if (std::ranges::none_of(group.rows, isSame)) // there may be several views of a kind
+    if (std::ranges::none_of(group.rows, isSame)) // there may be several views of the same kind
         group.rows.push_back(row);
 }
 
@@ -53,7 +53,7 @@ void addMenu(std::vector<KeyGroup> &groups, std::set<const QAction *> &seen, con
     }
 }
 
-// Where a key works that no menu has: in a panel, or in a page.
+// Where a key that is in no menu works: in a panel, or on a page.
 QString viewOf(const QAction &action)
 {
     for (const QObject *each = action.parent(); each != nullptr; each = each->parent())

@@ -16,8 +16,8 @@ struct KeyGroup
     QList<KeyHelp> rows;
 };
 
-// All keys of the window, as its actions have them now: menu by menu, view by view, then what views answer
-// without actions.
+// All keys of the window, as its actions have them now: menu by menu, view by view, then those that views
+// handle without actions.
 std::vector<KeyGroup> keysOf(const QMainWindow &window);
 
 } // namespace codewheel

@@ -17,7 +17,7 @@ namespace codewheel {
 namespace {
 
 constexpr int lettersInLine = 72;
-constexpr int sheetHeight = 560; // in the smallest window as well; the rest is scrolled to
+constexpr int sheetHeight = 560; // fits the smallest window; the rest scrolls
 constexpr auto sheetName = "keys";
 
 QTreeWidgetItem *groupRow(const QString &title)
@@ -32,7 +32,7 @@ QTreeWidgetItem *groupRow(const QString &title)
 
 } // namespace
 
-// A tool window leaves the keys of its parent at work, ALARM STOP among them.
+// A tool window leaves its parent's keys working, including ALARM STOP.
 KeySheet::KeySheet(QMainWindow &window)
     : QDialog(&window, Qt::Tool)
     , m_search(describe(new QLineEdit(this), "keySearch", tr("Search the keys"),
@@ -84,7 +84,7 @@ void KeySheet::fill(const QMainWindow &window)
     m_keys->expandAll();
 }
 
-// A group stays whole when its own title is searched for.
+// A group whose title matches is shown as a whole.
 void KeySheet::filter()
 {
     const QString text = m_search->text().simplified();

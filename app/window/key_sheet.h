@@ -9,13 +9,13 @@ class QTreeWidget;
 
 namespace codewheel {
 
-// Help > Keys: all keys of the window in groups, and a field that leaves those with its text.
+// Help > Keys: all keys of the window in groups, and a field that filters them.
 class KeySheet : public QDialog
 {
     Q_OBJECT
 
 public:
-    // Shows it beside the window, which stays at work; there is one.
+    // Shows it beside the window, which stays usable; there is only one.
     static void show(QMainWindow &window);
 
 private:

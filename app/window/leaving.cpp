@@ -54,7 +54,7 @@ void Leaving::watch()
     }
 }
 
-// An encoder that had taken something before it heard of the cancel: how shall it be left?
+// If the encoder has taken something before the cancel reached it, the user is asked how to leave it.
 void Leaving::takeProgress(const EncoderSession &encoder, const Progress &progress)
 {
     m_progress[encoder.place()] = progress;
@@ -74,7 +74,7 @@ void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<
     goOn();
 }
 
-// Called again each time something that was waited for has happened.
+// Called again whenever something it was waiting for has happened.
 void Leaving::goOn()
 {
     if (!m_then)
@@ -82,14 +82,14 @@ void Leaving::goOn()
     if (EncoderSession *encoder = busyEncoder()) {
         if (!endJob(*encoder))
             stay();
-        return; // finished() comes back here
+        return; // finished() calls this again
     }
     std::vector<Place> devices;
     for (const EncoderBus *bus : buses())
         std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
     const auto isRunning = [this](Place number) { return m_buses->busOf(number)->isRunning(); };
     if (m_waitsForZero && std::ranges::any_of(devices, isRunning))
-        return; // updated() comes back here
+        return; // updated() calls this again
     if (!devices.empty() && !m_outAnswered && !askForOut(devices))
         return;
     m_waitsForZero = false;
@@ -133,7 +133,7 @@ bool Leaving::endJob(EncoderSession &encoder)
     return how.has_value() || !encoder.runningJob();
 }
 
-// True: go on now. False: the user stays, or the zeros are on their way.
+// True: go on now. False: the user stays, or the zeros are being sent.
 bool Leaving::askForOut(const std::vector<Place> &devices)
 {
     QStringList words;

@@ -16,8 +16,8 @@ namespace codewheel {
 class Buses;
 class EncoderBus;
 
-// What has to be asked before the bus is stopped, left, or the window is closed: how to end a handshake that
-// is on its way, and whether OUT words that are not 0 shall be set to 0. Nothing is lost by saying "no".
+// What to ask before a bus is stopped or disconnected, or the window is closed: how to end a running
+// handshake, and whether to set OUT words that are not 0 to 0. Saying "no" loses nothing.
 class Leaving : public QObject
 {
     Q_OBJECT
@@ -27,10 +27,10 @@ public:
 
     explicit Leaving(QWidget &window);
 
-    // They outlive it. Once, before anything is asked.
+    // The buses outlive it. Called once, before anything is asked.
     void setBuses(Buses &buses);
-    // Calls `then` once all is answered and done; not at all if the user stays. `left` are the buses that are
-    // meant; null is none.
+    // Calls `then` once everything is answered and done; not at all if the user stays. `left` are the buses
+    // concerned; null entries are ignored.
     void ask(Why why, const std::vector<EncoderBus *> &left, std::function<void()> then);
 
 private:
@@ -38,7 +38,7 @@ private:
     bool endJob(EncoderSession &encoder);
     bool askForOut(const std::vector<Place> &devices);
     EncoderSession *busyEncoder() const;
-    std::vector<EncoderBus *> buses() const; // that are left, and still open
+    std::vector<EncoderBus *> buses() const; // to be left, and still open
     bool canSend() const;                    // on all of them
     void watch();
     void takeProgress(const EncoderSession &encoder, const Progress &progress);
@@ -47,10 +47,10 @@ private:
     QWidget &m_window;
     Buses *m_buses = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
-    std::map<Place, Progress> m_progress; // of the jobs on their way
-    QPointer<EncoderSession> m_cancelled; // as long as nothing was taken
+    std::map<Place, Progress> m_progress; // of the running jobs
+    QPointer<EncoderSession> m_cancelled; // while it has taken nothing
     Why m_why = Why::stop;
-    std::vector<EncoderBus *> m_left; // only to be looked for: they may be gone
+    std::vector<EncoderBus *> m_left; // for comparison only: they may be gone
     std::function<void()> m_then;
     bool m_outAnswered = false;
     bool m_waitsForZero = false;

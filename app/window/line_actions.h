@@ -10,7 +10,7 @@ namespace codewheel {
 
 class WindowActions;
 
-// What can be asked for of a serial line alone. All lines of a window share them (WindowActions::ofKind()).
+// The actions for serial lines only. All lines of a window share them (WindowActions::ofKind()).
 class LineActions : public QObject
 {
     Q_OBJECT
@@ -18,8 +18,8 @@ class LineActions : public QObject
 public:
     explicit LineActions(WindowActions &window);
 
-    // Of the device that is chosen: whether it is an encoder of a line, connected, and one that sends the low
-    // byte of its warnings first.
+    // The chosen device: whether it is an encoder on a line, connected, and sends the low byte of its
+    // warnings first.
     struct Chosen
     {
         bool isOnLine = false;
@@ -27,7 +27,7 @@ public:
         bool isSwapped = false;
     };
     void showChosen(Chosen chosen);
-    void tellBus(const QString &bus); // which line they mean; empty: the chosen one
+    void tellBus(const QString &bus); // which line they apply to; empty: the chosen one
 
     QMenu *menu;
     QAction *settings;
@@ -36,7 +36,7 @@ public:
     QAction *figures;
     QAction *training;
     QAction *disconnectLine;
-    // Of the chosen encoder
+    // For the chosen encoder
     QAction *swapWarningBytes; // checkable
     QAction *remove;
 };

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::milliseconds betweenLooks{5}; // whether the port is open
+constexpr std::chrono::milliseconds betweenLooks{5}; // to see whether the port is open
 
 const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
 
@@ -54,7 +54,7 @@ QString LineAtWork::kind() const
     return QString::fromLatin1(escKind);
 }
 
-// The simulated encoders do not stand for those of a project that was opened and has a port for them.
+// The simulated encoders give way to those of an opened project that has a port for them.
 void LineAtWork::followProject()
 {
     const bool isForTraining = plansTraining(project().project(), id());
@@ -127,7 +127,7 @@ void LineAtWork::openOtherAdapter(const LinePlan &line)
     open(line);
 }
 
-// A port has many paths, and its adapter may be plugged in elsewhere now than when it was opened.
+// A port has many paths, and its adapter may have been moved since it was opened.
 bool LineAtWork::holds(const QString &path) const
 {
     if (m_port == nullptr)
@@ -138,7 +138,7 @@ bool LineAtWork::holds(const QString &path) const
            (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
 }
 
-// The port is opened by its thread, as slow as its adapter may be.
+// The port is opened in its own thread, since its adapter may be slow.
 void LineAtWork::open(const LinePlan &line)
 {
     endOpening();
@@ -187,7 +187,7 @@ void LineAtWork::useOpened(Opening opening)
     tellByteOrder();
 }
 
-// Nothing has been sent yet.
+// Nothing has been sent at this point.
 void LineAtWork::endOpening()
 {
     if (!isOpening())
@@ -197,7 +197,7 @@ void LineAtWork::endOpening()
     Q_EMIT openingChanged();
 }
 
-// Of the project's encoders, and of what undo made of them; those of the training line are none of these.
+// For the project's encoders, also after undo, but not for those of the training line.
 void LineAtWork::tellByteOrder()
 {
     if (!m_session || m_training)

@@ -28,22 +28,20 @@ public:
     LineSession *session() const { return m_session.get(); }     // null: none is open
     SimulatedLine *training() const { return m_training.get(); } // null: it is no training line
 
-    // Each ends the line there was. The training line begins in Operate.
+    // Each closes the present line. The training line begins in Operate.
     void openTraining() override;
     // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
-    // plugged in. portOpened() or openRefused() tells the end of it; refused as ByteLink::open(), the line
-    // there was goes on, unless it was at the same port.
+    // plugged in. Ends with portOpened() or openRefused(); refused like ByteLink::open(), in which case the
+    // present line goes on, unless it is at the same port.
     void openPort(const LinePlan &line);
-    // The same once more, with the adapter that it refused (portOfOther) in place of that of the line.
+    // The same again, with the adapter that was refused (portOfOther) instead of the line's own.
     void openOtherAdapter(const LinePlan &line);
     bool isOpening() const { return m_opening.session != nullptr; } // a port
-    // With the port and the adapter that are open: it may be plugged in elsewhere, or another one be meant
-    // meanwhile.
+    // With the port and adapter now open: the adapter may have been moved, or another one chosen, meanwhile.
     LinePlan asOpened(LinePlan line) const;
-    // The port that is open, without its encoders, and how it was opened; as the factory has it where none
-    // is.
+    // The open port, without its encoders, and how it was opened; factory settings if none is open.
     LinePlan opened() const;
-    // In place of those of this computer.
+    // Instead of this computer's ports.
     void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
     std::vector<PortInfo> ports() const { return m_ports(); }
     void close();
@@ -54,7 +52,7 @@ Q_SIGNALS:
     void openRefused(const codewheel::Refusal &why);
 
 private:
-    // It takes the place of the line there is once it is open.
+    // Replaces the present line once it is open.
     struct Opening
     {
         std::unique_ptr<LineSession> session;
@@ -75,13 +73,13 @@ private:
                  const SerialPortLink *port);
 
     std::shared_ptr<SimulatedLine> m_training;
-    bool m_gaveWay = false; // the training line, to that of a project
+    bool m_gaveWay = false; // the training line, to a project's line
     std::unique_ptr<LineSession> m_session;
     Opening m_opening;
     QTimer m_openingTurns;
-    const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
+    const SerialPortLink *m_port = nullptr; // of the session; null: not at a port
     LineSettings m_openedWith;              // the port
-    std::optional<KeptAdapter> m_wanted;    // when a port was to be opened last
+    std::optional<KeptAdapter> m_wanted;    // when a port was last to be opened
     SerialPortLink::PortList m_ports = serialPorts;
 };
 

@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// In its place; as it is connected where the line has none of this number yet.
+// The planned encoder at its place; added as it is connected if the line has none there yet.
 ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const EncoderSession &connected)
 {
     const Place number = connected.place();
@@ -96,7 +96,7 @@ void LineKeeper::keepByteOrder(Place number, bool isSwapped)
     edit(std::move(after), tr("Warning bytes of %1").arg(number.shown()));
 }
 
-// Null at the training line too.
+// Also null at the training line.
 const EncoderSession *LineKeeper::sessionOf(Place number) const
 {
     const bool isKept = m_line.session() != nullptr && m_line.training() == nullptr;
@@ -123,7 +123,7 @@ void LineKeeper::removeEncoder(Place number)
     edit(std::move(after), tr("Remove %1").arg(number.shown()));
 }
 
-// What is planned for a training encoder is in no file; it goes along all the same.
+// What is planned for a training encoder is in no file, but still moves along.
 void LineKeeper::moveEncoder(Place from, Place to)
 {
     if (m_line.training() == nullptr || findDevice(m_project.project(), from) == nullptr)

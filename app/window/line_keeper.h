@@ -12,8 +12,8 @@ class EncoderSession;
 class ProjectDocument;
 class LineAtWork;
 
-// Keeps in the project what becomes of its serial line, each change a step of undo. The training line is not
-// the project's: of its encoders, which do not exist, nothing is kept. Used by LineViews.
+// Keeps in the project what happens to its serial line, each change as an undo step. The training line is not
+// the project's: nothing is kept of its encoders, which do not exist. Used by LineViews.
 class LineKeeper : public QObject
 {
     Q_OBJECT
@@ -22,19 +22,19 @@ public:
     // Both must outlive it.
     LineKeeper(const LineAtWork &line, ProjectDocument &project, QObject *parent = nullptr);
 
-    // Of the project; where that has none, the one that is open, as the factory has it where none is.
+    // The project's line; if it has none, the open one, or else factory settings.
     LinePlan line() const;
 
     // As it is open now, with these settings.
     void keepPort(const LinePlan &line);
     void keepFractionBits(int bits);
     void keepBaudRate(int baudRate);
-    // Whether the warnings of this encoder come with their bytes in the other order.
+    // Whether this encoder sends the bytes of its warnings in the other order.
     void keepByteOrder(Place number, bool isSwapped);
-    // Those that the project has already stay as they are.
+    // Encoders already in the project stay as they are.
     void keepEncoders(const std::vector<Place> &numbers);
     void removeEncoder(Place number);
-    // All that is planned and known of the encoder goes along.
+    // Everything planned and known of the encoder moves along.
     void moveEncoder(Place from, Place to);
 
 private:

@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// Why the first of them that cannot be opened cannot.
+// Why the first port that cannot be opened cannot.
 QString troubleOf(const std::vector<PortInfo> &ports)
 {
     if (ports.empty())

@@ -8,14 +8,14 @@
 
 namespace codewheel {
 
-// The serial ports there are as the settings form lists them, and a sentence that stands there: there
-// is none, or one of them cannot be opened, and why; empty: nothing to say.
+// The serial ports as listed in the settings form, and a sentence for it: there is none, or one of them
+// cannot be opened, and why; empty: nothing to say.
 struct LinePorts
 {
     std::vector<PortRow> rows;
     QString trouble;
 };
-// One a row, with all it tells of its adapter; in English.
+// One row per port, with everything its adapter reports; in English.
 QStringList adapterRows();
 LinePorts linePorts(const std::vector<PortInfo> &ports);
 

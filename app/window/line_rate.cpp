@@ -16,7 +16,7 @@ struct LineRateText
     Q_DECLARE_TR_FUNCTIONS(LineRate)
 };
 
-// No encoder tells its rate: it is that of the line unless this program has changed it.
+// No encoder reports its rate: it is the line's unless this program has changed it.
 int rateOf(const LineSession &line, Place number)
 {
     const auto known = line.encoder(number)->known(Parameter::baudRate);

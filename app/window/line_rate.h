@@ -7,12 +7,12 @@ namespace codewheel {
 
 class LineSession;
 
-// What is to be done after an encoder was given another baud rate than its line has: within the connection it
-// is asked at its own, but connected again it would be silent. Shown by the settings of the line.
+// What to do after an encoder was given a baud rate other than its line's: this connection goes on asking it
+// at its own rate, but after reconnecting it would be silent. Shown by the settings of the line.
 struct LineRate
 {
-    QString sentence;            // empty: nothing is to be done
-    std::optional<int> baudRate; // of all encoders of the line, which the line should have too
+    QString sentence;            // empty: nothing to do
+    std::optional<int> baudRate; // shared by all encoders of the line, for the line to take
 
     friend bool operator==(const LineRate &, const LineRate &) = default;
 };

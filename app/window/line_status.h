@@ -9,7 +9,7 @@ class LineSession;
 class RoleLabel;
 class StatusLine;
 
-// What the status line tells of a serial line: port, baud rate, and who answers. Used by LineViews.
+// What the status line shows of a serial line: port, baud rate, and who answers. Used by LineViews.
 class LineStatus
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::LineStatus)

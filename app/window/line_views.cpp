@@ -41,7 +41,7 @@ std::vector<LineSearch::Device> devicesOnLines(const Catalog &catalog)
     return devices;
 }
 
-// The first of all where none does.
+// The first one if none answers.
 Place firstThatAnswers(const LineSession &line)
 {
     const std::vector<Place> numbers = line.places();
@@ -148,13 +148,13 @@ void LineViews::showStatus()
 void LineViews::tellActions()
 {
     if (isCurrent())
-        m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu says that it is the line
+        m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu already says that it is the line
     m_actions.disconnectLine->setEnabled(isMeant() && (m_line.session() != nullptr || m_line.isOpening()));
     m_actions.training->setEnabled(isMeant() && m_line.training() == nullptr);
     showChosen();
 }
 
-// Of a planned encoder the project says how its warnings come.
+// For a planned encoder, the project has the byte order of its warnings.
 void LineViews::showChosen()
 {
     if (!isCurrent())
@@ -181,7 +181,7 @@ void LineViews::showFrame()
     showStatus();
 }
 
-// A line has nothing that could be switched off or confirmed.
+// Nothing on a line can be switched off or confirmed.
 FaultBanner::Offer LineViews::offer(const Fault &, FaultAction) const
 {
     return {tr("Start again"), tr("Asks for positions again"), {}};
@@ -378,7 +378,7 @@ void LineViews::takeFractionBits(const Result<int> &bits)
     m_keeper->keepFractionBits(*bits);
 }
 
-// The training line is new at each connection, with its encoders as the factory has them.
+// The training line starts anew with each connection, with its encoders at factory settings.
 void LineViews::watchBaudRates()
 {
     if (!m_session || m_line.training() != nullptr)
@@ -399,7 +399,7 @@ void LineViews::tellBaudRate(Place encoder, int rate)
     m_form->tellBaudRate(told.sentence, told.baudRate);
 }
 
-// By what the line is set to, so that the terminal reads a factor as the driver does.
+// With the settings of the line, so that the terminal reads a factor as the driver does.
 void LineViews::explainTerminal()
 {
     if (m_session)
@@ -416,7 +416,7 @@ void LineViews::disconnectLine()
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.close(); });
 }
 
-// Those of another baud rate would only fall silent: who wants them connects at theirs.
+// Encoders at another baud rate would only fall silent: they have to be connected at theirs.
 void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey)
 {
     LineSession *line = m_line.session();
@@ -431,7 +431,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
             continue;
         }
         const Place number = line->placeOf(encoder.address.node());
-        const auto added = line->add(encoder.address, deviceKey); // one that is there already stays
+        const auto added = line->add(encoder.address, deviceKey); // an existing one stays
         if (!added && added.error().id == RefusalId::lineAddressNotAlone)
             refused = added.error();
         if (line->encoder(number) != nullptr)
@@ -445,7 +445,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
 
 void LineViews::removeChosen()
 {
-    const auto chosen = m_chosen; // another one is, once it is gone
+    const auto chosen = m_chosen; // changes once it is removed
     const EncoderSession *encoder = chosen && m_session ? m_session->encoder(*chosen) : nullptr;
     if (encoder == nullptr)
         return;

@@ -33,8 +33,8 @@ inline constexpr Panel linePanel{"lineDock", QT_TRANSLATE_NOOP("codewheel::Panel
                                  Panel::Behind::state};
 inline constexpr std::array linePanels{&terminalPanel, &linePanel};
 
-// The views of a serial line in the window: terminal and panel, which stand in docks, and the pages to
-// connect it and to search for encoders; and the actions that open them.
+// The views of a serial line in the window: terminal and panel, which are in docks, the pages for connecting
+// it and searching for encoders, and the actions that open them.
 class LineViews final : public BusViews
 {
     Q_OBJECT
@@ -47,7 +47,7 @@ public:
     QMenu *menu() const override;
     void setChosen(std::optional<Place> place) override;
     void open() override;
-    bool open(Place place) override; // its terminal: it has no words
+    bool open(Place place) override; // its terminal, since it has no words
     void connectBus() override { showSettings(); }
     void connectTraining() override;
     void showFrame() override;
@@ -62,9 +62,9 @@ private:
     void showStatus();
     void showTerminal();
     void determineFractionBits();
-    // Takes the chosen encoder out of polling and, unless it is one of the training line, out of the project.
+    // Stops polling the chosen encoder and, unless it is on the training line, removes it from the project.
     void removeChosen();
-    // From now on its warnings are read with their two bytes in the other order, or as they come.
+    // From now on its warnings are read with their two bytes swapped, or as they come.
     void swapWarningBytes(bool on);
     void setLine(LineSession *line); // null: it is about to go
     void listPorts();
@@ -93,17 +93,17 @@ private:
     const WindowParts m_parts;
     LineActions &m_actions;
     LineStatus m_status;
-    InlineMessage *m_notice; // what is asked of an adapter
+    InlineMessage *m_notice; // asks about an adapter
     LineKeeper *m_keeper;
     QPointer<LineSession> m_session;
     std::optional<Place> m_chosen;
-    bool m_takesOther = false; // another adapter, once it is open
+    bool m_takesOther = false; // keep another adapter once it is open
     LineTerminal *m_terminal;
     LinePanel *m_panel;
     LineSettingsForm *m_form;
     LineSearch *m_search;
     LineTrainingPanel *m_training;
-    LinePlan m_opened; // when a port was to be opened last
+    LinePlan m_opened; // when a port was last to be opened
     ComparisonPage *m_comparison;
 };
 

@@ -50,7 +50,7 @@ namespace codewheel {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
-constexpr QSize frame(4, 40); // what desktops draw around a window, at most
+constexpr QSize frame(4, 40); // the most that desktops draw around a window
 
 } // namespace
 
@@ -89,7 +89,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
         resize(firstSize.boundedTo(screen()->availableSize() - frame));
 }
 
-// Their pages and panels go with them, before the docks do.
+// The views destroy their pages and panels, before the docks go.
 MainWindow::~MainWindow()
 {
     for (const auto &[bus, views] : std::exchange(m_views, {}))
@@ -133,7 +133,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         else
             m_panels.fold().unfold();
     });
-    // Later, when the panels have the heights that are to come back.
+    // Queued, until the panels have the heights that are to be restored.
     connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::foldForStart, Qt::QueuedConnection);
     showBusState();
     showStart();
@@ -143,7 +143,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         m_pages->currentWidget()->setFocus();
 }
 
-// A notice of its own: the question stands until it is answered.
+// Has a notice of its own, since the question stays until it is answered.
 void MainWindow::askForRecovery(ProjectRecovery &recovery)
 {
     auto *question = new InlineMessage(this);
@@ -171,7 +171,8 @@ void MainWindow::compare()
         views->compare();
 }
 
-// Of a device that is only planned, what is wanted can be looked at and edited; all else needs it connected.
+// For a device that is only planned, wanted values can be viewed and edited; everything else needs a
+// connection.
 void MainWindow::showChosen()
 {
     const ShownEncoder &encoder = m_choice->encoder();
@@ -194,7 +195,7 @@ void MainWindow::showChosen()
         chooseBusOf(*place);
     for (const auto &[bus, views] : m_views)
         views->setChosen(place && place->bus == bus ? place : std::nullopt);
-    // what its bus does not name is shown as it is described
+    // A device that its bus does not name is shown by its description.
     const bool isNamed = connected != nullptr && m_buses->channel(connected->place()) != nullptr;
     m_device->setPlace(place, encoder.isThere() && !isNamed ? std::optional(encoder.device()) : std::nullopt);
 }
@@ -211,14 +212,14 @@ void MainWindow::showFrame()
     m_status->showFrame();
 }
 
-// Of buses whose state the status line does not show, since another one of their kind is chosen.
+// Those of buses whose state is not in the status line, since another bus of their kind is chosen.
 QStringList MainWindow::otherFaults() const
 {
     return m_faults->inBrief(
         [this](BusId bus) { return m_currentOf.value(m_plant->find(bus)->kind()) != bus; });
 }
 
-// Its place, and the panel that tells more of it.
+// Shows its place, and the panel with more about it.
 void MainWindow::showFault(BusId bus, const Fault &fault)
 {
     m_structure->reveal(Place{bus, fault.node});
@@ -247,7 +248,7 @@ void MainWindow::showMonitors()
         m_pages->setCurrentWidget(m_start->pageInsteadOf(m_monitors));
 }
 
-// The start page needs the height of the bottom panels as a page does.
+// The start page, like any page, needs the height of the bottom panels.
 void MainWindow::foldForStart()
 {
     if (m_pages->currentWidget() == m_start->page())
@@ -256,7 +257,7 @@ void MainWindow::foldForStart()
         m_panels.fold().unfold();
 }
 
-// In place of the monitors, or they in its place; another page that is open stays.
+// Switches between start page and monitors; any other open page stays.
 void MainWindow::showStart()
 {
     const QWidget *page = m_pages->currentWidget();
@@ -276,7 +277,7 @@ void MainWindow::showStructureEditor()
 {
     if (m_editor == nullptr)
         return;
-    const auto chosen = currentNumber(); // the page chooses its first device when it gets the focus
+    const auto chosen = currentNumber(); // the page chooses its first device on getting the focus
     m_pages->setCurrentWidget(m_editor);
     m_editor->setFocus();
     if (chosen && chosen->bus == m_chosenBus)
@@ -323,7 +324,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 void MainWindow::saveWindow()
 {
     if (m_monitors == nullptr)
-        return; // never filled: there is nothing worth keeping
+        return; // never filled: nothing worth keeping
     m_settings.setWindow(saveGeometry(), m_layouts->toKeep());
     m_settings.setMonitors(m_monitors->state());
 }

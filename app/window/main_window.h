@@ -57,25 +57,25 @@ class WantedValues;
 class WindowLayouts;
 class WordChannel;
 
-// The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
-// comparison), status line. Wires views to the buses and to each other; does nothing of its own with a word.
-// What only one kind of bus has comes from its BusViews. Made empty, so that it is seen at once; attach()
+// The window: menus, tool bar, panels around the open page (monitors, wizard, cams, structure editor,
+// comparison), status line. Wires views to the buses and to each other; never handles a word itself. What
+// belongs to one kind of bus comes from its BusViews. Constructed empty, so that it is seen at once; attach()
 // fills it.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
 
 public:
-    // The project outlives it: it is kept when the window is made anew in another language.
+    // The project outlives it: it is kept when the window is rebuilt in another language.
     MainWindow(WindowSettings &settings, ProjectDocument &project, QWidget *parent = nullptr);
     ~MainWindow() override;
 
-    // Both outlive the window: they are kept when it is made anew in another language.
+    // Both outlive the window: they are kept when it is rebuilt in another language.
     void attach(Plant &plant, MessageModel &messages);
-    // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
+    // What must be known above all, such as that messages are not kept. Stays until it is closed.
     void warn(const QString &sentence);
 
-    // Takes a frame of the bus and shows it. Called by the FrameClock, by hand in tests.
+    // Takes a frame of the bus and shows it. Called by the FrameClock, in tests by hand.
     void showFrame();
     bool hasJob() const; // on any bus
 
@@ -84,21 +84,21 @@ public:
     void showMonitors();
     void showCams();
     void showStructureEditor();
-    void showComparison(); // of the chosen ring, or the one that was chosen last
+    void showComparison(); // of the ring that is chosen, or was chosen last
     void showProjectPage();
     ProjectFiles &files() { return *m_files; }
-    Start &start() { return *m_start; } // once it is attached
+    Start &start() { return *m_start; } // only after attach()
     void askForRecovery(ProjectRecovery &recovery);
-    void compare();                     // each bus says how it differs from the project
-    BusViews *viewsOf(BusId bus) const; // null: there is no such bus, or its kind has none
-    void showSettings();                // they are others, or the window is new
+    void compare();                     // each bus reports how it differs from the project
+    BusViews *viewsOf(BusId bus) const; // null: no such bus, or its kind has no views
+    void showSettings();                // after they have changed, or for a new window
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
 Q_SIGNALS:
     void firstPainted();
     void languageChosen(const QString &language);
-    void appearanceChosen(); // and kept already
+    void appearanceChosen(); // already saved
     void settingsRequested();
 
 protected:
@@ -106,7 +106,7 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    static constexpr int layoutVersion = 4; // of docks and tool bar: another one is not restored
+    static constexpr int layoutVersion = 4; // of docks and tool bar: no other version is restored
 
     void makeDocks(MessageModel &messages);
     void connectActions();
@@ -120,8 +120,7 @@ private:
     void leaveBus(BusAtWork &bus);
     void showWhetherOpen(BusAtWork &bus);
     void showPanel(BusId bus, const Panel &panel);
-    // The row that is chosen, and the device that the panels show: where the row is that of a bus, the one
-    // from before.
+    // The chosen row, and the device that the panels show: for the row of a bus, the previous device.
     struct Chosen
     {
         std::optional<Place> row;
@@ -137,7 +136,7 @@ private:
     void tellWhose();
     void chooseBusOf(Place place);
     void goTo(Place place);        // a device, or without a node a bus
-    EncoderBus *chosenBus() const; // null: there is none, or it has no session
+    EncoderBus *chosenBus() const; // null: no bus, or it has no session
     void showChosen();
     void makePages();
     void connectProject();
@@ -148,7 +147,7 @@ private:
     void foldForStart();
     void connectDrops();
     void openDropped(FileKind kind, const QString &path);
-    WordChannel *chosenWords() const; // null: no device is chosen, or it has none
+    WordChannel *chosenWords() const; // null: no device is chosen, or it has no words
     void showWordActions();
     void alarmStop();
     std::optional<Place> currentNumber() const;
@@ -158,10 +157,10 @@ private:
     Plant *m_plant = nullptr; // null before attach()
     Buses *m_buses = nullptr;
     std::map<BusId, BusViews *> m_views;
-    std::set<BusId> m_shown;           // in the bus structure, as connected
-    QHash<QString, BusId> m_currentOf; // by kind: which one its actions and docks mean
+    std::set<BusId> m_shown;           // as connected in the bus structure
+    QHash<QString, BusId> m_currentOf; // by kind: which bus its actions and docks apply to
     BusId m_chosenBus = firstRing;     // that of the chosen row
-    Chosen m_beforeChange;             // of a bus, which has the same rows again perhaps
+    Chosen m_beforeChange;             // for a bus that may get the same rows again
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;
     Leaving *m_leaving;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of the window do, and when they can be had.
+// What the actions of the window do, and when they are available.
 #include "app/window/about.h"
 #include "app/window/bottom_fold.h"
 #include "app/window/bus_views.h"
@@ -170,7 +170,7 @@ WordChannel *MainWindow::chosenWords() const
     return place ? m_buses->channel(*place) : nullptr;
 }
 
-// They mean the device that is shown, which may stand on another bus than the chosen row.
+// They apply to the device that is shown, which may be on a bus other than that of the chosen row.
 void MainWindow::showWordActions()
 {
     const auto place = currentNumber();

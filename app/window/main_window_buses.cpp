@@ -40,7 +40,7 @@ void MainWindow::connectBuses()
     });
 }
 
-// A kind without views of its own is looked at, in the bus structure and the panels of a device.
+// A bus of a kind without views is still shown in the bus structure and in the panels of a device.
 void MainWindow::addBus(BusAtWork *bus)
 {
     auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
@@ -79,10 +79,10 @@ void MainWindow::addViews(BusAtWork &bus, BusViews &views)
     connect(&views, &BusViews::goToWanted, this, &MainWindow::goTo);
     connect(
         &views, &BusViews::devicesChanged, this, [this, &bus] { chooseAgain(chosen(), bus); },
-        Qt::QueuedConnection); // when all views have the new ones
+        Qt::QueuedConnection); // once all views have the new ones
 }
 
-// The panel of its kind may show another bus of it.
+// The panel may be showing another bus of the same kind.
 void MainWindow::showPanel(BusId bus, const Panel &panel)
 {
     if (m_currentOf.value(m_plant->find(bus)->kind()) != bus)
@@ -107,11 +107,11 @@ void MainWindow::removeBus(BusAtWork *bus)
     for (BusAtWork *other : m_plant->all())
         if (other != bus && other->kind() == bus->kind() && !m_currentOf.contains(bus->kind()))
             setCurrent(*other);
-    if (m_chosenBus == id && id != firstRing) // another takes its place
+    if (m_chosenBus == id && id != firstRing) // another one takes its place
         chooseBus(firstRing);
 }
 
-// It is there, connected or not; whatever it was before has been left.
+// It is present, connected or not, after leaving whatever it was before.
 void MainWindow::takeBus(BusAtWork &bus)
 {
     if (EncoderBus *its = bus.bus())
@@ -150,7 +150,8 @@ MainWindow::Chosen MainWindow::chosen() const
     return {m_structure->row(), m_choice->place()};
 }
 
-// As far as it is still there. What its own bus has not any more gives way, to others on that bus if it can.
+// As far as it still exists. What its own bus no longer has gives way, if possible to something else on that
+// bus.
 void MainWindow::chooseAgain(const Chosen &before, const BusAtWork &changed)
 {
     if (before.shown && before.shown->bus == changed.id() && changed.isOpen())
@@ -165,7 +166,7 @@ void MainWindow::chooseAgain(const Chosen &before, const BusAtWork &changed)
     followRow();
 }
 
-// Row and chosen bus are the same, whatever the rows have become.
+// Keeps the chosen bus in step with the row, whatever the rows have become.
 void MainWindow::followRow()
 {
     if (!m_structure->row() && !m_choice->place())
@@ -175,7 +176,7 @@ void MainWindow::followRow()
         chooseBus(row->bus);
 }
 
-// The actions of its kind, and the status line, mean this bus from now on.
+// From now on, this bus is the one that the actions of its kind and the status line apply to.
 void MainWindow::setCurrent(BusAtWork &bus)
 {
     if (const auto before = m_currentOf.constFind(bus.kind()); before != m_currentOf.constEnd()) {
@@ -206,7 +207,7 @@ void MainWindow::chooseBus(BusId bus)
     showBusState();
 }
 
-// The tree, pages and panels of a kind of which there are several buses have the name of theirs.
+// If there are several buses of a kind, the tree, pages and panels show which bus they belong to.
 void MainWindow::tellWhose()
 {
     if (m_structure != nullptr)

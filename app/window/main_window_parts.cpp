@@ -123,7 +123,7 @@ void MainWindow::makeDocks(MessageModel &messages)
                                   .arrange =
                                       [this](WindowSize size) {
                                           const BottomFold::Pause whole(m_panels.fold());
-                                          restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
+                                          restoreState(m_defaultLayout, layoutVersion); // tool bar included
                                           m_panels.arrange(size);
                                           m_panels.raiseFirst();
                                       }});
@@ -141,7 +141,7 @@ void MainWindow::connectProject()
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 
-// Each is opened as its own page or panel opens it, and asks what that asks.
+// Opened as by its own page or panel, with the same questions.
 void MainWindow::openDropped(FileKind kind, const QString &path)
 {
     switch (kind) {
@@ -172,7 +172,7 @@ void MainWindow::openDropped(FileKind kind, const QString &path)
     case FileKind::ofProgram:
     case FileKind::other:
     case FileKind::notReadable:
-        return; // told already
+        return; // already reported
     }
 }
 

@@ -10,9 +10,8 @@ namespace codewheel {
 
 class ModePart;
 
-// Watch | Operate as one switch: one of two, as radio buttons are, told by what is filled and what is bold
-// and not by a colour alone. Where there are several buses, the name of the one that is meant stands before
-// it.
+// Watch | Operate as one switch: a choice between two, as with radio buttons, shown by fill and bold type and
+// not by colour alone. If there are several buses, the name of the one it applies to comes first.
 class ModeSwitch : public QWidget
 {
     Q_OBJECT
@@ -20,9 +19,9 @@ class ModeSwitch : public QWidget
 public:
     ModeSwitch(QAction &watch, QAction &operate, QWidget *parent = nullptr);
 
-    void tellBus(const QString &name); // empty: there is no doubt
+    void tellBus(const QString &name); // empty: there is only one it could be
 
-    // What is shown where room is short; the names of its parts tell the rest.
+    // What is shown where room is short; the accessible names say the rest.
     enum class Shown : std::uint8_t { all, words, icons };
     void showOnly(Shown what);
     int widthOf(Shown what) const;

@@ -20,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-// As if the user had pressed it: each field knows what was in it before.
+// Sends Escape, since each field knows its previous value.
 void giveValueBefore(QWidget &field)
 {
     QKeyEvent press(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
@@ -39,7 +39,7 @@ PageHead::PageHead(QStackedWidget &pages, QWidget &window)
 {
     setObjectName(QStringLiteral("pageHead"));
     m_title->setFont(textFont(TextSize::large));
-    for (MeaningLine *line : {m_title, m_effect}) // names are as long as they like
+    for (MeaningLine *line : {m_title, m_effect}) // names may be of any length
         allowEliding(*line);
     m_close->setIcon(lineIcon(Icon::cancel));
     m_close->setText(tr("Close", "a page"));
@@ -67,7 +67,7 @@ void PageHead::follow()
         connect(page, &Page::closeRequested, this, &PageHead::closed);
     }
     if (!wasOpen && page != nullptr)
-        Q_EMIT opened(true); // there is room before it is needed
+        Q_EMIT opened(true); // makes room before it is needed
     setVisible(page != nullptr);
     showHead();
     if (wasOpen && page == nullptr)
@@ -93,13 +93,13 @@ void PageHead::closePage()
     Q_EMIT closed();
 }
 
-// What is typed and good is taken, as it is when a field is left any other way.
+// Good input is taken, as when a field is left in any other way.
 bool PageHead::mayClose(Page &page)
 {
     const QWidget *refused = nullptr;
     while (true) {
         const QString wrong = takeFields(page);
-        QWidget *field = m_window.focusWidget(); // that is refused
+        QWidget *field = m_window.focusWidget(); // the refused one
         if (wrong.isEmpty() || field == nullptr || field == refused)
             break;
         if (!ask(wrong + QStringLiteral("\n\n") + tr("What is typed there is not taken.")))
@@ -124,8 +124,8 @@ bool PageHead::ask(const QString &what)
     return box.clickedButton() == close;
 }
 
-// A key comes to the window once nobody on the way wants it: a field gives the value before, a list or a
-// question over the page closes first.
+// A key reaches the window only if nothing on the way takes it: a field first restores its previous value, a
+// list or a question over the page closes.
 bool PageHead::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::KeyPress || !m_page)

@@ -12,24 +12,24 @@ namespace codewheel {
 
 class MeaningLine;
 
-// The head of the page that is open: what it is, which encoder or bus it is about, what it changes, and
-// Close. Not there while the monitors are shown. Esc closes the page, unless something else in the window
-// wants it; what would be lost is asked about first.
+// The head of the open page: what it is, which encoder or bus it is about, what it changes, and Close. Hidden
+// while the monitors are shown. Esc closes the page, unless something else in the window takes it; first it
+// asks about anything that would be lost.
 class PageHead : public QWidget
 {
     Q_OBJECT
 
 public:
-    // `pages`: the pages, and what is no Page.
+    // `pages`: the pages, and the widgets that are no Page.
     PageHead(QStackedWidget &pages, QWidget &window);
 
     Page *page() const { return m_page; } // null: the monitors
     void closePage();
-    void showHead(); // buses may have other names
+    void showHead(); // after names of buses may have changed
 
 Q_SIGNALS:
     void closed();
-    void opened(bool isOpen); // a page in place of the monitors, or they in place of it
+    void opened(bool isOpen); // a page replaces the monitors, or the reverse
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -20,7 +20,7 @@ constexpr int narrowColumn = 336; // so that a monitor beside it has its 32 bits
 constexpr int usualColumn = 370;
 constexpr int wideColumn = 420;
 
-// Where the keys go in a panel: to itself, or to the first control in it.
+// What gets the focus in a panel: itself, or the first control in it.
 QWidget *firstFocus(QWidget &content)
 {
     if (content.focusProxy() != nullptr || content.focusPolicy() != Qt::NoFocus)
@@ -32,7 +32,7 @@ QWidget *firstFocus(QWidget &content)
     return &content;
 }
 
-// One that is folded is not seen: its key brings it.
+// A folded panel is not visible: its key brings it back.
 QAction *makePanelAction(QDockWidget &panel, BottomFold &fold)
 {
     auto *action = new QAction(panel.windowTitle(), &panel);
@@ -71,7 +71,7 @@ QAction *Panels::add(const Panel &panel, QWidget *content)
     dock->setObjectName(QLatin1String(panel.name));
     dock->setWidget(content);
     setHelpTopic(*dock, panel.topic);
-    content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
+    content->setAutoFillBackground(true); // so that a change in it does not repaint the dock
     m_docks.push_back({&panel, dock, qobject_cast<QStackedWidget *>(content)});
     QAction *toggle = makePanelAction(*dock, m_fold);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(dock->windowTitle()));
@@ -105,7 +105,7 @@ void Panels::setUnseen(const Panel &panel, int count)
     tellWhose(panel, count == 0 ? QString() : QLocale().toString(count));
 }
 
-// Whoever has more room for it keeps that.
+// A panel that is already higher stays so.
 void Panels::show(const Panel &panel)
 {
     QDockWidget *its = dock(panel);
@@ -124,7 +124,7 @@ void Panels::splitBelow(const Panel &above, const Panel &below)
     m_window.splitDockWidget(dock(above), dock(below), Qt::Vertical);
 }
 
-// Behind each other, the first in front.
+// Tabbed, the first one in front.
 void Panels::stack(const Panel &front, std::initializer_list<const Panel *> panels)
 {
     for (const Panel *behind : panels)
@@ -150,7 +150,7 @@ void Panels::setHeights(const Panel &above, int height, const Panel &below, int 
 
 void Panels::arrange(WindowSize size)
 {
-    for (const Dock &its : m_docks) // while they move, the window would grow to hold them
+    for (const Dock &its : m_docks) // while they move, the window would grow to fit them
         m_window.removeDockWidget(its.dock);
     m_window.addDockWidget(Qt::LeftDockWidgetArea, dock(panel::structure));
     m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(panel::messages));
@@ -171,8 +171,8 @@ void Panels::arrange(WindowSize size)
     m_window.resizeDocks({dock(panel::trace)}, {size == WindowSize::wide ? 240 : 170}, Qt::Vertical);
 }
 
-// The tree stays in sight, below it is what belongs to the chosen encoder. What tells how a bus is doing is
-// wide enough at the bottom, and its tabs have room there in any language.
+// The tree stays in sight, with the panels of the chosen encoder below it. The state of a bus is wide enough
+// at the bottom, where its tabs have room in any language.
 void Panels::arrangeInOneColumn()
 {
     using namespace panel;
@@ -186,7 +186,7 @@ void Panels::arrangeInOneColumn()
     setHeights(structure, 200, parameters, 340);
 }
 
-// What one looks at all the time stays in sight: the dial below the tree.
+// What one watches all the time stays in sight: the dial below the tree.
 void Panels::arrangeInLowColumns()
 {
     using namespace panel;
@@ -204,7 +204,7 @@ void Panels::arrangeInLowColumns()
 void Panels::arrangeInColumns(int width)
 {
     using namespace panel;
-    if (width == wideColumn) { // what is told and what was sent are read side by side
+    if (width == wideColumn) { // messages and trace are read side by side
         m_window.splitDockWidget(dock(messages), dock(trace), Qt::Horizontal);
         stack(messages, {&sequence});
         stackBehind(trace, Panel::Behind::messages);
@@ -223,7 +223,7 @@ void Panels::arrangeInColumns(int width)
         m_window.resizeDocks({dock(messages), dock(trace)}, {500, 500}, Qt::Horizontal);
     setHeights(parameters, 430, dial, 300);
     setHeights(structure, 320, training,
-               420); // the devices of the training bus, and all the rest for what one does with them
+               420); // the devices of the training bus; the rest is for operating them
 }
 
 void Panels::showAll()
@@ -235,7 +235,7 @@ void Panels::showAll()
 void Panels::raiseFirst()
 {
     using namespace panel;
-    // the parameters last: in a low or narrow window they share the place of others
+    // Parameters last: in a low or narrow window they share a place with other panels.
     for (const Panel *first : {&trace, &training, &dial, &parameters})
         QTimer::singleShot(0, dock(*first),
                            [its = dock(*first)] { its->raise(); }); // once there are tab bars

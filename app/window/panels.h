@@ -17,19 +17,19 @@ namespace codewheel {
 
 class BottomFold;
 
-// A panel of the main window; each is one object.
+// A panel of the main window; there is one object for each.
 struct Panel
 {
-    enum class Behind { none, messages, state }; // which other panels, at first
+    enum class Behind { none, messages, state }; // the panels it is initially tabbed behind
 
-    const char *name; // by which settings and tests know its dock
+    const char *name; // identifies its dock in settings and tests
     const char *title;
     QKeyCombination key;
-    const char *topic; // of the manual, see setHelpTopic()
+    const char *topic; // in the manual, see setHelpTopic()
     Behind behind = Behind::none;
 };
 
-// Those that the window has whatever buses there are; a kind of bus adds its own (WindowKind).
+// The panels of the window whatever the buses; a kind of bus adds its own (WindowKind).
 namespace panel {
 
 inline constexpr Panel structure{"structureDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Bus structure"),
@@ -60,21 +60,21 @@ class Panels
 public:
     explicit Panels(QMainWindow &window);
 
-    // Each is added once before all else. Gives the action that shows a panel and gives it the keys, also
-    // when it is behind another one, and hides it when it is in sight.
+    // Each is added once, before anything else. Returns the action that shows a panel and gives it the focus,
+    // even if it is behind another one, and hides it if it is visible.
     QAction *add(const Panel &panel, QWidget *content);
     QAction *addPaged(const Panel &panel);
     void addPage(const Panel &panel, QWidget *page);
     void showPage(const Panel &panel, QWidget *page);
-    void tellWhose(const Panel &panel, const QString &name); // in its title; empty: there is one bus for it
+    void tellWhose(const Panel &panel, const QString &name); // in its title; empty: only one bus
 
-    // How much there is in it that was not seen, in its title; 0: nothing.
+    // The number of unseen items, in its title; 0: none.
     void setUnseen(const Panel &panel, int count);
-    void show(const Panel &panel); // in front, with some rows of it in sight
+    void show(const Panel &panel); // in front, with some of its rows in sight
     BottomFold &fold() { return m_fold; }
-    // Where they are at first in a window of this size.
+    // The initial arrangement in a window of this size.
     void arrange(WindowSize size);
-    // Brings those to the front that are looked at first.
+    // Brings the panels one looks at first to the front.
     void raiseFirst();
 
 private:
@@ -82,7 +82,7 @@ private:
     {
         const Panel *panel;
         QDockWidget *dock;
-        QStackedWidget *pages; // null: it is one panel for all
+        QStackedWidget *pages; // null: one panel for all buses
     };
     const Dock &find(const Panel &panel) const;
     QDockWidget *dock(const Panel &panel) const { return find(panel).dock; }

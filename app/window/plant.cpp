@@ -39,7 +39,7 @@ QString Plant::nameOf(BusId bus) const
     return called == m_called.end() ? QString() : called->second;
 }
 
-// One that the project does not plan any more keeps its name, unless another has it by now.
+// A bus no longer in the project keeps its name, unless another bus has it now.
 void Plant::callBuses()
 {
     const Names before = std::exchange(m_called, {});
@@ -85,7 +85,7 @@ void Plant::start()
             bus->start();
 }
 
-// One that the program has no link for stays planned.
+// A bus without a link in this program stays planned.
 void Plant::make(const QString &kind, BusId id)
 {
     if (const WindowKind *its = windowKind(kind))
@@ -109,7 +109,8 @@ void Plant::add(std::unique_ptr<BusAtWork> bus)
     Q_EMIT added(its);
 }
 
-// A number means one bus: the project's, where it plans another kind. The training buses are always there.
+// A number stands for one bus: the project's, if it plans another kind there. The training buses always
+// exist.
 bool Plant::isNeeded(const BusAtWork &bus) const
 {
     if (const PlannedBus *planned = findBus(m_surroundings.project.project(), bus.id()))
@@ -140,7 +141,7 @@ void Plant::followProject()
     nameBuses();
 }
 
-// Places of a kind of bus that there are several of are told with the names of their buses.
+// If there are several buses of a kind, their places are shown with the names of the buses.
 void Plant::nameBuses()
 {
     callBuses();

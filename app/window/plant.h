@@ -9,8 +9,8 @@
 
 namespace codewheel {
 
-// The buses of the program: the training ring and the training line, and those that the project plans. A bus
-// that is open stays when the project does not plan it any more, until it is closed.
+// The buses of the program: the training ring and the training line, and those that the project plans. An
+// open bus that is no longer planned stays until it is closed.
 class Plant : public QObject
 {
     Q_OBJECT
@@ -21,9 +21,9 @@ public:
 
     const Catalog &catalog() const { return m_surroundings.catalog; }
     std::vector<BusAtWork *> all() const; // by number
-    QString nameOf(BusId bus) const;      // as the project calls it, or called it last
+    QString nameOf(BusId bus) const;      // in the project, or the last one it had
     BusAtWork *find(BusId bus) const;     // null: there is none
-    // Their sessions, whichever they have.
+    // The sessions of all buses.
     Buses &buses() { return m_sessions; }
     const LastPositions &positions() const { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
@@ -36,9 +36,9 @@ public:
         return nullptr;
     }
 
-    // Connects the training buses, which begin in Operate.
+    // Connects the training buses, which start in Operate.
     void openTraining();
-    // By threads of their own from now on, unless they are driven by hand.
+    // In threads of their own from now on, unless they are driven by hand.
     void start();
 
 Q_SIGNALS:
@@ -57,8 +57,8 @@ private:
 
     const BusAtWork::Surroundings m_surroundings;
     using Names = std::map<BusId, QString>;
-    Names m_called;                  // each in its own way
-    std::pair<Names, Names> m_names; // of those whose places others may have as well, and of all
+    Names m_called;                  // each one unique
+    std::pair<Names, Names> m_names; // of those whose places others may also have, and of all
     Buses m_sessions;
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;

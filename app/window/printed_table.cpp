@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostRows = 2000; // some forty sheets
+constexpr int mostRows = 2000; // about forty sheets
 
 struct Printed
 {
@@ -36,7 +36,7 @@ bool canBePrinted(const QAbstractItemView &view)
     return headerOf(view) != nullptr && view.model() != nullptr && view.model()->rowCount() > 0;
 }
 
-// As they stand beside each other.
+// In their visual order.
 std::vector<int> shownColumns(const QAbstractItemView &view)
 {
     const QHeaderView &header = *headerOf(view);

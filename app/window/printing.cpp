@@ -19,12 +19,12 @@ namespace codewheel {
 namespace {
 
 constexpr QSize previewSize(900, 700);
-constexpr int printedPoints = 9; // of the letters in a table
+constexpr int printedPoints = 9; // font size in a table
 
 void printReport(const Report &report, QPrinter &printer)
 {
     const ReportPages pages(report);
-    printer.setFullPage(true); // sheets have margins of their own
+    printer.setFullPage(true); // sheets include their margins
     QPainter painter(&printer);
     const double scale = static_cast<double>(printer.resolution()) / sheet::dotsPerInch;
     for (int page = 0; page < pages.count(); ++page) {

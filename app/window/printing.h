@@ -12,8 +12,8 @@ namespace codewheel {
 
 class ReportExport;
 
-// File > Print: the table that has the focus, or that is seen beside it; elsewhere the commissioning report.
-// A preview shows it first.
+// File > Print: prints the table that has the focus or is visible beside it; otherwise the commissioning
+// report. Shows a preview first.
 class Printing : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     Printing(QWidget &window, const ReportExport &report);
 
     void preview();
-    void print(QPrinter &printer) const; // what the preview shows
+    void print(QPrinter &printer) const; // for the preview
 
 private:
     QWidget &m_window;

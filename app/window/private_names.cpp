@@ -23,7 +23,7 @@ PrivateNames PrivateNames::ofThisComputer()
     return {QDir::homePath(), user, host == QStringLiteral("localhost") ? QString() : host};
 }
 
-// A name that is a word as well, such as "root" or "crane", stays where it stands in a sentence.
+// A name that is also a word, such as "root" or "crane", stays if it is within a sentence.
 QString withoutPrivateNames(QString text, const PrivateNames &names)
 {
     if (names.home.size() > 1)

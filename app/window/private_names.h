@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What tells of a person or a computer in a text that is given away.
+// What identifies a person or a computer in a text to be given away.
 struct PrivateNames
 {
     QString home; // "/home/erika"
@@ -15,8 +15,7 @@ struct PrivateNames
     static PrivateNames ofThisComputer();
 };
 
-// The text with the home folder as ~, the name of the user in paths as "user", and that of the computer as
-// "computer".
+// The text with the home folder as ~, the user's name in paths as "user", and the computer's as "computer".
 QString withoutPrivateNames(QString text, const PrivateNames &names);
 
 } // namespace codewheel

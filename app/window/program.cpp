@@ -22,7 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr qint64 megabyte = 1'000'000;
-constexpr auto measuredRun = 2s; // then a measured start ends
+constexpr auto measuredRun = 2s; // after which a measured start ends
 
 } // namespace
 
@@ -43,7 +43,7 @@ Program::Program(QApplication &application, const QString &settingsFile)
     connect(&m_choices, &SettingsAtWork::appearanceChanged, this,
             [this] { applyAppearance(m_application, m_choices.now().appearance); });
     connect(&m_choices, &SettingsAtWork::languageChanged, this, &Program::makeWindowAnew,
-            Qt::QueuedConnection); // whoever asks for it belongs to the window
+            Qt::QueuedConnection); // the request comes from the window itself
     m_lastFile = m_settings.lastFile();
     connect(&m_project, &ProjectDocument::fileChanged, this, &Program::keepLastFile);
 }
@@ -51,7 +51,7 @@ Program::Program(QApplication &application, const QString &settingsFile)
 Program::~Program()
 {
     m_frames.stop();
-    m_window.reset(); // before the sessions it looks at
+    m_window.reset(); // before the sessions it shows
 }
 
 int Program::run()
@@ -61,7 +61,7 @@ int Program::run()
     return QApplication::exec();
 }
 
-// Nothing but the window is made before it is seen; the bus comes after.
+// Makes only the window until it is seen; the bus comes afterwards.
 void Program::openWindow()
 {
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
@@ -111,7 +111,7 @@ void Program::startBus()
         });
 }
 
-// It is offered at the next start, after a crash too.
+// For the next start to offer, even after a crash.
 void Program::keepLastFile()
 {
     m_settings.setLastFile(m_project.file());
@@ -157,7 +157,7 @@ void Program::useLanguage()
                                                                           : u"");
 }
 
-// All texts are made with the window, so it is made again; bus, jobs and messages go on.
+// All texts are made with the window, so it is rebuilt; bus, jobs and messages go on.
 void Program::makeWindowAnew()
 {
     m_window->saveWindow();

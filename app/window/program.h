@@ -23,20 +23,20 @@ class Plant;
 class ProjectRecovery;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
-// the buses, each with a thread of its own once it is connected. The language can be chosen at any time: the
-// window is made anew, the bus goes on.
+// the buses, each with its own thread once connected. The language can be changed at any time: the window is
+// rebuilt, the bus goes on.
 class Program : public QObject
 {
     Q_OBJECT
 
 public:
-    // An ini file of its own keeps what the window keeps, with messages, EEPROM counts and changes that are
-    // not saved beside it; empty: the user's own.
+    // With an ini file of its own, the window's settings go there, and messages, EEPROM counts and unsaved
+    // changes beside it; empty: the user's own.
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
-    // A project, to be opened as soon as the window is there; nothing is connected then. Without one the
-    // first start of all begins with the training plant, others with the start page.
+    // A project to open as soon as the window is there; nothing is connected then. Without one, the very
+    // first start begins with the training plant, later ones with the start page.
     void openAtStart(const QString &file) { m_file = file; }
     int run();
     void openWindow();
@@ -55,7 +55,7 @@ private:
 
     QApplication &m_application;
     const QString m_dataFolder;     // of messages and EEPROM counts
-    const QString m_recoveryFolder; // of changes that are not saved
+    const QString m_recoveryFolder; // for unsaved changes
     WindowSettings m_settings;
     SettingsAtWork m_choices;
     Language m_language;
@@ -66,7 +66,7 @@ private:
     std::unique_ptr<Plant> m_plant;
     std::unique_ptr<ProjectRecovery> m_recovery;
     QString m_file;     // to be opened once the bus is there
-    QString m_lastFile; // of the session before, until another is opened
+    QString m_lastFile; // of the last session, until another is opened
     std::unique_ptr<MainWindow> m_window;
     FrameClock m_frames;
 };

@@ -32,7 +32,7 @@ struct Offer
     QString toolTip;
 };
 
-// What loses nothing is offered first.
+// Offers the choice that loses nothing first.
 Answer ask(QMessageBox &box, const Offer &safe, const Offer &losing)
 {
     const auto add = [&box](const Offer &offer, QMessageBox::ButtonRole role) {
@@ -154,7 +154,7 @@ bool ProjectFiles::saveAs()
     return !path.isEmpty() && keep(path);
 }
 
-// `over`: what the file may hold; nothing: anything.
+// `over`: what an existing file may contain; nothing: anything.
 bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &over)
 {
     const Project &edited = m_document.project();
@@ -175,7 +175,7 @@ bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &ov
     return true;
 }
 
-// What no file of the project has; empty: nothing.
+// What the project's file cannot contain; empty: nothing.
 QString ProjectFiles::leftOut() const
 {
     QStringList places;

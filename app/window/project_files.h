@@ -18,28 +18,28 @@ class ProjectDocument;
 class WindowActions;
 class WindowSettings;
 
-// The project as a file of the window: new, open, save, recent files, the mark
-// of what is not saved; asks before anything is lost. What goes wrong is told inline.
+// The project as a file of the window: new, open, save, recent files, the mark for unsaved changes; asks
+// before anything is lost. Failures are reported inline.
 class ProjectFiles : public QObject
 {
     Q_OBJECT
 
 public:
-    // All must outlive it; notice stands in the window.
+    // All must outlive it; the notice is part of the window.
     ProjectFiles(QMainWindow &window, ProjectDocument &document, WindowSettings &settings,
                  const WindowActions &actions, InlineMessage &notice);
 
-    // What the file gets beside what was edited.
+    // What to add to the file besides what was edited.
     void setBeforeSaving(std::function<Project(Project)> complete) { m_complete = std::move(complete); }
 
-    // Each asks first what shall become of changes that are not saved. False: nothing was opened.
+    // Each first asks what to do with unsaved changes. False: nothing was opened.
     bool open(const QString &path);
     bool makeNew();
-    // By a dialog.
+    // With a dialog.
     bool askOpen();
-    // Takes it off the recent files.
+    // Removes it from the recent files.
     void forget(const QString &path);
-    // False: it was not saved, and says why; or the user gave up.
+    // False: it was not saved, and says why; or the user cancelled.
     bool save();
     bool saveAs();
     // False: the user stays.
@@ -51,7 +51,7 @@ Q_SIGNALS:
 
 private:
     bool keep(const QString &path, const std::optional<QByteArray> &over = {});
-    bool saveBesideAnother(); // what another program has saved is there
+    bool saveBesideAnother(); // the file has what another program saved
     QString leftOut() const;
     void refuse(const Refusal &why);
     void remember(const QString &path);

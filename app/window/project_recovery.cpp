@@ -93,7 +93,7 @@ void ProjectRecovery::recover()
     const QString path = m_left.front().path();
     m_document.setProject(std::move(*project), path, m_left.front().mark());
     m_document.setRecovered();
-    keep(); // before what was left is given up
+    keep(); // before discarding what was left
     m_left.front().drop();
     m_left.erase(m_left.begin());
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectRecovered, .arguments = {path}});

@@ -16,22 +16,22 @@ class InlineMessage;
 class ProjectDocument;
 class ProjectFiles;
 
-// Keeps what is not saved every 30 s, or as often as is set, and offers it at the next start where the
-// program ended without asking. Outlives the window.
+// Keeps unsaved changes every 30 s, or at the set interval, and offers them at the next start if the program
+// ended without asking. Outlives the window.
 class ProjectRecovery : public QObject
 {
     Q_OBJECT
 
 public:
-    // The document must outlive it; the folder is made when there is something to keep.
+    // The document must outlive it; the folder is created when there is something to keep.
     ProjectRecovery(ProjectDocument &document, const QString &folder, QObject *parent = nullptr);
-    // The program ends as it should: nothing is left to recover.
+    // The program is ending properly: nothing is left to recover.
     ~ProjectRecovery() override;
 
     // Asks in this window, if anything was left.
     void ask(InlineMessage &notice, ProjectFiles &files);
     void setPeriod(std::chrono::seconds period);
-    // Now, rather than when its time comes.
+    // Now, without waiting for the timer.
     void keep();
 
 Q_SIGNALS:

@@ -29,7 +29,7 @@ ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, con
     , m_notice(notice)
 {
     connect(&notice, &InlineMessage::actionTriggered, this, [this] {
-        if (m_notice.sentence() == m_told) // the window's notice tells other things too
+        if (m_notice.sentence() == m_told) // the window's notice may be about something else by now
             openSaved();
     });
 }

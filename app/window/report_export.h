@@ -17,19 +17,19 @@ class InlineMessage;
 class ProjectDocument;
 
 // File > Commissioning report: saves the report of the open project, with what is known of the connected
-// encoders, as a PDF or a web page. Sends nothing. What goes wrong is told inline.
+// encoders, as a PDF or a web page. Sends nothing. Failures are reported inline.
 class ReportExport : public QObject
 {
     Q_OBJECT
 
 public:
-    // All must outlive it; notice stands in the window.
+    // All must outlive it; the notice is part of the window.
     ReportExport(QWidget &window, const ProjectDocument &document, const Buses &buses, const Catalog &catalog,
                  FindLedgers ledgers, InlineMessage &notice);
 
-    Report report() const; // as things are now
+    Report report() const; // as of now
     void askWhere();
-    // In place of a file that may be there. False: it was not saved, and says why.
+    // Replaces any existing file. False: it was not saved, and says why.
     bool saveTo(const QString &path);
 
 Q_SIGNALS:
@@ -46,7 +46,7 @@ private:
     const FindLedgers m_ledgers;
     InlineMessage &m_notice;
     QString m_saved; // the last one
-    QString m_told;  // of it
+    QString m_told;  // the notice about it
 };
 
 } // namespace codewheel

@@ -9,7 +9,7 @@ namespace codewheel {
 
 class WindowActions;
 
-// What can be asked for of a ring alone. All rings of a window share them (WindowActions::ofKind()).
+// The actions for rings only. All rings of a window share them (WindowActions::ofKind()).
 class RingActions : public QObject
 {
     Q_OBJECT
@@ -17,8 +17,8 @@ class RingActions : public QObject
 public:
     explicit RingActions(WindowActions &window);
 
-    void disable();                   // there is no ring they could mean
-    void tellBus(const QString &bus); // which ring they mean; empty: the chosen one
+    void disable();                   // there is no ring for them
+    void tellBus(const QString &bus); // which ring they apply to; empty: the chosen one
     // Whether the master can be asked, and the chosen device has a segment.
     void showSegment(bool hasMaster, bool isChosen);
 

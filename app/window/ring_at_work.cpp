@@ -57,7 +57,7 @@ void RingAtWork::openTraining()
     project().setProject(projectOf(bus()->structure(), id()), {});
 }
 
-// What the plan of the training ring knows of its encoders, the first time.
+// Passes on what the plan of the training ring knows of its encoders, the first time.
 void RingAtWork::tellPlan()
 {
     if (!bus()->isOpen() || std::exchange(m_planIsTold, true))

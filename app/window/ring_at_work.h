@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// A ring of the program: a training ring, which is the same at each start.
+// A ring of the program: a training ring, the same at each start.
 class RingAtWork final : public BusAtWork
 {
     Q_OBJECT
@@ -21,11 +21,11 @@ public:
     RingSession *bus() const override { return m_training.bus.get(); }
     TrainingControls &controls() const { return *m_training.controls; }
 
-    // How its thread goes about it; nothing: it is driven by hand.
+    // How its thread is paced; nothing: it is driven by hand.
     std::optional<Pacing> pacing() const;
-    // Connects it, in Operate, as RingSession::open().
+    // Connects it in Operate, like RingSession::open().
     Result<void> open(std::optional<Pacing> pacing);
-    void openTraining() override; // and plans it as it is: nothing differs at first
+    void openTraining() override; // also plans it as it is: no differences at first
     void start() override;
 
 private:

@@ -46,14 +46,14 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     connect(&m_bus, &RingSession::structureChanged, this, &RingConnection::ringChanged);
 }
 
-// The training bus alone begins in Operate.
+// Only the training bus starts in Operate.
 void RingConnection::connectRing()
 {
     if (m_bus.state() != BusState::closed)
         return;
     connect(&m_bus, &RingSession::nodesChanged, this, &RingConnection::ringConnected,
             static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
-    (void)m_ring.open(m_ring.pacing()); // a refusal is told by the bus
+    (void)m_ring.open(m_ring.pacing()); // the bus reports a refusal
 }
 
 void RingConnection::ringConnected()
@@ -66,7 +66,7 @@ void RingConnection::ringConnected()
 
 void RingConnection::disconnectRing()
 {
-    if (!m_bus.isOpen()) { // it is opening
+    if (!m_bus.isOpen()) { // it is still opening
         m_bus.close();
         return;
     }
@@ -104,7 +104,7 @@ void RingConnection::readIn()
     });
 }
 
-// The user need not tell again what the same encoder has.
+// So that the user need not enter again what the same encoder has.
 void RingConnection::rememberTold()
 {
     m_told.clear();

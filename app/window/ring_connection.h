@@ -15,42 +15,42 @@ class Leaving;
 class ProjectDocument;
 class RingAtWork;
 
-// Offline and online: connects to the ring and leaves it, has it read in, and says whether it is as the
-// project has it. What it does to the views is up to the window.
+// Connects to the ring and disconnects from it, has it read in, and says whether it matches the project. What
+// that does to the views is up to the window.
 class RingConnection : public QObject
 {
     Q_OBJECT
 
 public:
-    // All must outlive it. The notice stands in the window.
+    // All must outlive it. The notice is part of the window.
     RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving, InlineMessage &notice,
                    QObject *parent = nullptr);
 
     void connectRing();
-    void disconnectRing();     // asks first for handshakes on their way and OUT words that are not 0
-    void readIn();             // likewise: the data cycles stop meanwhile; needs Operate
+    void disconnectRing();     // first asks about running handshakes and OUT words that are not 0
+    void readIn();             // likewise, as the data cycles stop meanwhile; needs Operate
     void confirmDiagnostics(); // needs Operate
-    // Says whether the ring is as it is configured.
+    // Says whether the ring matches its configuration.
     void tellComparison();
 
 Q_SIGNALS:
     void ringChanged(); // another one was read in
-    void changed();     // what can be done with it
+    void changed();     // what is possible with it
     void told(const codewheel::Message &message);
 
 private:
     void ringConnected();
     void rememberTold();
     void tellAgain();
-    bool mayChangeRing(); // else it says why not
+    bool mayChangeRing(); // if not, it says why
 
     RingAtWork &m_ring;
     RingSession &m_bus; // of the ring
     ProjectDocument &m_project;
     Leaving &m_leaving;
     InlineMessage &m_notice;
-    bool m_isRefused = false; // as the notice says
-    // What the user told of each device, with the make it was taken for.
+    bool m_isRefused = false; // the notice is a refusal
+    // What the user entered for each device, with the make it was then.
     struct Told
     {
         QString deviceKey;

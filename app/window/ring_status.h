@@ -10,7 +10,7 @@ namespace codewheel {
 class RingSession;
 class StatusLine;
 
-// What the status line tells of a ring: state of the master, cycle, errors, link. Used by RingViews.
+// What the status line shows of a ring: state of the master, cycle, errors, link. Used by RingViews.
 class RingStatus
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingStatus)

@@ -114,8 +114,8 @@ void RingViews::compare()
         m_connection->tellComparison();
 }
 
-// As the same actions elsewhere: whether the master may change what the ring does is asked again when it is
-// done.
+// Like the same actions elsewhere: whether the ring may be changed is checked again when they are carried
+// out.
 FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) const
 {
     if (action == FaultAction::start)
@@ -151,7 +151,7 @@ void RingViews::showCurrent()
     showState();
 }
 
-// The ring that is current next has them as it needs them.
+// The next current ring sets them as it needs them.
 void RingViews::leaveActions()
 {
     m_actions.disable();

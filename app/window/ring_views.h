@@ -35,7 +35,7 @@ public:
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void connectBus() override;
-    void connectTraining() override { connectBus(); } // a ring of the program is a training ring
+    void connectTraining() override { connectBus(); } // a ring is always a training ring
     void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
@@ -44,7 +44,7 @@ public:
 private:
     void showCurrent() override;
     void leaveActions();
-    std::optional<int> chosenSegment() const; // as the master tells them
+    std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
     void showStatus();
 

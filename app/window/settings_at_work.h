@@ -10,14 +10,14 @@ namespace codewheel {
 
 class WindowSettings;
 
-// The settings of the program, as they are now: kept, told to whoever goes by them, and shown in their
-// dialog, which goes on in the new window when another language makes the window anew.
+// The program's settings in use: saved, passed on to whoever needs them, and shown in their dialog, which
+// continues in the new window when a change of language rebuilds it.
 class SettingsAtWork : public QObject
 {
     Q_OBJECT
 
 public:
-    // Where things are kept, for the dialog.
+    // Where things are kept, shown in the dialog.
     struct Folders
     {
         QString messages; // and EEPROM counts
@@ -29,14 +29,14 @@ public:
 
     const ProgramSettings &now() const { return m_now; }
     void use(const ProgramSettings &settings);
-    // The window has changed these by itself.
+    // The window has changed these itself.
     void takeAppearance();
 
     void open(QWidget &window);
-    void goOnIn(QWidget &window); // made anew
+    void goOnIn(QWidget &window); // after it was rebuilt
 
 Q_SIGNALS:
-    void languageChanged(); // or the form of numbers: all texts have to be made again
+    void languageChanged(); // or the format of numbers: all texts have to be made again
     void appearanceChanged();
     void changed();
 
@@ -47,7 +47,7 @@ private:
     WindowSettings &m_settings;
     const Folders m_folders;
     ProgramSettings m_now;
-    ProgramSettings m_before; // the dialog
+    ProgramSettings m_before; // when the dialog was opened
     bool m_isOpen = false;
     int m_page = 0;
     QPointer<SettingsDialog> m_dialog;

@@ -73,7 +73,7 @@ void Start::offer(const QString &lastFile)
     m_last = lastFile;
     lookAtFiles();
     if (m_parts.pages.currentWidget() == m_page)
-        m_page->setFocus(); // on what is offered first
+        m_page->setFocus(); // on the first offer
 }
 
 QWidget *Start::pageInsteadOf(QWidget *monitors) const
@@ -112,7 +112,7 @@ void Start::showFiles()
     m_page->setLast({m_last, m_look.state(m_last)});
 }
 
-// A project that was opened is left first; one without a file, such as the training plant itself, stays.
+// First closes an opened project; one without a file, such as the training plant itself, stays.
 void Start::openTraining()
 {
     if (!m_parts.project.file().isEmpty() && !m_parts.files.makeNew())
@@ -163,7 +163,7 @@ void Start::chooseBus()
     menu->setActiveAction(menu->actions().value(0));
 }
 
-// The project has the values, and the new encoder is asked by its bus: both are needed first.
+// Needs both: the project for its values, and the bus to reach the new encoder.
 void Start::beginReplacing()
 {
     if (m_parts.project.project().devices.empty() && !m_parts.files.askOpen())

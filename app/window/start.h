@@ -20,7 +20,7 @@ class StartPage;
 class WindowActions;
 class WindowSettings;
 
-// The start page in the window: seen in place of the monitors while no bus is connected, and what its entries
+// The start page in the window: shown instead of the monitors while no bus is connected, and what its entries
 // do. Connects nothing by itself.
 class Start : public QObject
 {
@@ -40,15 +40,15 @@ public:
     };
     explicit Start(const Parts &parts, QObject *parent = nullptr);
 
-    // The project that the last session had open; empty: it had none.
+    // The project that was open in the last session; empty: none.
     void offer(const QString &lastFile);
-    // What is shown in the middle where no other page is open.
+    // What the middle shows when no other page is open.
     QWidget *pageInsteadOf(QWidget *monitors) const;
     QWidget *page() const;
 
 Q_SIGNALS:
     void connectRequested(codewheel::BusId bus);
-    void trainingRequested(codewheel::BusId bus); // its simulated link
+    void trainingRequested(codewheel::BusId bus); // connect its simulated link
 
 private:
     bool isAnyOpen() const;
@@ -57,13 +57,13 @@ private:
     void lookAtFiles();
     void openTraining();
     void chooseBus();
-    std::vector<BusAtWork *> closedBuses() const; // that are planned; where no device is, all
+    std::vector<BusAtWork *> closedBuses() const; // the planned ones; if no device is planned, all
     void beginReplacing();
     void showReplacing();
 
     const Parts m_parts;
     StartPage *m_page;
-    InlineMessage *m_replacing; // how it goes on
+    InlineMessage *m_replacing; // says how to go on
     FileLook m_look;
     QString m_last;
     bool m_replaces = false;

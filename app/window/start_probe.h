@@ -3,12 +3,12 @@
 
 namespace codewheel {
 
-// Measures a start for tools/bench: with CODEWHEEL_MEASURE_START set to the nanoseconds of the monotonic
-// clock at which the process was begun, reportFirstPaint() prints "first paint: N ms" and says true; without
-// it, nothing and false.
+// Measures a start for tools/bench: if CODEWHEEL_MEASURE_START is set to the time in nanoseconds of the
+// monotonic clock when the process was started, reportFirstPaint() prints "first paint: N ms" and returns
+// true; without it, it prints nothing and returns false.
 bool reportFirstPaint();
 
-// Prints "memory: N MB": what the process has in memory, shared libraries included (VmRSS).
+// Prints "memory: N MB": the memory of the process, including shared libraries (VmRSS).
 void reportMemory();
 
 } // namespace codewheel

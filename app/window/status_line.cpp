@@ -24,8 +24,8 @@ QLabel *makeLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
     return describe(new QLabel(&bar), name, toolTip);
 }
 
-// Repainting a text that is the same costs a frame of its own, and one that is as long as before must not
-// lay out the window anew.
+// Setting the same text would cost a repaint of its own, and one of the same length must not lay out the
+// window again.
 void setTextOf(QLabel *label, const QString &text)
 {
     if (label->text() == text)
@@ -53,7 +53,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.setSizeGripEnabled(false);
     bar.setMinimumWidth(narrowest);
     bar.installEventFilter(this);
-    // Permanent, since the bar hides all others while it shows what the mouse or the focus is on.
+    // Permanent, since the bar hides all other widgets while it shows a status tip.
     add(m_state);
     add(m_mode);
     m_otherFaults = addState();
@@ -134,7 +134,7 @@ bool StatusLine::eventFilter(QObject *watched, QEvent *event)
     return QObject::eventFilter(watched, event);
 }
 
-// Leaves out as many as must be, those first that matter least while one works.
+// Leaves out as many as necessary, starting with those that matter least during work.
 void StatusLine::fit()
 {
     const int spacing = m_bar.layout() ? m_bar.layout()->spacing() : grid::unit;

@@ -16,9 +16,9 @@ namespace codewheel {
 
 class RoleLabel;
 
-// The line at the foot of the window: state of the bus, what the views of each bus tell of it, and what the
-// chosen encoder's memory has had from here. Numbers that change stand in the fixed font. It never widens the
-// window: in a narrow one it leaves out what also stands in the panels.
+// The line at the bottom of the window: state of the bus, figures from the views of each bus, and the EEPROM
+// writes made from here to the chosen encoder. Changing numbers are in the fixed font. It never widens the
+// window: in a narrow one it leaves out what the panels also show.
 class StatusLine : public QObject
 {
     Q_OBJECT
@@ -26,16 +26,16 @@ class StatusLine : public QObject
 public:
     StatusLine(QStatusBar &bar, QObject *parent);
 
-    // For the views of a bus, who delete what they got. What is left out first has the highest rank.
+    // For the views of a bus, which delete what they got. The highest rank is left out first.
     QLabel *addFigure(int rank, const QString &name, const QString &toolTip);
     RoleLabel *addState();
-    void show(QLabel *figure, const QString &text); // nothing, where it is empty
-    void fit();                                     // after something of it changed
+    void show(QLabel *figure, const QString &text); // takes no room if the text is empty
+    void fit();                                     // after any of them has changed
 
     void setState(Role role, const QString &text); // of the bus that has a master
-    // Of the chosen bus; with its name, where the state beside it is that of another one.
+    // For the chosen bus; with its name if the state beside it is that of another one.
     void setMode(bool isOperating, const QString &bus = {});
-    // What is wrong with buses that are not shown in the line: "Ring 2: BUS FAIL".
+    // Faults of buses not shown in the line: "Ring 2: BUS FAIL".
     void setOtherFaults(const QStringList &faults);
     void setEncoder(EncoderSession *encoder);
     void showFrame();
@@ -58,7 +58,7 @@ private:
     RoleLabel *m_mode;
     RoleLabel *m_otherFaults;
     QStringList m_faultsTold;
-    QLabel *m_hint; // what the mouse or the focus is on
+    QLabel *m_hint; // status tip for the mouse or the focus
     QLabel *m_writes;
     int m_added = 0;                         // between mode and hint
     std::vector<Figure> m_figures;           // by rank

@@ -24,7 +24,7 @@ namespace {
 
 constexpr QSize supportSize(680, 560);
 constexpr int noteLines = 3;
-constexpr qsizetype mostShown = 50'000; // letters of a file that is looked at
+constexpr qsizetype mostShown = 50'000; // characters of a file in the preview
 constexpr int sizeColumn = 1;
 constexpr int whatColumn = 2;
 

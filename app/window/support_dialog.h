@@ -15,8 +15,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Help > Collect for support: what will be given away, each file with its size and to be looked at, with what
-// is not to be in it left out, and then saved as one zip.
+// Help > Collect for support: shows what will be given away, each file with its size and a preview, lets the
+// user leave files out, and saves the rest as one zip.
 class SupportDialog : public QDialog
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ class SupportDialog : public QDialog
 public:
     SupportDialog(std::vector<SupportFile> files, QWidget *parent);
 
-    // Asks where. The dialog stays when it could not be saved, and says why.
+    // Asks where to save. If that fails, the dialog stays and says why.
     void askWhere();
     bool saveTo(const QString &path);
 
@@ -40,7 +40,7 @@ private:
 
     const std::vector<SupportFile> m_files;
     QPlainTextEdit *m_note;
-    QTreeWidget *m_list; // rows as m_files
+    QTreeWidget *m_list; // parallel to m_files
     QPlainTextEdit *m_content;
     QLabel *m_total;
     InlineMessage *m_message;

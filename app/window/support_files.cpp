@@ -22,7 +22,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qint64 mostMessages = 20'000; // some weeks; 4 MB
+constexpr qint64 mostMessages = 20'000; // several weeks; 4 MB
 
 struct Support
 {
@@ -45,7 +45,7 @@ QByteArray messageTable(const MessageModel &messages)
     return table.data();
 }
 
-// In English, whoever reads it.
+// In English, for any reader.
 QByteArray versions()
 {
     QStringList rows{

@@ -14,7 +14,7 @@ class Plant;
 class ProjectDocument;
 class TraceView;
 
-// A file for support: what it tells, in the language of the user.
+// A file for support: what it contains, in the user's language.
 struct SupportFile
 {
     ZipEntry file;
@@ -29,8 +29,8 @@ struct SupportSources
     const TraceView &traces;
 };
 
-// All there is to tell, as it is now: the project with what is not saved, the newest messages, the traces,
-// versions, adapters and buses. Names of the user, the computer and the home folder are taken out.
+// Everything of use to support, as of now: the project with unsaved changes, the newest messages, the traces,
+// versions, adapters and buses. Names of the user, the computer and the home folder are removed.
 std::vector<SupportFile> supportFiles(const SupportSources &sources);
 
 } // namespace codewheel

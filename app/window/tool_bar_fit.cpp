@@ -61,7 +61,7 @@ int ToolBarFit::widthOf(const QToolButton &button, bool words) const
     return m_measured->sizeHint().width();
 }
 
-// ALARM STOP, what parts the groups, and what is between and around all.
+// ALARM STOP, separators, spacing and margins.
 int ToolBarFit::widthOfRest() const
 {
     const QMargins margins = m_bar.layout()->contentsMargins();
@@ -82,7 +82,7 @@ void ToolBarFit::fit()
     const int rest = widthOfRest();
     int width = rest + m_mode.widthOf(Shown::all);
     int least = rest + m_mode.widthOf(Shown::icons);
-    std::vector<int> saved; // without its words
+    std::vector<int> saved; // per button, without its words
     for (const QToolButton *button : all) {
         const int whole = widthOf(*button, true);
         const int icon = widthOf(*button, false);

@@ -11,9 +11,9 @@ namespace codewheel {
 
 class ModeSwitch;
 
-// Sees to it that the tool bar has room for all of it, ALARM STOP at its end above all: where it is narrow,
-// buttons lose their words, the last first, and keep their icons; the switch of the mode loses its own last.
-// The window cannot be made narrower than that.
+// Makes everything fit into the tool bar, above all ALARM STOP at its end: if it is narrow, buttons lose
+// their words, the last ones first, but keep their icons; the mode switch is the last to lose its words. The
+// window cannot be made narrower than that.
 class ToolBarFit : public QObject
 {
     Q_OBJECT
@@ -26,14 +26,14 @@ protected:
 
 private:
     void fit();
-    QList<QToolButton *> buttons() const; // that can do without words
+    QList<QToolButton *> buttons() const; // those that can do without words
     int widthOf(const QToolButton &button, bool words) const;
     int widthOfRest() const;
 
     QToolBar &m_bar;
     ModeSwitch &m_mode;
     const QWidget &m_alarmStop;
-    QToolButton *m_measured; // never seen: to ask how wide one would be
+    QToolButton *m_measured; // never shown: measures the width of a button
 };
 
 } // namespace codewheel

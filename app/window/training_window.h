@@ -11,12 +11,13 @@
 
 namespace codewheel {
 
-// The main window on a training bus and a training line in virtual time: nothing moves but by advance(). For
-// tests, and for the pictures of the manual, which agree because each begins at the same date and time.
+// The main window on a training bus and a training line in virtual time: nothing moves except by advance().
+// For tests, and for the pictures of the manual, which match because each starts at the same date and time.
 class TrainingWindow
 {
 public:
-    // An ini file of its own keeps what the window keeps. `size`: of the first start, if not the usual one.
+    // With an ini file of its own for the window's settings. `size`: at the first start, if not the usual
+    // one.
     explicit TrainingWindow(const QString &settingsFile, QSize size = {});
     ~TrainingWindow();
 
@@ -27,8 +28,8 @@ public:
     Buses &buses() { return m_plant.buses(); }
     TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }
     MessageModel &messages() { return m_messages; }
-    ProjectDocument &project() { return m_project; } // of the plant, at first
-    // So many milliseconds pass on the bus; a frame is taken every 33.
+    ProjectDocument &project() { return m_project; } // initially the training plant
+    // This many milliseconds pass on the bus; a frame is taken every 33.
     void advance(int milliseconds);
 
     static QDateTime begin();

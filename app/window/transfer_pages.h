@@ -19,8 +19,8 @@ class ShownEncoder;
 class TransferPage;
 class WindowActions;
 
-// The pages of the window about parameter transfer, and the actions that open them: Transfer, Replace
-// encoder, Restore values of 14:02.
+// The pages of the window for parameter transfer, and the actions that open them: Transfer, Replace encoder,
+// Restore values of 14:02.
 class TransferPages : public QObject
 {
     Q_OBJECT
@@ -31,7 +31,7 @@ public:
                   FindValuesBefore findBefore, const LastPositions &positions, const WindowActions &actions,
                   QStackedWidget &pages, QObject *parent = nullptr);
 
-    // The encoder that is chosen in the window.
+    // The encoder chosen in the window.
     void setEncoder(const ShownEncoder &shown);
 
 Q_SIGNALS:
@@ -49,7 +49,7 @@ private:
     QStackedWidget &m_pages;
     TransferPage *m_transfer;
     ReplacePage *m_replace;
-    std::optional<Place> m_number; // of one that is connected
+    std::optional<Place> m_number; // only if it is connected
     bool m_isOnlyPlanned = false;
 };
 

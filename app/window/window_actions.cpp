@@ -51,7 +51,7 @@ WindowActions::WindowActions(QMainWindow &window, QUndoStack &undoStack)
     makeToolBar();
 }
 
-// The tips say why something is not to be had.
+// Its tooltips say why something is unavailable.
 QMenu *WindowActions::addMenu(const QString &title)
 {
     QMenu *menu = m_window.menuBar()->addMenu(title);
@@ -88,7 +88,7 @@ void WindowActions::makeFileMenu()
     quit = described(menu->addAction(tr("&Quit")), QKeySequence::Quit, tr("Ends the program"));
 }
 
-// What the next step would be stands behind the word.
+// The name of the next step follows the word.
 void WindowActions::makeEditMenu(QUndoStack &undoStack)
 {
     QMenu *menu = addMenu(tr("&Edit"));
@@ -146,7 +146,7 @@ void WindowActions::tellMode(const QString &bus)
     m_mode->tellBus(bus);
 }
 
-// A long name must not push the button out of the window; the tooltip has it whole.
+// A long name must not push the button out of the window; the tooltip has it in full.
 QString WindowActions::shortName(const QString &bus)
 {
     static constexpr qsizetype longest = 24;
@@ -267,7 +267,7 @@ void WindowActions::makeViewMenu()
     QMenu *languages = menu->addMenu(tr("Lan&guage"));
     language = new QActionGroup(this);
     choice(language, tr("S&ystem"), QString(), tr("The language of the desktop"));
-    // A language is called by its own name, whatever the language of the window.
+    // A language is named in itself, whatever the language of the window.
     choice(language, QStringLiteral("&English"), QStringLiteral("en"), QStringLiteral("English"));
     choice(language, QStringLiteral("&Deutsch"), QStringLiteral("de"), QStringLiteral("Deutsch"));
     languages->addActions(language->actions());
@@ -288,7 +288,7 @@ void WindowActions::makeHelpMenu()
                       tr("Version and licence"));
 }
 
-// Of the tool bar, by the keyboard alone.
+// Lets the buttons of a tool bar take the focus, but only by keyboard.
 void WindowActions::showFocusOf(QToolBar &bar)
 {
     for (QAction *action : bar.actions())
@@ -318,7 +318,7 @@ QList<QAction *> WindowActions::pages() const
     return {monitors, wizard, cams, structureEditor, compare, transfer, replaceEncoder, projectPage};
 }
 
-// On buttons there is room for a word.
+// Buttons have room for a single word.
 void WindowActions::makePages()
 {
     wizard->setIconText(tr("Wizard", "on a button"));
@@ -334,11 +334,11 @@ void WindowActions::makeToolBar()
     bar->setObjectName(QStringLiteral("busToolBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(
-        Qt::PreventContextMenu); // it cannot be hidden: ALARM STOP is always one click away
+        Qt::PreventContextMenu); // it must not be hidden: ALARM STOP is always one click away
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     makePages();
     for (QAction *page : pages())
-        if (page != projectPage) { // that of the file menu
+        if (page != projectPage) { // which is in the File menu
             bar->addAction(page);
             bar->widgetForAction(page)->setAccessibleName(page->text().remove(u'&'));
         }

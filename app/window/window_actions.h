@@ -20,22 +20,22 @@ class ModeSwitch;
 class ShownEncoder;
 class WordChannel;
 
-// Everything that can be asked for in the main window, with text, icon, tooltip and key, in menus and tool
-// bar. Who carries it out is connected by MainWindow.
+// Every action of the main window, with text, icon, tooltip and key, in menus and tool bar. MainWindow
+// connects them to whatever carries them out.
 class WindowActions : public QObject
 {
     Q_OBJECT
 
 public:
-    // The steps of undo are those of the project.
+    // The undo steps are those of the project.
     WindowActions(QMainWindow &window, QUndoStack &undoStack);
 
-    // Where a kind of bus has actions of its own: before Watch, behind Start and Stop, and before ALARM STOP
-    // in the menu of the bus; at the end of the device's; in the tool bar.
+    // Places for the actions of a kind of bus: before Watch, after Start and Stop, and before ALARM STOP in
+    // the bus menu; at the end of the device menu; in the tool bar.
     enum class Section : std::uint8_t { connections, services, kinds, device, toolBar };
     void insert(Section where, const QList<QAction *> &actions);
     QWidget *menuParent() const;
-    // Those of a kind, made with the first bus of it.
+    // Those of a kind, created with its first bus.
     template <class Actions>
     Actions &ofKind()
     {
@@ -43,14 +43,14 @@ public:
         return its != nullptr ? *its : *new Actions(*this);
     }
 
-    // Says of the device that is chosen why it cannot be set up, or has no cams.
+    // Says why the chosen device cannot be set up, or has no cams.
     void showChosen(const ShownEncoder &encoder);
-    // Its words can be looked at where its bus is open; null: it has none.
+    // Its words can be viewed if its bus is open; null: it has none.
     void showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen);
     void showTrace(bool isThere);
-    // Which bus Watch and Operate mean; empty: there is no doubt.
+    // The bus that Watch and Operate apply to; empty: there is only one it could be.
     void tellMode(const QString &bus);
-    // On which buses it acts, by their names, and what it does there.
+    // The names of the buses it acts on, and what it does there.
     void showAlarmStop(const QStringList &buses, const QStringList &effects);
 
     // File
@@ -96,8 +96,8 @@ public:
     QActionGroup *language; // data(): QString, empty for the system's
     QAction *defaultLayout;
     // Help
-    QAction *help;   // on what has the focus
-    QAction *manual; // from its first page
+    QAction *help;   // about what has the focus
+    QAction *manual; // at its first page
     QAction *keys;
     QAction *collectSupport;
     QAction *about;

@@ -7,18 +7,18 @@
 
 namespace codewheel {
 
-// A kind of bus in the window: how its buses work, and what they add to it.
+// A kind of bus in the window: how its buses work, and what they add to the window.
 struct WindowKind
 {
     QString bus; // key of its BusKind
     std::unique_ptr<BusAtWork> (*make)(BusId id, const BusAtWork::Surroundings &surroundings);
-    // Null: its buses are looked at, in the bus structure and the panels of a device.
+    // Null: its buses are only shown in the bus structure and in the panels of a device.
     BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;
-    std::span<const Panel *const> panels{}; // with a page for each of its buses
-    QStringList (*adapters)() = nullptr;    // of this computer, for support; null: it has none
+    std::span<const Panel *const> panels{}; // each with a page per bus
+    QStringList (*adapters)() = nullptr;    // on this computer, for support; null: none
 };
 
-// Those of the program, and what was added; in the order of the panels.
+// Those of the program, and the added ones; in the order of the panels.
 std::vector<const WindowKind *> windowKinds();
 const WindowKind *windowKind(QStringView bus); // null: the program has no link for it
 void addWindowKind(WindowKind kind);           // before the window is made

@@ -15,9 +15,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto restOfTheEdge = 150ms; // longer than between two steps of a hand that drags it
+constexpr auto restOfTheEdge = 150ms; // longer than the pauses of a hand dragging the edge
 constexpr QSize smallestWindow(1024, 600);
-constexpr int leastOfPanel = 20;          // pixels; of less nothing is seen
+constexpr int leastOfPanel = 20;          // pixels; anything smaller shows nothing
 constexpr QSize handleOfFloating(80, 20); // by which it can be dragged
 
 std::vector<QDockWidget *> panelsOf(const QMainWindow &window)
@@ -46,7 +46,7 @@ WindowLayouts::WindowLayouts(QMainWindow &window, Means means)
     m_settling.setInterval(restOfTheEdge);
     connect(&m_settling, &QTimer::timeout, this, &WindowLayouts::settle);
     qApp->installEventFilter(
-        this); // one of the window would come after its layout, which has moved the panels by then
+        this); // one on the window would come after its layout, which has moved the panels by then
 }
 
 void WindowLayouts::begin(const std::map<WindowSize, QByteArray> &kept)
@@ -69,7 +69,7 @@ std::map<WindowSize, QByteArray> WindowLayouts::toKeep() const
     std::map<WindowSize, QByteArray> states;
     for (const auto &[size, kept] : m_kept)
         states[size] = kept.state;
-    // While its edge moves from one size to another, what was before is what one made of it.
+    // While the edge moves from one size to another, the layout before is still the user's.
     if (!m_settling.isActive() || windowSizeOf(m_window.size()) == m_size)
         states[m_size] = m_means.save();
     return states;
@@ -89,13 +89,13 @@ bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
             rememberIfChanged(static_cast<QResizeEvent *>(event)->oldSize());
         m_settling.start();
     }
-    // Until it is shown its tool bar has not the height it has then.
+    // Before it is shown, its tool bar does not have its final height.
     if (watched == &m_window && event->type() == QEvent::Show && !std::exchange(m_wasShown, true))
         QTimer::singleShot(0, this, &WindowLayouts::enterAnew);
     return QObject::eventFilter(watched, event);
 }
 
-// What came of a smaller window alone does not take the place of what was arranged in a larger one.
+// A layout that results only from shrinking the window must not replace the user's arrangement.
 void WindowLayouts::rememberIfChanged(QSize in)
 {
     QByteArray now = m_means.save();
@@ -117,7 +117,7 @@ void WindowLayouts::settle()
 void WindowLayouts::enter(WindowSize size)
 {
     m_size = size;
-    // A window with much in it can be made as small as one with little: it has little once it is small.
+    // An explicit minimum lets a full window shrink: once it is small, it holds less.
     const bool holdsLittle = size == WindowSize::narrow;
     m_window.setMinimumSize(holdsLittle ? 0 : smallestWindow.width(),
                             holdsLittle || size == WindowSize::low ? 0 : smallestWindow.height());
@@ -144,7 +144,7 @@ bool WindowLayouts::isUsable() const
     });
 }
 
-// The screen on which it floated may be gone.
+// The screen it floated on may be gone.
 void WindowLayouts::bringIntoSight() const
 {
     for (QDockWidget *panel : panelsOf(m_window))

@@ -14,24 +14,24 @@ class QMainWindow;
 
 namespace codewheel {
 
-// How the panels are arranged in each size of the window: what one made of a size is there again when the
-// window has that size again, in this run or the next. A window that is being resized is left alone until its
-// edge rests.
+// The arrangement of the panels for each size of the window: what the user made of a size comes back when the
+// window has that size again, in this run or the next. A window being resized is left alone until its edge
+// rests.
 class WindowLayouts : public QObject
 {
 public:
     struct Means
     {
         std::function<QByteArray()> save;
-        std::function<bool(const QByteArray &)> restore; // false: it is none, or of another version
-        std::function<void(WindowSize)> arrange;         // as it is at first
+        std::function<bool(const QByteArray &)> restore; // false: invalid, or of another version
+        std::function<void(WindowSize)> arrange;         // the initial arrangement
     };
     WindowLayouts(QMainWindow &window, Means means);
 
-    // From now on. `kept` are those of the run before.
+    // Starts working. `kept` are the layouts of the previous run.
     void begin(const std::map<WindowSize, QByteArray> &kept);
     std::map<WindowSize, QByteArray> toKeep() const;
-    void useDefault(); // for the size that the window has
+    void useDefault(); // for the present size of the window
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -40,7 +40,7 @@ private:
     struct Kept
     {
         QByteArray state;
-        QSize in; // a window of this size
+        QSize in; // for a window of this size
     };
     void rememberIfChanged(QSize in);
     void settle();
@@ -54,10 +54,10 @@ private:
     const Means m_means;
     std::map<WindowSize, Kept> m_kept;
     WindowSize m_size = WindowSize::usual;
-    QByteArray m_settled; // as it came of the window's size: nobody has arranged anything since
+    QByteArray m_settled; // as it followed from the window's size, before any rearranging
     QTimer m_settling{this};
     bool m_hasBegun = false;
-    bool m_wasShown = true; // or it is no matter as yet
+    bool m_wasShown = true; // or it does not matter yet
 };
 
 } // namespace codewheel

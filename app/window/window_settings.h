@@ -17,7 +17,7 @@ class QSettings;
 
 namespace codewheel {
 
-// What is kept between two runs of the window. The only place that knows the keys.
+// What the window keeps between two runs. The only place that knows the keys.
 class WindowSettings
 {
 public:
@@ -25,28 +25,28 @@ public:
     explicit WindowSettings(const QString &file = {});
     ~WindowSettings();
 
-    // What is set in the dialog; each value within its range, whatever the file says.
+    // The choices of the dialog, each within its range, whatever the file says.
     ProgramSettings choices() const;
     void setChoices(const ProgramSettings &choices);
 
-    bool isFirstStart() const; // no window was ever closed
+    bool isFirstStart() const; // no window has ever been closed
     QString lastFile() const;  // the project that was open last; empty: none was
     void setLastFile(const QString &file);
-    QStringList recentFiles() const; // the last one first
+    QStringList recentFiles() const; // most recent first
     void setRecentFiles(const QStringList &files);
 
     QByteArray geometry() const;
-    // Of docks and tool bar, in each size that the window has had.
+    // Of docks and tool bar, for each size the window has had.
     std::map<WindowSize, QByteArray> layouts() const;
     void setWindow(const QByteArray &geometry, const std::map<WindowSize, QByteArray> &layouts);
 
-    std::optional<QJsonObject> monitors() const; // nothing at first start
+    std::optional<QJsonObject> monitors() const; // nothing at the first start
     void setMonitors(const QJsonObject &monitors);
 
     QByteArray helpLayout() const; // of the help window
     void setHelpLayout(const QByteArray &layout);
 
-    // What was typed in the terminal of the serial line, oldest first.
+    // What was typed into the terminal of the serial line, oldest first.
     QStringList typedRequests() const;
     void setTypedRequests(const QStringList &requests);
 

@@ -7,12 +7,12 @@
 
 namespace codewheel {
 
-// How much room a window has for its panels. Each has an arrangement of its own.
+// How much room a window has for its panels. Each size has its own arrangement.
 enum class WindowSize {
     narrow, // one column beside the middle
-    low,    // a column on each side, not much in it above each other
+    low,    // a column on each side, with few panels one above the other
     usual,
-    wide, // what is behind each other at the bottom stands side by side
+    wide, // panels that are tabbed at the bottom are side by side
 };
 inline constexpr std::array allWindowSizes{WindowSize::narrow, WindowSize::low, WindowSize::usual,
                                            WindowSize::wide};

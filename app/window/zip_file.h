@@ -17,8 +17,8 @@ struct ZipEntry
     QByteArray bytes;
 };
 
-// Saves the files as one zip in place of a file that may be there, which stays until the new one is whole:
-// fileNotWritten. The names are all that it tells of them besides `time`.
+// Saves the files as one zip, replacing any existing file once the new one is complete: fileNotWritten. It
+// reveals nothing about them but their names and `time`.
 Result<void> saveZip(const QString &path, const std::vector<ZipEntry> &files, const QDateTime &time);
 
 } // namespace codewheel
