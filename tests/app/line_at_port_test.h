@@ -19,8 +19,8 @@
 
 namespace codewheel::test {
 
-// The window with a project that has encoders on a serial line, and tests/line/esc_peer.py, which knows
-// nothing of this program, at the other end of the port. Time is real here.
+// The window with a project that has encoders on a serial line, and at the other end of the port
+// tests/line/esc_peer.py, which knows nothing of this program. In real time.
 class LineAtPortTest : public WindowTest
 {
 protected:
@@ -38,7 +38,7 @@ protected:
         }
     }
 
-    // The project has this line, as it was opened from a file.
+    // Gives the project this line, as if it had been opened from a file.
     void plan(const LinePlan &line, const std::vector<ProjectDevice> &encoders = {})
     {
         Project planned = project();
@@ -54,7 +54,7 @@ protected:
     }
     Project project() { return shown->project().project(); }
 
-    // Encoders at a pseudo terminal, whose path it returns.
+    // Starts encoders on a pseudo terminal and returns its path.
     QString startPeer(const QString &options)
     {
         QProcess &peer = *m_peers.emplace_back(std::make_unique<QProcess>());
@@ -99,7 +99,7 @@ protected:
         typePort(port);
         connectNow();
     }
-    // All that stands in the form, but that this computer has no ports.
+    // All texts of the form, apart from the note that this computer has no ports.
     QString said()
     {
         QStringList sentences;

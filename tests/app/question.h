@@ -9,19 +9,19 @@
 
 namespace codewheel::test {
 
-// Answers the next modal question as a person would: waits until it is on the screen, then does something
-// with it. Fails the test if none came while this object lived.
+// Answers the next modal question as a person would: waits until it is on the screen, then acts on it. Fails
+// the test if none has appeared during its lifetime.
 class Question
 {
 public:
-    // Clicks the button whose text, without '&', begins so.
+    // Clicks the button whose text, without '&', starts like this.
     static Question answeredBy(const QString &button);
     explicit Question(std::function<void(QWidget &dialog)> answer);
     ~Question();
     Question(Question &&) noexcept;
 
     bool wasAsked() const;
-    QString text() const; // of a message box, all of it
+    QString text() const; // the whole text of a message box
 
 private:
     struct State;

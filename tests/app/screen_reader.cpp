@@ -25,7 +25,7 @@ QAccessibleInterface *findIn(QAccessibleInterface *in, QAccessible::Role role, c
     return nullptr;
 }
 
-// A button shows for a tenth of a second that it is pressed, by the one timer it has: that time is over.
+// For a tenth of a second a button looks pressed, using its only timer: ends that time now.
 void endShownPress(QObject &button)
 {
     for (const auto &timer : QAbstractEventDispatcher::instance()->registeredTimers(&button)) {
@@ -47,7 +47,7 @@ QAccessibleInterface *ScreenReader::find(QAccessible::Role role, const QString &
     return found;
 }
 
-// Most buttons are pressed visibly, and their click comes when that is over.
+// Most buttons look pressed first, and emit their click after that.
 void ScreenReader::press(const QString &name) const
 {
     QAccessibleInterface *found = find(QAccessible::Button, name);

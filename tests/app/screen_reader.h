@@ -8,8 +8,8 @@ class QWidget;
 
 namespace codewheel::test {
 
-// Uses a window as a screen reader does: finds what is there by name, and only what is there, presses,
-// toggles, types, reads. Whatever cannot be found or done fails the test.
+// Uses a window as a screen reader does: finds what is there by name only, presses, toggles, types, reads.
+// Anything that cannot be found or done fails the test.
 class ScreenReader
 {
 public:

@@ -94,7 +94,7 @@ TEST_F(AlarmStopTest, EveryModalDialogCarriesAButtonForIt)
     actions().about->trigger();
 }
 
-// Which colour there is most of in a picture of it.
+// The most frequent colour in its picture.
 QRgb groundOf(QWidget &button)
 {
     const QImage image = button.grab().toImage();

@@ -15,9 +15,9 @@ class BottomFoldTest : public test::WindowTest
 protected:
     BottomFoldTest() { resizeTo({1280, 800}); }
     QDockWidget &panel(const char *name) { return *window().findChild<QDockWidget *>(QLatin1String(name)); }
-    int height() // of what is in front at the bottom
+    int height() // of the front panel at the bottom
     {
-        QCoreApplication::processEvents(); // it is laid out
+        QCoreApplication::processEvents(); // for the layout
         for (const char *name : {"messagesDock", "traceDock", "sequenceDock", "terminalDock"})
             if (const QDockWidget &each = panel(name); !each.isFloating() && !each.visibleRegion().isEmpty())
                 return each.height();
@@ -78,7 +78,7 @@ TEST_F(BottomFoldTest, TheKeyOfAPanelUnfoldsIt)
     const int before = height();
     actions().cams->trigger();
     EXPECT_TRUE(isFolded());
-    QTest::keyClick(&window(), Qt::Key_6, Qt::AltModifier); // that in front
+    QTest::keyClick(&window(), Qt::Key_6, Qt::AltModifier); // the front one
     EXPECT_NEAR(height(), before, 2);
     EXPECT_TRUE(panel("traceDock").isVisible());
     QTest::keyClick(&window(), Qt::Key_6, Qt::AltModifier);
@@ -125,7 +125,7 @@ TEST_F(BottomFoldTest, WhatIsKeptIsNotFolded)
     EXPECT_TRUE(isFolded());
     window().saveWindow();
     EXPECT_TRUE(isFolded());
-    open(); // with what was kept
+    open(); // with the saved layout
     EXPECT_NEAR(height(), before, 2);
 }
 

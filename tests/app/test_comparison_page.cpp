@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comparison with what a fault of the ring changed, and with what the master keeps.
+// The comparison of what a fault of the ring has changed, and with what the master keeps.
 #include "project/project_take_over.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
@@ -91,7 +91,7 @@ TEST_F(ComparisonPageTest, TheProjectIsDownloadedLoadedBackAndTakenBack)
     EXPECT_TRUE(message().sentence().contains(QStringLiteral("crane.codewheel with 7 devices")))
         << message().sentence().toStdString();
     if (!before)
-        return; // nothing to take back to
+        return; // nothing to restore
     QTest::mouseClick(message().findChild<QPushButton *>(), Qt::LeftButton);
     advance(200);
     EXPECT_EQ(kept(), before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing is cut off: in no language, in no size of the window, neither with usual nor with large controls.
+// Nothing is cut off, in any language, any size of the window, with normal or large controls.
 #include "app/screenshots/manual_pictures.h"
 #include "language.h"
 #include "tests/app/window_test.h"
@@ -23,7 +23,7 @@ inline void PrintTo(const Picture &picture, std::ostream *out)
 
 namespace {
 
-// Where something is cut off as yet. Nothing is added to it.
+// Places where something is still cut off. Do not add to it.
 const QStringList notYet =
     QStringLiteral("structureDock messagesDock traceDock terminalDock " // panels
                    "window window-small trace parameters structure-editor structure-insert "
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shown{"WideLargeGerman", "de", {1920, 1080}, true}),
     [](const auto &tested) { return tested.param.name; });
 
-// German has the longer words; what is modal is looked at as it comes up.
+// German has the longer words; modal windows are checked as they appear.
 class NothingOfTheManualIsCutOff : public testing::TestWithParam<Picture>
 {
 protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the walk over all widgets takes for cut off, and what it does not.
+// What the walk over all widgets counts as cut off, and what it does not.
 #include "tests/support/cut_off.h"
 #include "widgets/look/may_elide.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An encoder that is dragged out of the bus structure: onto the monitors, onto the sequence, into another
-// program.
+// Dragging an encoder out of the bus structure: onto the monitors, onto the sequence, into another program.
 #include "tests/app/window_test.h"
 #include "widgets/models/dragged_place.h"
 #include "widgets/sequence/sequence_view.h"
@@ -21,7 +20,7 @@ using test::fraba;
 class Dragging : public test::WindowTest
 {
 protected:
-    // What the row of the place gives when it is dragged.
+    // The data of the place's row when it is dragged.
     std::unique_ptr<QMimeData> dragged(Place place)
     {
         auto &structure = *window().findChild<StructureView *>();

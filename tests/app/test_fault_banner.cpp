@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong anywhere stands above the pages of the window.
+// Faults anywhere are shown above the pages of the window.
 #include "app/window/bus_views.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user sees at the first start: all positions, though nothing was sent for them.
+// What a user sees at the first start: all positions, although nothing was sent to get them.
 #include "tests/app/window_test.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"

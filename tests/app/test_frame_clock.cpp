@@ -24,7 +24,7 @@ protected:
     }
     ~FrameClockTest() override { clock.stop(); }
 
-    // Frames for each of the times at which there is one usually.
+    // Frames taken, as a share of the usual number.
     double share()
     {
         int frames = 0;

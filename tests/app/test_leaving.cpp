@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked before the bus is stopped and the window is closed.
+// The questions asked before the bus is stopped and the window is closed.
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 
@@ -90,7 +90,7 @@ TEST_F(LeavingTest, GoingOnWithTheHandshakeKeepsTheWindow)
     EXPECT_EQ(out(baumer), 0x0200'00FFu) << "nothing was sent";
 }
 
-// The first word is in OUT, and the window has not heard of it.
+// The first word is in OUT, but the window has not heard of it yet.
 TEST_F(LeavingTest, WhatWasTakenBeforeTheEncoderHeardOfItIsAskedAbout)
 {
     EncoderSession &encoder = *bus().encoder(baumer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which adapter is opened and kept, with a list of ports that the test gives: pseudo terminals that stand for
-// adapters.
+// Which adapter is opened and kept, with a list of ports given by the test: pseudo terminals that stand in
+// for adapters.
 #include "tests/app/line_at_port_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
@@ -46,7 +46,7 @@ protected:
         const std::scoped_lock lock(m_mutex);
         m_present = present;
     }
-    // The project was connected by adapter A, which was at this port.
+    // The project was last connected through adapter A at this port.
     void planAt(const PtyPair &port)
     {
         LinePlan kept;
@@ -97,7 +97,7 @@ TEST_F(LineAdapterTest, WhatIsPickedInTheListIsMeant)
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
 }
 
-// A port opens as slowly as its adapter: until it has, the line there was goes on, and the user can leave it.
+// A port opens as slowly as its adapter: until then the previous line goes on, and the user can leave it.
 TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
 {
     showForm();
@@ -106,7 +106,7 @@ TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
     const auto buttons = form().findChildren<QPushButton *>();
     const auto button = std::ranges::find(buttons, QStringLiteral("&Connect"), &QPushButton::text);
     ASSERT_NE(button, buttons.end());
-    (*button)->click(); // no event is worked off meanwhile
+    (*button)->click(); // no events are processed meanwhile
     EXPECT_TRUE(shown->line().isOpening());
     EXPECT_EQ(shown->line().session(), before);
     EXPECT_EQ((*button)->text(), QStringLiteral("Connecting ..."));
@@ -149,7 +149,7 @@ TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
     EXPECT_EQ(line().linkName(), first.path()) << "it is the line's now";
 }
 
-// Without a serial number it cannot be told from another of its model elsewhere.
+// Without a serial number, it cannot be told from another adapter of its model in a different place.
 TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
 {
     plan(LinePlan());

@@ -46,7 +46,7 @@ protected:
         QTest::mouseClick(confirm, Qt::LeftButton);
     }
     LineTerminal &terminal() { return *window().findChild<LineTerminal *>(); }
-    // As it is typed at the terminal.
+    // As typed at the terminal.
     void ask(const QString &request)
     {
         lineActions().terminal->trigger();
@@ -54,7 +54,7 @@ protected:
         QWidget *field = QApplication::focusWidget();
         ASSERT_TRUE(terminal().isAncestorOf(field));
         QTest::keyClicks(field, request);
-        QTest::keyClick(field, Qt::Key_Escape); // the list of commands
+        QTest::keyClick(field, Qt::Key_Escape); // closes the list of commands
         QTest::keyClick(field, Qt::Key_Return);
     }
     bool isExplained(const QString &meaning)
@@ -123,8 +123,8 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     EXPECT_FALSE(encodersOnLine(project())[1].swapsWarningBytes);
     const auto warnings = [this](Place number) { return line().encoder(number)->latest().warnings; };
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800 && warnings(at5) == 0x0098; }));
-    // What is typed is sent once, and on a busy computer its answer may come late: the polled ones are seen
-    // too.
+    // What is typed is sent once, and on a busy computer its answer may come late: so the polled ones are
+    // shown too.
     for (auto *box : terminal().findChildren<QCheckBox *>())
         if (box->text() == QLatin1String("Hide automatic requests"))
             box->setChecked(false);
@@ -160,7 +160,7 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
     };
     lineActions().remove->trigger();
     EXPECT_FALSE(isSwapped());
-    shown->project().undoStack().undo(); // the project has it again, the line has not
+    shown->project().undoStack().undo(); // the project has it again, the line does not
     takeOver();
     EXPECT_TRUE(isSwapped()) << "as the project says";
 

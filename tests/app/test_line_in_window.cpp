@@ -105,7 +105,7 @@ TEST_F(LineInWindow, AlarmsAndWarningsAreSeenInTheTree)
     simulated().withEncoder({3},
                             [](SimulatedEscEncoder &encoder) { encoder.condition().batteryFlat = true; });
     ASSERT_TRUE(encoder(standing).start(
-        WriteParameters{.values = {{Parameter::upperLimit, 1000}}, .previous = {}})); // it stands above
+        WriteParameters{.values = {{Parameter::upperLimit, 1000}}, .previous = {}})); // it is above that
     advance(4000);
     EXPECT_EQ(cell(turning, StructureModel::stateColumn), QStringLiteral("alarm"));
     EXPECT_TRUE(
@@ -216,7 +216,7 @@ TEST_F(LineInWindow, WarningBytesAreSwappedForOneEncoderAndTheRawDigitsStay)
     EXPECT_FALSE(lineActions().swapWarningBytes->isEnabled());
 }
 
-// With the steps goes the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
+// The steps bring along the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
 // bits.
 TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
 {
@@ -276,7 +276,7 @@ TEST_F(LineInWindow, TheReviewSaysWhatCannotBeWrittenAndWhy)
         EXPECT_FALSE(label->text().contains(QStringLiteral("There is nothing to write")));
 }
 
-// A factor that the user gives is not replaced by a computed one, be it there already.
+// A factor that the user gives is not replaced by a computed one, even if it is there already.
 TEST_F(LineInWindow, AGivenFactorIsInTheReview)
 {
     choose(standing);
@@ -291,7 +291,7 @@ TEST_F(LineInWindow, AGivenFactorIsInTheReview)
     EXPECT_EQ(plan.rows[1].step->line, "05GF20000000");
 }
 
-// Manual, GR: "Number of revolutions is 4096". Those that are wanted are written again with the steps.
+// Manual, GR: "Number of revolutions is 4096". Wanted revolutions are written again with the steps.
 TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
 {
     choose(standing);

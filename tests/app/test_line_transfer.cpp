@@ -30,7 +30,7 @@ using testing::HasSubstr;
 const Place at03 = placeOnLine({0x03});
 const Place at05 = placeOnLine({0x05});
 
-// The project has the ring of the training bus, and 03 and 05 of the line.
+// The project has the ring of the training bus, and 03 and 05 on the line.
 class TransferOnLine : public test::WindowTest
 {
 protected:
@@ -68,7 +68,7 @@ protected:
     void press(Page &on, const char *name)
     {
         auto *button = on.template findChild<QPushButton *>(QLatin1String(name));
-        ASSERT_TRUE(QTest::qWaitFor([button] { return button->isEnabled(); })); // the plan comes soon
+        ASSERT_TRUE(QTest::qWaitFor([button] { return button->isEnabled(); })); // the plan follows shortly
         QTest::mouseClick(button, Qt::LeftButton);
         advance(10);
     }
@@ -194,7 +194,7 @@ TEST_F(TransferOnLine, ALineThatIsClosedIsNotListedAnyMore)
     EXPECT_FALSE(page().isBusy());
     page().choose(TransferChoice::What::clone, std::nullopt);
     EXPECT_EQ(page().findChild<QComboBox *>(QStringLiteral("cloneFrom"))->findData(at03.toString()), -1);
-    EXPECT_TRUE(encoder(baumer).can().writes); // the ring is there as before
+    EXPECT_TRUE(encoder(baumer).can().writes); // the ring is as before
 }
 
 TEST_F(TransferOnLine, TheChosenEncoderIsReplacedAndGetsItsPosition)

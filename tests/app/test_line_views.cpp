@@ -51,7 +51,7 @@ protected:
     QTreeView &tree() { return *window().findChild<QTreeView *>(QStringLiteral("structure")); }
     LineSession &line() { return *shown->line().session(); }
     Project project() { return shown->project().project(); }
-    // The project has these encoders on its line, as the user planned them.
+    // Gives the project these encoders on its line, as the user would plan them.
     void plan(const std::vector<ProjectDevice> &encoders)
     {
         Project planned = project();
@@ -65,7 +65,7 @@ protected:
         one.baudRate = baudRate;
         return one;
     }
-    // As the user connects it; positions are asked for now and then.
+    // As the user connects it; positions are polled only rarely.
     void connectPort(const QString &port)
     {
         lineActions().settings->trigger();

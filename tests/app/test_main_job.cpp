@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main job in the whole window: bits of the OUT word, the encoder's answer, the wizard with 255 steps, 1
-// revolution, clockwise, preset 0, and what the encoder has then. Once by accessibility alone, once by keys
-// alone.
+// revolution, clockwise, preset 0, and what the encoder has afterwards. Once through accessibility only, once
+// by keys only.
 #include "tests/app/screen_reader.h"
 #include "tests/app/window_test.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -82,7 +82,7 @@ TEST_F(MainJob, ByAccessibilityAlone)
     expectDone();
 }
 
-// A mnemonic presses its button visibly, and the click comes a little later.
+// A mnemonic shows its button pressed first, so the click comes a little later.
 TEST_F(MainJob, ByKeysAlone)
 {
     const auto press = [](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
@@ -91,7 +91,7 @@ TEST_F(MainJob, ByKeysAlone)
     const auto type = [](const char *text) {
         QTest::keyClicks(QApplication::focusWidget(), QString::fromLatin1(text));
     };
-    const auto reach = [](const QString &name) { // Tab goes round until it is there
+    const auto reach = [](const QString &name) { // presses Tab until it has the focus
         for (int i = 0; i < 200; ++i) {
             if (QAccessible::queryAccessibleInterface(QApplication::focusWidget())->text(QAccessible::Name) ==
                 name)

@@ -264,7 +264,7 @@ TEST_F(MainWindowTest, EveryControlHasANameAndATooltip)
     EXPECT_GE(controls, 200);
 }
 
-// A key of the window works everywhere, so no view may have it too; two views may share one.
+// A key of the window works everywhere, so no view may use it too; two views may use the same key.
 TEST_F(MainWindowTest, KeysAreGivenOnce)
 {
     QMap<QString, QString> keys;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages, handshake trace and terminal in the window: what is new there, and the way from a row to its
+// Messages, handshake trace and terminal in the window: the mark for new rows, and going from a row to its
 // device.
 #include "app/window/plant.h"
 #include "tests/app/window_test.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alt and a letter does one thing: no two of what is in sight of a page or panel have the same, nor has the
-// menu bar.
+// Alt and a letter does one thing: no two visible widgets of a page or panel, and no two menus, share a
+// mnemonic.
 #include "language.h"
 #include "tests/app/window_test.h"
 
@@ -35,7 +35,7 @@ protected:
     }
     ~Mnemonics() override { QLocale::setDefault(QLocale::c()); }
 
-    // How many keys the part adds to those of the menu bar.
+    // The number of keys the part adds to those of the menu bar.
     std::size_t check(const QWidget &part, const QString &name)
     {
         advance(50);
@@ -73,7 +73,7 @@ TEST_P(Mnemonics, AreUniqueOnEveryPage)
                             lineActions().settings, lineActions().search, actions().projectPage}) {
         action->trigger();
         EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
-        // There may be many monitors; each has keys of its own while it is used.
+        // There may be many monitors; each uses its own keys only while it has the focus.
         const std::size_t fewest = action == actions().monitors ? 0 : 1;
         EXPECT_GE(check(*window().centralWidget(), action->text()), fewest) << action->text().toStdString();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One head for all pages: what it says, and how a page is closed, with mouse and keys.
+// The common head of all pages: what it says, and how it closes a page, with mouse and keys.
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"

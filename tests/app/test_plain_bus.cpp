@@ -130,7 +130,7 @@ TEST_F(PlainBusInWindow, ItsKindBringsAPanel)
     EXPECT_NE(window().findChild<QDockWidget *>(QStringLiteral("plainDock")), nullptr);
 }
 
-// Nothing of the other kinds is done to it.
+// Nothing meant for other kinds is done to it.
 TEST_F(PlainBusInWindow, ChoosingAndOpeningItDoesNoHarm)
 {
     tree().choose(test::plainId);

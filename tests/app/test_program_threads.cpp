@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as it runs: bus at 1 ms in a thread of its own, two monitors, a wizard's job, starts and
-// stops. Meant for ThreadSanitizer; every wait is for something that happens.
+// The running program: the bus at 1 ms in its own thread, two monitors, a wizard's job, starts and stops.
+// Meant for ThreadSanitizer; every wait is for an event.
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/program.h"

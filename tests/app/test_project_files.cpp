@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Projects as files of the window: open, save, recent files, dropped files, what is asked before changes are
-// lost, what is left after a crash.
+// Projects as files of the window: open, save, recent files, dropped files, the question before changes are
+// lost, what remains after a crash.
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "project/project_file.h"
@@ -274,7 +274,7 @@ TEST_F(ProjectFilesTest, RecentFilesAreKeptForTheNextStart)
 {
     window().files().open(saved("a.codewheel", QStringLiteral("a")));
     window().files().open(saved("b.codewheel", QStringLiteral("b")));
-    open(); // the window anew
+    open(); // a new window
     const QList<QAction *> recent = actions().recentFiles->actions();
     ASSERT_EQ(recent.size(), 2);
     EXPECT_TRUE(recent.first()->text().contains(QStringLiteral("b.codewheel")));
@@ -355,7 +355,7 @@ class RecoveryTest : public ProjectFilesTest
 {
 protected:
     QString recoveryFolder() const { return path("recovery"); }
-    // As a program that was killed leaves it: kept, and nobody holds it.
+    // As a killed program leaves it: kept, and no longer locked.
     void leaveBehind(const QString &station)
     {
         Project project = document().project();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An encoder that was replaced gets the values of the project with few clicks, in the smallest window; what
-// is clicked is in sight without scrolling.
+// A replaced encoder gets the values of the project in few clicks, in the smallest window, where everything
+// to click is visible without scrolling.
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "widgets/structure/structure_view.h"
@@ -25,7 +25,7 @@ protected:
         language.use(QString::fromLatin1(GetParam()));
         open();
         window().resize(1024, 640);
-        actions().defaultLayout->trigger(); // that of a low window
+        actions().defaultLayout->trigger(); // the one for a low window
         window().resize(1024, 640);
         shown->project().editDevice(replacedPlace, QStringLiteral("plan"), [](ProjectDevice &device) {
             device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
@@ -34,7 +34,7 @@ protected:
     }
     ~ReplacingByHand() override { QLocale::setDefault(QLocale::c()); }
 
-    // The encoder goes, and another one is there.
+    // Swaps the encoder for another one.
     void exchange()
     {
         shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 1);
@@ -86,7 +86,7 @@ TEST_P(ReplacingByHand, TakesSixClicks)
     clickDevice();
     clickReplace();
     clickNext(); // the same make
-    clickNext(); // the position from before it went
+    clickNext(); // the position before the swap
     clickNext(); // Write
     const auto &replacing = *window().findChild<ReplacePage *>();
     for (int i = 0; i < 200 && replacing.isBusy(); ++i)

@@ -81,7 +81,7 @@ TEST_F(ReportExportTest, SavesAPdfWhereTheUserChoosesTo)
 
 TEST_F(ReportExportTest, OpensWhatWasSaved)
 {
-    QTextBrowser opener; // in place of the desktop
+    QTextBrowser opener; // instead of the desktop
     QDesktopServices::setUrlHandler(QStringLiteral("file"), &opener, "setSource");
     ASSERT_TRUE(report().saveTo(path("crane.html")));
     auto *shownNotice = window().findChild<InlineMessage *>(QStringLiteral("notice"));

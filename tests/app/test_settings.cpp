@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The settings of the program in their dialog: what is chosen acts at once, and Cancel takes it back.
+// The program's settings in their dialog: choices take effect at once, and Cancel undoes them.
 #include "app/window/main_window.h"
 #include "app/window/program.h"
 #include "app/window/window_actions.h"
@@ -66,7 +66,7 @@ protected:
         QTest::keyClicks(its, text);
         QTest::keyClick(its, end);
     }
-    // The window is made anew.
+    // The window is rebuilt.
     void chooseLanguage(const QString &language)
     {
         const QPointer<MainWindow> before(program->window());
@@ -150,7 +150,7 @@ TEST_F(Settings, OkTakesWhatIsBeingTypedAndStaysWhereThatIsRefused)
     auto *eeprom = dialog()->findChild<QSpinBox *>(QStringLiteral("settingsEeprom"));
     eeprom->setFocus();
     eeprom->selectAll();
-    QTest::keyClicks(eeprom, QStringLiteral("90")); // later than usual
+    QTest::keyClicks(eeprom, QStringLiteral("90")); // above the maximum
     dialog()->accept();
     ASSERT_TRUE(dialog()->isVisible());
     eeprom->selectAll();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// More than one ring, more than one line: each is connected, driven and stopped by itself, in the window.
+// Several rings and lines: each is connected, driven and stopped on its own, in the window.
 #include "app/window/bus_views.h"
 #include "app/window/line_at_work.h"
 #include "app/window/plant.h"
@@ -58,7 +58,7 @@ protected:
         return model.indexOf(bus).siblingAtColumn(column).data().toString();
     }
     StructureView &tree() { return *window().findChild<StructureView *>(); }
-    // What the actions of the window and the highlighted row mean is the same bus.
+    // The actions of the window apply to the bus of the highlighted row.
     void expectStopMeans(BusId bus)
     {
         ASSERT_TRUE(tree().row());
@@ -81,7 +81,7 @@ protected:
     }
     EncoderBus &busAt(BusId bus) { return *shown->plant().find(bus)->bus(); }
 
-    // Its form is open then.
+    // Leaves its form open.
     void planLine(BusId line, const QString &path)
     {
         if (findBus(shown->project().project(), line) == nullptr)
@@ -184,7 +184,7 @@ TEST_F(SeveralBuses, AnEncoderThatIsOnlyPlannedTakesTheByteOrderAndIsNotRemovedF
     actions().undo->trigger();
     EXPECT_FALSE(isSwapped());
     EXPECT_FALSE(lineActions().swapWarningBytes->isChecked());
-    choose(placeOnLine({5})); // of the training line
+    choose(placeOnLine({5})); // on the training line
     EXPECT_TRUE(lineActions().remove->isEnabled());
     choose(test::fraba);
     EXPECT_FALSE(lineActions().swapWarningBytes->isEnabled());
@@ -226,7 +226,7 @@ TEST_F(SeveralBuses, TheTrainingLineGivesWayToAProjectThatHasAPortForIt)
 
 TEST_F(SeveralBuses, AnEncoderPlannedOnALineTakesTheByteOrderWhileTheTrainingLineOfItsNumberIsOpen)
 {
-    const Place place = placeOnLine({7}); // none of the training line
+    const Place place = placeOnLine({7}); // not on the training line
     Project after = shown->project().project();
     setEncodersOnLine(after, {test::plannedEncoder(placeOnLine({5})), test::plannedEncoder(place)});
     shown->project().edit(std::move(after), {});
@@ -244,7 +244,7 @@ TEST_F(SeveralBuses, AnEncoderPlannedOnALineTakesTheByteOrderWhileTheTrainingLin
     EXPECT_FALSE(isSwapped(placeOnLine({5}))) << "the one of the training line is not the project's";
 }
 
-// The row of a bus is chosen by itself; the panels go on with the device they show.
+// The row of a bus is selected on its own; the panels keep showing their device.
 TEST_F(SeveralBuses, MonitorsAreOfTheDeviceThatIsShown)
 {
     openSecondRing();
@@ -357,7 +357,7 @@ TEST_F(SeveralBuses, ARingThatIsNotPlannedAnyMoreStaysUntilItIsDisconnected)
     choose(secondRing);
     ringActions().disconnectBus->trigger();
     advance(50);
-    shown->project().edit(shown->project().project(), {}); // whatever changes next
+    shown->project().edit(shown->project().project(), {}); // any change will do
     EXPECT_TRUE(cell(secondRing, StructureModel::stateColumn).isEmpty());
 }
 
@@ -617,7 +617,7 @@ TEST_F(SeveralBuses, ALineIsPlannedWhileNothingIsConnected)
     EXPECT_EQ(bus.currentText(), QStringLiteral("Ring")) << "chosen again";
 }
 
-// A number is one bus: that of the project.
+// A number stands for one bus: the project's.
 TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
 {
     Project project;

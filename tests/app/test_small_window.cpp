@@ -25,7 +25,7 @@ namespace codewheel {
 namespace {
 
 constexpr QSize smallest(1024, 640);
-constexpr int titleBar = 30; // of a usual desktop, which takes it from the height
+constexpr int titleBar = 30; // of a typical desktop, taken from the height
 
 struct Case
 {
@@ -48,7 +48,7 @@ protected:
         language.use(QString::fromLatin1(GetParam().language));
         open(); // in this language
         window().resize(smallest);
-        actions().defaultLayout->trigger(); // that of a low window
+        actions().defaultLayout->trigger(); // the one for a low window
         window().resize(smallest);
         advance(50);
     }
@@ -114,7 +114,7 @@ TEST_P(SmallWindow, TheStatusLineLeavesOutWhatHasNoRoom)
     int seen = 0;
     for (auto *label : window().statusBar()->findChildren<QLabel *>()) {
         if (!label->isVisible() || label->text().isEmpty() ||
-            label->objectName() == QStringLiteral("hint")) // what the mouse is on takes what is left
+            label->objectName() == QStringLiteral("hint")) // status tips get what is left
             continue;
         ++seen;
         const QRect place(label->mapTo(window().statusBar(), QPoint()), label->size());

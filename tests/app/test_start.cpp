@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start page: when it is seen, and what its entries do.
+// The start page: when it is shown, and what its entries do.
 #include "app/window/plant.h"
 #include "app/window/program.h"
 #include "app/window/project_files.h"
@@ -121,7 +121,7 @@ TEST_F(StartPageTest, TheTrainingBusLeavesAProjectThatWasOpened)
 TEST_F(StartPageTest, ConnectOffersTheBusesOfAPlanOrAll)
 {
     disconnectAll();
-    entry("startConnect").click(); // the ring alone is planned
+    entry("startConnect").click(); // only the ring is planned
     advance(50);
     EXPECT_TRUE(bus().isOpen());
     disconnectAll();
@@ -145,7 +145,7 @@ TEST_F(StartPageTest, RecentProjectsAreOpenedAndTakenOffTheList)
     ASSERT_TRUE(QFile::remove(first));
     disconnectAll();
     actions().structureEditor->trigger();
-    actions().monitors->trigger(); // looks at the files again
+    actions().monitors->trigger(); // checks the files again
     ASSERT_EQ(recent().count(), 2);
     ASSERT_TRUE(waitForRow(1, QStringLiteral("not there any more")));
     recent().setFocus();

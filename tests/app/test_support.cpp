@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Help > Collect for support: what is in the file is what was listed, and nothing tells whose computer it is.
+// Help > Collect for support: the file contains what was listed, and nothing identifies the computer's owner.
 #include "app/window/private_names.h"
 #include "app/window/support_dialog.h"
 #include "project/project_json.h"
@@ -51,7 +51,7 @@ protected:
         return window().findChild<InlineMessage *>(QStringLiteral("notice"))->sentence().toStdString();
     }
     QString zip() const { return folder.filePath(QStringLiteral("support.zip")); }
-    // By a program that shares no code with this one.
+    // With a program that shares no code with this one.
     static QByteArray python(const QString &script, const QStringList &arguments)
     {
         QProcess process;

@@ -20,7 +20,7 @@ class TransferInTheWindow : public test::WindowTest
 protected:
     TransferPage &page() { return *window().findChild<TransferPage *>(); }
     void choose(Place number) { window().findChild<StructureView *>()->choose(number); }
-    // What is wanted of the Baumer, by Transfer.
+    // Writes what is wanted of the Baumer, using Transfer.
     void write(std::int64_t steps)
     {
         shown->project().editDevice(baumer, QStringLiteral("want"), [=](ProjectDevice &device) {
@@ -32,7 +32,7 @@ protected:
     void click(const char *name)
     {
         auto *button = page().findChild<QPushButton *>(QLatin1String(name));
-        ASSERT_TRUE(QTest::qWaitFor([button] { return button->isEnabled(); })); // the plan comes soon
+        ASSERT_TRUE(QTest::qWaitFor([button] { return button->isEnabled(); })); // the plan follows shortly
         QTest::mouseClick(button, Qt::LeftButton);
         advance(500);
     }
@@ -97,7 +97,7 @@ TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
     actions().replaceEncoder->trigger();
     EXPECT_TRUE(window().findChild<ReplacePage *>()->isVisible());
     choose("3.0"_ring);
-    EXPECT_FALSE(actions().replaceEncoder->isEnabled()); // a K1 has nothing to be written
+    EXPECT_FALSE(actions().replaceEncoder->isEnabled()); // a K1 has nothing to write
     EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each size of the window has an arrangement of its own, and has it again when it comes back.
+// Each size of the window has an arrangement of its own, and gets it back when the size returns.
 #include "tests/app/window_test.h"
 
 #include <QAction>
@@ -19,7 +19,7 @@ constexpr QSize large(1920, 1080);
 class WindowLayoutsTest : public test::WindowTest
 {
 protected:
-    using Places = QMap<QString, QRect>; // of the panels that are in front
+    using Places = QMap<QString, QRect>; // of the front panels
 
     WindowLayoutsTest() { resizeTo(usual); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The example of FRABA manual 5.3 word by word, with mouse and keys, in the smallest window, from the first
-// start: what is clicked is in sight without scrolling, and it takes no click more than it has to.
+// start: everything to click is visible without scrolling, and no click is superfluous.
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "widgets/monitor/word_card.h"
@@ -28,7 +28,7 @@ protected:
         language.use(QString::fromLatin1(GetParam()));
         open();
         window().resize(1024, 640);
-        actions().defaultLayout->trigger(); // that of a low window
+        actions().defaultLayout->trigger(); // the one for a low window
         window().resize(1024, 640);
         advance(50);
     }

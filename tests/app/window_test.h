@@ -22,7 +22,7 @@ namespace codewheel::test {
 inline constexpr Place fraba = "1.0"_ring;
 inline constexpr Place baumer = "2.0"_ring;
 
-// Its panels are arranged as its size asks for, once its edge rests.
+// The panels are arranged for its size once its edge rests.
 inline void waitUntilSettled(const MainWindow &window)
 {
     const auto *settling = window.findChild<QTimer *>(QStringLiteral("settling"));
@@ -58,7 +58,7 @@ protected:
     }
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }
-    // As a window manager does it, at once; and until the edge rests.
+    // At once, as a window manager does; then waits until the edge rests.
     void resizeTo(QSize size)
     {
         window().resize(size);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window for hours of bus time, which run ahead: one frame for each second of the bus, while somebody
-// works with it. What it holds of memory must be flat after warming up.
+// The window for hours of accelerated bus time: one frame per second of the bus, while somebody works with
+// it. Its memory must not grow after warming up.
 //
 //   attack_window [--minutes N] [--warm-up MINUTES] [--seed N]
 //
-// Prints time of the bus, memory and frames as it goes, and in the end what memory has grown by; exit code
-// 1 where that is more than what is allowed. Memory is looked at once a minute, with the window as it was the
-// other times.
+// Prints bus time, memory and frames as it goes, and finally by how much memory has grown; exit code 1 if
+// that is more than allowed. Memory is measured once a minute, always with the window in the same state.
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
 #include "ring/ring_session.h"
@@ -31,19 +30,19 @@ constexpr Place worked = "1.0"_ring;  // FRABA K3, told and asked
 constexpr Place watched = "2.0"_ring; // Baumer K3, which turns
 constexpr std::array words{0x0200'00FFU, 0x8000'0000U, 0x0000'0000U};
 constexpr std::array sizes{QSize(1600, 1000), QSize(1024, 768), QSize(1280, 900)};
-constexpr int lines = 12;             // that are printed
+constexpr int lines = 12;             // to be printed
 constexpr double allowedGrowth = 1.0; // MB between the second and the last quarter
 constexpr double bytesPerMegabyte = 1e6;
 
-// What is in use, in MB; what was freed and is kept for later is none of it.
+// Memory in use, in MB, without what was freed and is kept for later.
 double memoryInUse()
 {
     const struct mallinfo2 heap = mallinfo2();
     return static_cast<double>(heap.uordblks + heap.hblkhd) / bytesPerMegabyte;
 }
 
-// Somebody who sends words, reads parameters, goes to and fro between Watch and Operate, cuts the power and
-// resizes the window, opens and closes monitors: each about once a minute.
+// Somebody who sends words, reads parameters, switches between Watch and Operate, cuts the power, resizes the
+// window, opens and closes monitors: each about once a minute.
 class Somebody
 {
 public:
@@ -80,7 +79,7 @@ public:
         }
     }
 
-    // Looks at it as the first time.
+    // Brings the window to the state in which memory is measured.
     void lookAsAlways()
     {
         m_shown.window().resize(sizes.front());
@@ -110,7 +109,7 @@ private:
     std::size_t m_size = 0;
 };
 
-// A second of the bus and of the line, and the frame of it.
+// A second of the bus and of the line, and a frame.
 void letASecondPass(TrainingWindow &shown)
 {
     shown.bus().advance(1'000);
@@ -124,12 +123,12 @@ void letASecondPass(TrainingWindow &shown)
 
 struct Soak
 {
-    int warmUp = 15;   // minutes of the bus, until what is bounded is full
-    int minutes = 480; // of the bus, after it
+    int warmUp = 15;   // minutes of the bus, until all bounded storage is full
+    int minutes = 480; // of the bus, after the warm-up
     unsigned seed = 0;
 };
 
-// What it held at most in each half of the time, in MB.
+// The most memory used in each half of the time, in MB.
 std::array<double, 2> watchMemory(TrainingWindow &shown, const Soak &soak)
 {
     Somebody somebody(shown, soak.seed);

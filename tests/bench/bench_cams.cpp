@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dragging in the cam editor's board, all 8 programs of 8 cams set and in sight: the time from a movement of
-// the mouse until ruler, table and overview are painted anew.
+// Dragging in the cam editor's board, with all 8 programs of 8 cams set and in sight: the time from a mouse
+// move until ruler, table and overview are repainted.
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_ruler.h"
 #include "widgets/look/appearance.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an empty Qt window costs on this machine, with the libraries of the program loaded: the measure for
-// the first paint of ours.
+// What an empty Qt window costs on this machine, with the libraries of the program loaded: the baseline for
+// our first paint.
 #include "app/window/start_probe.h"
 
 #include <QApplication>

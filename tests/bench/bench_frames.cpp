@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_frames MONITORS WIDTHxHEIGHT: the window at work with so many monitors, a bus at 1 ms in a thread of
-// its own with eight devices whose words move, the dial, and the training line asked for its positions; then
-// the same at rest, with a window that nobody sees. Prints frames a second and the share of one core of both.
+// bench_frames MONITORS WIDTHxHEIGHT: the window at work with that many monitors, a bus at 1 ms in its own
+// thread with eight devices whose words change, the dial, and the training line being polled; then the same
+// with an invisible window. Prints frames per second and the share of one core for both.
 #include "app/window/frame_clock.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
@@ -46,7 +46,7 @@ void letPass(std::chrono::milliseconds time)
     loop.exec();
 }
 
-// Of the processor time the threads of the window, the bus and the line take together.
+// The processor time of the threads of window, bus and line together.
 void measure(const char *what, RingSession &bus)
 {
     letPass(settling);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the position of one encoder is asked for on a serial line at 19200 8N2, beside what the line
-// allows: 18 characters there and back, and never under the 10 ms of the manual. The other end keeps the
-// line's time.
+// How often the position of one encoder is asked for on a serial line at 19200 8N2, compared with what the
+// line allows: 18 characters both ways, and never less than the 10 ms of the manual. The other end keeps the
+// line's timing.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "esc_line/line_runner.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A million messages on disk: how long it takes to keep them, to open them, to scroll a page, to filter and
-// to search; and the longest time in which the window did nothing else.
+// A million messages on disk: the time to keep them, to open them, to scroll a page, to filter and to search;
+// and the longest time for which the window was blocked.
 #include "journal/message_store.h"
 #include "tests/support/places.h"
 #include "widgets/look/appearance.h"
@@ -57,7 +57,8 @@ void keepAll(MessageStore &store)
                 added * 1'000 / messageTotal, milliseconds(clock) / 1'000);
 }
 
-// Until the search is through; the longest turn of the event loop, and when the first page was there.
+// Waits for the end of the search; reports the longest turn of the event loop, and when the first page
+// appeared.
 void search(MessageModel &messages, const char *name, const MessageFilter &filter)
 {
     QElapsedTimer clock;
@@ -86,7 +87,7 @@ void scroll(QTableView &table)
     for (int i = 0; i < pages; ++i) {
         QElapsedTimer clock;
         clock.start();
-        if (i % 10 == 0) // and far away
+        if (i % 10 == 0) // and sometimes far away
             bar.setValue(static_cast<int>(static_cast<qint64>(bar.maximum()) * (i * 37 % pages) / pages));
         else
             bar.triggerAction(QAbstractSlider::SliderPageStepAdd);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opening and saving a project of 512 devices, among them as many K3 encoders as a ring can have, each with
+// Opening and saving a project of 512 devices, including as many K3 encoders as a ring can have, each with
 // values and two cam programs wanted and stored.
 #include "project/project_file.h"
 #include "ring/numbering.h"

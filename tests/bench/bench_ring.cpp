@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time of one cycle of a simulated ring with 128 moving K3 encoders, drivers and snapshot included, in
-// position mode and in cam mode.
+// The duration of one cycle of a simulated ring with 128 moving K3 encoders, including drivers and snapshot,
+// in position mode and in cam mode.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "ring/cycle_time.h"
@@ -27,7 +27,7 @@ double microseconds(Clock::duration duration)
     return std::chrono::duration<double, std::micro>(duration).count();
 }
 
-// The ring as the program runs it: a driver for each encoder, and somebody who takes the frames.
+// The ring as the program runs it: a driver for each encoder, and a reader that takes the frames.
 class Ring
 {
 public:
@@ -56,7 +56,7 @@ public:
         return duration;
     }
 
-    // Puts the word into every OUT until all encoders have dealt with it.
+    // Puts the word into every OUT until all encoders have processed it.
     void send(Word word)
     {
         constexpr int untilDealtWith = 10;
@@ -82,7 +82,7 @@ private:
     int m_cycle = 0;
 };
 
-// All eight cams of program 1, each over a part of the range.
+// All eight cams of program 1, each over part of the range.
 void enterCamMode(Ring &ring)
 {
     constexpr Word cams = 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts a program and tells it when: see app/window/start_probe.h.
+// Starts a program and passes it the time: see app/window/start_probe.h.
 #include <chrono>
 #include <cstdlib>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The structure editor with a project of 512 devices: how long it takes to open it, and from each edit, undo
-// and step of the wheel until it is painted. 60 frames a second leave 16 ms.
+// The structure editor with a project of 512 devices: the time to open it, and from each edit, undo and wheel
+// step until it is painted. 60 frames a second allow 16 ms.
 #include "catalog/catalog.h"
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
@@ -28,7 +28,7 @@ constexpr int localDevices = 63;
 constexpr double frame = 16; // ms
 constexpr int repetitions = 60;
 
-// As many as a ring may have: full local buses, inputs and outputs in turn.
+// As many as a ring may have: full local buses, alternating inputs and outputs.
 Project largestProject()
 {
     RingStructure ring;

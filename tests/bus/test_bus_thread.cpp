@@ -57,7 +57,7 @@ protected:
         m_runner->post(command::StartBus{});
         m_runner->post(command::SetOperate{true});
     }
-    // The first outcome that comes; bounded by the time-out of the whole test program.
+    // The first outcome to arrive; limited by the time-out of the whole test program.
     Outcome waitForOutcome()
     {
         for (;;) {
@@ -82,7 +82,7 @@ TEST_F(BusThreadTest, CyclesTheRunnerWhileTheWindowPostsAndTakes)
         EXPECT_EQ(outcome.job, job);
         EXPECT_TRUE(outcome.result);
         std::shared_ptr<const Snapshot> snapshot;
-        while (!(snapshot = m_runner->takeLatest())) // bounded as the outcome is
+        while (!(snapshot = m_runner->takeLatest())) // limited like the outcome
             std::this_thread::yield();
         EXPECT_EQ(snapshot->period, 1ms);
     }

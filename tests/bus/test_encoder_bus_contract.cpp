@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every bus keeps (bus/encoder_bus.h), on its simulator: in virtual time, or by its thread.
+// The contract of every bus (bus/encoder_bus.h), on its simulator: in virtual time, or with its thread.
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
@@ -90,7 +90,7 @@ protected:
     }
     Result<void> tryToOpen() { return m_kind.open(EncoderBus::Start::operating); }
     void openByThread() { m_kind.openByThread(); }
-    // In its thread: time passes by itself.
+    // With its thread: time passes by itself.
     template <typename Condition>
     void pumpUntil(Condition isSo)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links that hand on everything, count what could change something at the far end, and can be lost or block.
+// Links that pass everything on, count what could change something at the far end, and can be lost or block.
 #pragma once
 
 #include "esc_line/byte_link.h"
@@ -14,7 +14,7 @@
 
 namespace codewheel::test {
 
-// What the test sees and does of a link, in whatever thread that is used.
+// What the test observes and controls of a link, whichever thread uses it.
 class LinkWatch
 {
 public:
@@ -43,7 +43,7 @@ private:
     std::condition_variable m_wake;
 };
 
-// Cycles in which a word that is not 00000000 went out.
+// Counts cycles in which a word other than 00000000 went out.
 class WatchedRingLink final : public ProcessDataLink
 {
 public:
@@ -88,7 +88,7 @@ private:
     LinkWatch &m_watch;
 };
 
-// Requests with a value: ESC, address, command, eight digits, CR LF. Those that only ask have none.
+// Counts requests with a value: ESC, address, command, eight digits, CR LF. Reads have none.
 class WatchedLineLink final : public ByteLink
 {
 public:

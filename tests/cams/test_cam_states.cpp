@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
                     CoverRow{"all", {0, largest, true}, largest, true}),
     [](const auto &row) { return row.param.name; });
 
-// All stretches of a small ring against each of their positions.
+// Checks all stretches of a small ring at each of their positions.
 TEST(CamOnAStretch, IsKnownWhereAllOfItsPositionsAgree)
 {
     constexpr std::int64_t total = 7;

@@ -17,8 +17,8 @@ const DeviceDescription &device(const Catalog &catalog, QStringView key)
     return found ? *found : none;
 }
 
-// The resource is in a static library: it must reach the program all the same. Each file of the folder must
-// be in it, and have the name of its key.
+// The resource is in a static library, but must still reach the program. It must contain each file of the
+// folder, named after its key.
 TEST(BuiltInDevices, AreLinkedIntoTheProgram)
 {
     const Catalog catalog = Catalog::builtIn();
@@ -166,7 +166,7 @@ TEST(BuiltInDevices, BaumerCannotReadAndStatesNoBudget)
     EXPECT_TRUE(baumer.notesText().contains(QStringLiteral("assumed")));
 }
 
-// All texts of a description; those that are the same in every language are under "".
+// All texts of a description; those that are the same in every language have the language "".
 std::vector<LocalText> textsOf(const DeviceDescription &device)
 {
     std::vector<LocalText> texts{device.notes, device.supply.value, device.supply.chapter};
@@ -211,7 +211,7 @@ TEST(BuiltInDevices, EveryTextIsInEachLanguage)
     }
 }
 
-// FRABA manual 3.1, 3.3 and 6; Baumer 8.6: what one plugs in wrongly costs an encoder.
+// FRABA manual 3.1, 3.3 and 6; Baumer 8.6: wrong wiring destroys an encoder.
 TEST(BuiltInDevices, SupplyAndItsPinsAreThoseOfTheManuals)
 {
     const auto signalAt = [](const Connector &connector, const char *pin) {
@@ -315,7 +315,7 @@ TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
     EXPECT_EQ(generic->fullName(), QStringLiteral("K3, make not known"));
     EXPECT_TRUE(generic->isGeneric());
     EXPECT_FALSE(generic->capabilities.reads || generic->capabilities.resets);
-    EXPECT_EQ(generic->findNumber(3), nullptr); // direction at one make, coding at another
+    EXPECT_EQ(generic->findNumber(3), nullptr); // direction for one make, coding for another
     EXPECT_EQ(generic->findNumber(5)->parameter, Parameter::zeroOffset);
     EXPECT_EQ(catalog.generic(0x0133), nullptr);
 }

@@ -98,7 +98,7 @@ constexpr Breakage breakages[] = {
      "steps, revolutions"},
     {R"("tenth-degree-celsius")", R"("kelvin")", 18, "parameters[2].unit", "kelvin"},
     {R"("batteryLow")", R"("cancelled")", 24, "errors[1].meaning", "cancelled"},
-    // the data field of a K3 has 25 bit; only what is written must fit
+    // The data field of a K3 has 25 bits; only what is written must fit.
     {R"("maximum": 4096)", R"("maximum": 33554432)", 15, "parameters[0].maximum", "between 0 and 33554431"},
     {R"("maximum": 4096)", R"("maximum": 1099511627776)", 15, "parameters[0].maximum", "no room"},
     {R"("minimum": 1, )", R"("minimum": -1, )", 15, "parameters[0].minimum", "between 0 and 33554431"},
@@ -175,7 +175,7 @@ TEST(Catalog, SaysThatAFileIsEmpty)
     }
 }
 
-// Whatever is cut off or overwritten: a fault or a description, never a crash.
+// However a file is truncated or overwritten: a fault or a description, never a crash.
 TEST(Catalog, SurvivesAnyTruncationAndAnyOverwrittenByte)
 {
     for (qsizetype size = 0; size < sound.size() - 2; ++size)

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-// The names the reader knows, as it tells them when it meets an unknown one in the place of `from`.
+// The names known to the reader, as it lists them on meeting an unknown one instead of `from`.
 QStringList namesKnownInPlaceOf(const char *from, const char *to)
 {
     QFile file(QStringLiteral(CODEWHEEL_ROOT "/resources/devices/tr-la66.json"));
@@ -26,7 +26,7 @@ QStringList namesKnownInPlaceOf(const char *from, const char *to)
     return names;
 }
 
-// The registers stand there as "`opc-register-0` to `opc-register-15`".
+// The page lists the registers as "`opc-register-0` to `opc-register-15`".
 bool standsOnThePage(const QString &page, const QString &name)
 {
     static const QString registers = QStringLiteral("opc-register-");

@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-// What stands in a description about its profile; all else does not depend on it.
+// The parts of a description that depend on its profile.
 struct Parts
 {
     const char *profile;
@@ -35,7 +35,7 @@ QByteArray description(const Parts &parts)
             .arg(parts.inWords)
             .arg(parts.outWords)
             .arg(QLatin1String(parts.parameters));
-    // the capability in question takes the place of "false", or is added
+    // The capability in question replaces "false", or is added.
     const QByteArray capability(parts.capability);
     const QByteArray denied = capability.split(':').front() + ": false";
     const QByteArray quirk(parts.quirk);

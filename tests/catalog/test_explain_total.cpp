@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-// Whatever the device, the direction and what is told besides: a word means something, and there is a
-// sentence for it.
+// Whatever the device, the direction and the context: a word has a meaning, and there is a sentence for it.
 namespace codewheel {
 namespace {
 
-// One context after the other: each mode and each coding, told and untold, with many words the other way.
+// Iterates over the contexts: each mode and each coding, known and unknown, with many words of the other
+// direction.
 class Contexts
 {
 public:

@@ -17,7 +17,7 @@ protected:
     {
         return explanationText(device, explainWord(device, word, context)).toStdString();
     }
-    // Beside the word the other way.
+    // Together with the word of the other direction.
     std::string inBeside(const DeviceDescription &device, Word word, Word counterpart,
                          Mode mode = Mode::position)
     {
@@ -81,7 +81,7 @@ TEST_F(ExplainWord, WordsOfBaumer)
     EXPECT_EQ(inBeside(baumer, 0xC000'4E20, 0x0400'4E20), "Processing, data 20000");
     EXPECT_EQ(text(baumer, 0x9C00'0000, positionIn), "Error 14: battery low");
     EXPECT_EQ(text(baumer, 0x8800'0000, positionIn), "Error 4: not defined for this encoder");
-    // its coding is a parameter, and not told here
+    // Its coding is a parameter, which is not given here.
     EXPECT_EQ(text(baumer, 0x0001'2A4F, positionIn),
               "Running, position 00012A4F in a coding that is not known");
     k3::ExplainContext decoded = positionIn;
@@ -89,7 +89,7 @@ TEST_F(ExplainWord, WordsOfBaumer)
     EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1 (signed)");
 }
 
-// Of FRABA the manual has 1 to 5 and 7, of Baumer 6 and 15 too.
+// FRABA's manual has 1 to 5 and 7, Baumer's also 6 and 15.
 TEST_F(ExplainWord, AParameterThatTheEncoderHasNotIsSaidToBeUndefined)
 {
     for (const unsigned number : {6U, 8U, 9U, 14U, 15U}) {
@@ -151,7 +151,7 @@ TEST_F(ExplainWord, WordsOfAnUnnamedK3)
               "Manufacturer specific (D29), and the make is not known");
 }
 
-// It may be a FRABA; one that is named has the modes of its description.
+// An unnamed one may be a FRABA; a named one has the modes of its description.
 TEST_F(ExplainWord, AnUnnamedK3MayHaveModes)
 {
     const k3::ExplainContext untold{WordDirection::out, {}, {}, {}, {}};

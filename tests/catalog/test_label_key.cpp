@@ -88,7 +88,7 @@ TEST_F(LabelKey, TellsEachPart)
     ASSERT_EQ(reading.parts.size(), 5u);
     EXPECT_EQ(reading.parts[3].written, QStringLiteral("A3"));
     EXPECT_EQ(reading.parts[3].meaning.toString(), QStringLiteral("C-plug 2 x 9 pins, radial, 4 LEDs"));
-    EXPECT_FALSE(reading.turns); // this key does not tell them
+    EXPECT_FALSE(reading.turns); // not part of this key
 }
 
 // Baumer manual 9.1
@@ -120,7 +120,7 @@ TEST_F(LabelKey, SaysWhichPartIsNotUnderstoodAndWhatMayStandThere)
     EXPECT_THAT(refusal("GXP6W.0 30 A0 01"), HasSubstr("\"30\" in \"GXP6W.0 30 A0 01\""));
     EXPECT_THAT(refusal("GXP6W.0 10 A0 02"), HasSubstr("Software: 01 (profile K3)"));
     EXPECT_THAT(refusal("8.5883.xx3x.3001"), HasSubstr("\"5883\""));
-    // the interface of one with the protocol of the other
+    // The interface of one with the protocol of the other.
     EXPECT_THAT(refusal("8.5882.xx3x.1001"), HasSubstr("\"1001\""));
 }
 
@@ -145,7 +145,7 @@ TEST_F(LabelKey, OfNobodyNamesAllThatMayStandFirst)
     EXPECT_THAT(text, HasSubstr("Series: 8"));
 }
 
-// Whatever is typed: a match or a sentence.
+// Whatever is typed: either a match or a sentence.
 TEST_F(LabelKey, SurvivesEveryBeginningAndEveryOtherLetter)
 {
     for (const DeviceDescription &device : m_catalog.devices()) {

@@ -19,7 +19,7 @@ struct Arguments;
 struct Subcommand;
 struct Terminal;
 
-// What a call of the command line left behind.
+// The result of a command line call.
 struct CliRun
 {
     int exit = -1;
@@ -30,21 +30,21 @@ struct CliRun
     QJsonObject lastJson() const; // of its last line
 };
 
-// Who sits at the terminal: nobody, or somebody who types this.
+// Who is at the terminal: nobody, or somebody who types this.
 struct Person
 {
     bool isThere = false;
     std::string types{};
 };
 
-// What `call` does for this person.
+// Runs `call` for this person.
 CliRun runWith(const Person &person, const std::function<int(const Terminal &)> &call);
 
-// A command on these buses, with the project that its words name.
+// A command on these buses, with the project given in its arguments.
 int runOn(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
           const std::vector<BusAccess *> &links, const Terminal &terminal);
 
-// A whole call, in this process. `line` is what stands behind codewheel-cli, split at spaces.
+// A whole call, within this process. `line`: everything after codewheel-cli, split at spaces.
 CliRun runLine(const QString &line, const Person &person = {});
 
 // Calls that share one training bus.
@@ -55,7 +55,7 @@ public:
     CliRun runLine(const QString &line, const Person &person = {});
     RingSession &bus() { return *m_training.bus; }
     TrainingControls &controls() { return *m_training.controls; }
-    // Writes to the EEPROMs of all encoders, as the simulated encoders count them.
+    // Writes to the EEPROMs of all encoders, as counted by the simulated encoders.
     int eepromWrites() const;
 
 private:

@@ -59,7 +59,7 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     const auto link =
         lineMeant(*LinkText::parse(arguments->value("--link").value_or(QStringLiteral("esc:training"))));
     EXPECT_TRUE(link) << line.toStdString();
-    StopSignals held; // so that Ctrl+C is for the command alone
+    StopSignals held; // so that only the command gets Ctrl+C
     CliRun run = runWith(person, [&](const Terminal &terminal) {
         LineAccess access(cutLink(m_line, m_cut), *link, m_catalog);
         access.keepLedger(arguments->value("--ledger"));

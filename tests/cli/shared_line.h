@@ -18,27 +18,27 @@ public:
         : m_catalog(std::move(catalog))
     {}
 
-    // `line` may have --link esc:training with settings of the line, and --ledger.
+    // `line` may contain --link esc:training with settings of the line, and --ledger.
     CliRun runLine(const QString &line, const Person &person = {});
     SimulatedLine &simulated() { return *m_line; }
     EscRegisters registers(std::uint8_t address);
     void mute(std::uint8_t address);
 
-    // The adapter is unplugged as soon as something that begins like this was sent: "05GD".
+    // The adapter is unplugged right after a request with this beginning was sent: "05GD".
     void unplugAfter(const QByteArray &request)
     {
         m_cut = {request, [](SimulatedLine &line) { line.setUnplugged(true); }};
     }
-    // All encoders say nothing any more from then on; they hear and act.
+    // From then on all encoders are silent; they still hear and act.
     void muteAfter(const QByteArray &request)
     {
         m_cut = {request, [](SimulatedLine &line) { line.setSilent(true); }};
     }
 
-    // Ctrl+C is pressed then, or another signal comes.
+    // Ctrl+C is pressed then, or another signal arrives.
     void interruptAfter(const QByteArray &request, int signal = SIGINT);
 
-    // What happens once a request that begins like this was sent.
+    // What happens once a request with this beginning was sent.
     struct Cut
     {
         QByteArray request{};
@@ -51,7 +51,7 @@ private:
     Cut m_cut;
 };
 
-// A link that passes all on, and lets something happen with a certain request.
+// A link that passes everything on, and makes something happen at a certain request.
 std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut);
 
 } // namespace codewheel

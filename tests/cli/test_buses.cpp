@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls on several buses of a kind: which one PLACE means, and how it is told.
+// Calls on several buses of a kind: which one PLACE means, and how it is reported.
 #include "catalog/catalog.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -82,7 +82,7 @@ protected:
         });
     }
     CliRun run(const char *words) { return run(QString::fromLatin1(words).split(u' ')); }
-    // What is asked of one place with blanks in its name, and told to programs.
+    // The JSON output of a command for one place with spaces in its name.
     QJsonObject told(const char *command, const char *place)
     {
         return run({QString::fromLatin1(command), QString::fromLatin1(place), QStringLiteral("--for"),
@@ -156,7 +156,7 @@ TEST_F(CliBuses, WhatIsNoBusOrNotOnItIsRefused)
     EXPECT_EQ(told("monitor", "/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
 }
 
-// Nobody can tell which one a script means.
+// Nobody could tell which one a script means.
 TEST_F(CliBuses, AStationThatReadsLikeAPlaceOnABusIsRefused)
 {
     findDevice(project, {secondLine, LineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/2.0");
@@ -195,7 +195,7 @@ TEST_F(CliBuses, AnEncoderThatTellsAnotherSerialNumberIsNotTheProjectsOne)
     EXPECT_EQ(told("monitor", "Right")[u"exit"], 0);
 }
 
-// In sentences and as one types it.
+// In sentences, and in the form in which it is typed.
 TEST_F(CliBuses, PlacesAreToldWithTheirBus)
 {
     const CliRun asked =
@@ -360,7 +360,7 @@ TEST_F(CliBuses, WhatCouldNotBeAskedIsNotMissing)
 
 TEST_F(CliBuses, ACancelledSearchTellsWhatWasNotSearched)
 {
-    StopSignals held; // so that Ctrl+C is for the command alone
+    StopSignals held; // so that only the command gets Ctrl+C
     cut = {"01N", [](SimulatedLine &) { std::raise(SIGINT); }};
     const CliRun run = this->run("scan --json");
     EXPECT_EQ(errorKey(run), "scanCancelled");
@@ -370,7 +370,7 @@ TEST_F(CliBuses, ACancelledSearchTellsWhatWasNotSearched)
     EXPECT_EQ(buses[3][u"error"][u"key"], QStringLiteral("notSearched"));
 }
 
-// They may be switched off.
+// Its encoders may be switched off.
 TEST_F(CliBuses, OfASilentLineWhatIsPlannedStays)
 {
     cut = {"01N", [](SimulatedLine &line) { line.setSilent(true); }};
@@ -392,7 +392,7 @@ TEST_F(CliBuses, BadOptionsOfASearchAreSaidBeforeIt)
     EXPECT_EQ(run.out, "");
 }
 
-// The encoders 05 of both lines tell the same serial number.
+// The encoders 05 of both lines report the same serial number.
 TEST_F(CliBuses, WhatIsListedOfSeveralBusesIsToldWithItsBus)
 {
     const QString ledger = folder.filePath(QStringLiteral("ledger.sqlite"));
@@ -418,7 +418,7 @@ TEST_F(CliBuses, WhatIsListedOfSeveralBusesIsToldWithItsBus)
     EXPECT_THAT(unnamed, HasSubstr("  4/esc:12  "));
     EXPECT_THAT(run({QStringLiteral("ledger"), QStringLiteral("--ledger"), ledger}).out,
                 HasSubstr("  Gate 2/esc:12  "));
-    // In another project the numbers may be those of other buses.
+    // In another project the numbers may stand for other buses.
     std::swap(project.buses[2].id, project.buses[3].id);
     project.devices.clear();
     const std::string other = run({QStringLiteral("ledger"), QStringLiteral("--ledger"), ledger}).out;
@@ -445,7 +445,7 @@ TEST_F(CliBuses, AFaultPlanIsForOneRing)
     EXPECT_EQ(told("Gate")[u"bus"], 3);
 }
 
-// What another program saves in between gives no second answer.
+// Another program may save in between, so reading twice could give two answers.
 TEST_F(CliBuses, TheProjectIsReadOnce)
 {
     project.buses = {planned(firstRing, "interbus", "Crane")};
@@ -455,13 +455,13 @@ TEST_F(CliBuses, TheProjectIsReadOnce)
         const int watch = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
         ::inotify_add_watch(watch, QFile::encodeName(file).constData(), IN_OPEN | IN_CLOSE);
         runLine(QString::fromLatin1(call).arg(file));
-        std::array<char, 4'096> events{}; // of a file, they have no names
+        std::array<char, 4'096> events{}; // the events of a single file have no names
         EXPECT_EQ(::read(watch, events.data(), events.size()), ssize_t{2 * sizeof(inotify_event)}) << call;
         ::close(watch);
     }
 }
 
-// From the words of the call on.
+// Already when the arguments are parsed.
 TEST_F(CliBuses, TheLinkProjectLeadsToAllBusesOfTheProject)
 {
     project.buses.erase(project.buses.begin() + 1);
@@ -498,7 +498,7 @@ TEST_F(CliBuses, OneCallHasOneProjectWithBuses)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --link project --json --project ") + file)), "noBuses");
 }
 
-// What was not looked at is not the same.
+// What was not looked at does not count as the same.
 TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
 {
     project.buses = {planned(secondLine, "esc", "Gate 2")};
@@ -532,7 +532,7 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
     EXPECT_THAT(compared, HasSubstr("Gate: There is no serial port /dev/none"));
 }
 
-// A bus of the call is a bus of the project of its kind, and by its port.
+// A bus of the call is the project's bus of its kind, identified by its port.
 TEST_F(CliBuses, ALinkHasTheNumberOfTheBusThatIsMeant)
 {
     const auto numberAt = [this](const char *link) {
@@ -580,7 +580,7 @@ protected:
     }
 };
 
-// A scaling factor of 1 with 30 fraction bits, of 4 with 28.
+// The same digits are a factor of 1 with 30 fraction bits, and of 4 with 28.
 TEST_F(CliProjectLinks, ARequestIsExplainedByTheLineThatHasItsAddress)
 {
     for (const char *link : {"esc:project", "project"}) {
@@ -644,7 +644,7 @@ TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
               QStringLiteral("noProject"));
 }
 
-// A kind of bus that is reached by a scheme of another one too.
+// A kind of bus that can also be reached by another kind's scheme.
 class OtherKind final : public LinkKind
 {
 public:

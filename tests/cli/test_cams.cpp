@@ -21,7 +21,7 @@ using testing::Not;
 class CliCams : public testing::Test
 {
 protected:
-    // The path holds no space.
+    // The path contains no space.
     QString file(const QByteArray &json)
     {
         QString name = m_directory.filePath(QStringLiteral("cams.json"));

@@ -38,10 +38,10 @@ TEST(CliCommandLine, EachCommandExplainsItself)
     }
 }
 
-// The examples are what a user types first.
+// Users type the examples first.
 TEST(CliCommandLine, TheExamplesOfTheHelpWork)
 {
-    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // examples name files of docs/examples
+    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // the examples name files in docs/examples
     const QString prefix = QStringLiteral("  codewheel-cli ");
     for (const char *command :
          {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor", "terminal"}) {

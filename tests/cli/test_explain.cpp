@@ -48,7 +48,7 @@ TEST(CliExplain, TheCounterpartTellsWhatWasRead)
                 testing::Not(ElementsAre("readOutValue")));
 }
 
-// FRABA manual 1.1 and 8: 13 bits of a turn and 12 of turns.
+// FRABA manual 1.1 and 8: 13 bits for the turn and 12 for the turns.
 TEST(CliExplain, TheLabelTellsHowManyBitsAPositionHas)
 {
     const QString word = QStringLiteral("explain 01FFFFFF --direction in");

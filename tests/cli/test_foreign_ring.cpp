@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A ring without a plan: an encoder whose make nobody has named, and a digital input.
+// A ring without a plan: an encoder of unnamed make, and a digital input.
 class CliForeignRing : public testing::Test
 {
 protected:
@@ -58,7 +58,7 @@ TEST_F(CliForeignRing, AMonitorOfWordsEndsWithItsLink)
 
 TEST_F(CliForeignRing, CtrlCEndsAMonitorOfWords)
 {
-    StopSignals held; // so that it is for the command alone
+    StopSignals held; // so that only the command gets it
     m_link->answerWith([this](std::size_t, Word) {
         if (m_link->exchanges() == 500)
             std::raise(SIGINT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names, keys and arguments that would steer a terminal: nothing of them reaches it.
+// Names, keys and arguments with terminal control sequences: none of them reaches the terminal.
 #include "cli/command_line.h"
 #include "cli/terminal.h"
 #include "journal/message_store.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept on disk: messages listed and exported, EEPROM writes counted and asked for.
+// What is kept on disk: messages listed and exported, EEPROM writes counted, and consent asked for.
 #include "encoder/job.h"
 #include "journal/ledger.h"
 #include "journal/message_store.h"
@@ -29,7 +29,7 @@ protected:
     {
         return runLine(QString::fromLatin1(line).arg(folder.path()), person);
     }
-    // The encoder at 1.0 of this project, or of none, was written to so often.
+    // So many writes to the encoder at 1.0 of this project, or of none.
     void count(int writes, const QString &project = {}) const
     {
         auto ledger = Ledger::open(DatabasePlace::file(path("ledger.sqlite")));
@@ -119,7 +119,7 @@ TEST_F(CliMessages, AreFiltered)
               0);
 }
 
-// Of two buses: what stopped is told with the bus, and each can be looked at alone.
+// Of two buses: a stop is reported with its bus, and each bus can be viewed alone.
 TEST_F(CliMessages, TellTheBus)
 {
     {
@@ -211,7 +211,7 @@ TEST_F(CliMessages, WhereThereIsNoRoomTheOldExportStaysAndItIsTold)
         file.write("old");
         file.close();
         const CliRun told = [&] {
-            const test::NoRoom disk(50'000); // beyond what SQLite writes to read
+            const test::NoRoom disk(50'000); // SQLite writes less than this to read
             return run(("messages --file %1/messages.sqlite --yes --export %1/" + std::string(name)).c_str());
         }();
         EXPECT_EQ(told.exit, 1) << name;
@@ -229,7 +229,7 @@ TEST_F(CliMessages, BadInputIsTold)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
 }
 
-// The same for window and command line: what is written to an encoder of this world is kept.
+// The same for window and command line: writes to real encoders are kept.
 TEST_F(CliJournal, OnlySimulatedEncodersAreCountedInMemory)
 {
     const Catalog catalog = Catalog::builtIn();
@@ -309,8 +309,8 @@ TEST_F(CliJournal, WantsThePlaceTypedBeyondTheLimit)
     EXPECT_EQ(counted(), 502);
 }
 
-// What each kind of job is called by, and whether it may write to an EEPROM, in the order of Job: whoever
-// adds one enters it here. %2 is a project with the encoder at 1.0.
+// The calls that start each kind of job, and whether it may write to an EEPROM, in the order of Job: enter
+// new ones here. %2 is a project with the encoder at 1.0.
 struct JobRow
 {
     std::vector<const char *> calls; // none: no command does this
@@ -322,7 +322,7 @@ const std::vector<JobRow> jobRows{
     {{"preset 1.0", "preset 1.0 1000", "preset 1.0 --fraba"}, true},
     {{"words 1.0 020000FF", "words 1.0 40000000", "words 1.0 20800001 46000015 20800000"}, true},
     {{}, true},                                         // EndParameterization
-    {{"velocity 1.0 off --device fraba-ocd-ib"}, true}, // so its mode is not known
+    {{"velocity 1.0 off --device fraba-ocd-ib"}, true}, // so that its mode is not known
     {{"reset 1.0 --yes"}, true},
     {{"cams 1.0 read --program 1", "cams 1.0 compare %3/cams.json", "clone 1.0 6.1 --cams --yes",
       "store %2 1.0 --cams"},
@@ -359,7 +359,7 @@ TEST_F(CliJournal, NoKindOfJobWritesPastTheLimitUnlessThePlaceIsTyped)
         }
 }
 
-// Not each job for itself: the position is set with two writes, the values before it are two more.
+// Asked only once: setting the position takes two writes, the values before it two more.
 TEST_F(CliJournal, AsksOnceForAllThatIsWrittenToAnEncoder)
 {
     const QString project = QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel");

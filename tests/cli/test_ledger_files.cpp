@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ledger carried to another computer, and one that cannot be written to.
+// A ledger carried to another computer, and one that cannot be written to.
 #include "journal/ledger.h"
 #include "tests/cli/cli_run.h"
 

@@ -22,7 +22,7 @@ struct BadLineCall
     int exit;
 };
 
-// An echo in which every byte is wrong in a bit.
+// An echo with one wrong bit in every byte.
 TEST(CliLineStrayBytes, AreToldWithTheirNumberAndWhatTheyCanMean)
 {
     for (const char *called : {"read 05 steps", "preset 05 5 --yes", "monitor 05 --for 1"}) {
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "placeOnBus", 2},
         BadLineCall{"scan --link esc:training --fault-plan x.json", "faultPlanOnLine", 2}));
 
-// A project with a device of the ring and one of the line whose stations look like addresses.
+// A project with a ring device and a line device whose stations look like addresses.
 class CliLineStations : public testing::Test
 {
 protected:

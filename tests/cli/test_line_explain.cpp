@@ -29,7 +29,7 @@ TEST(CliLineExplain, TellsWhatARequestMeans)
     EXPECT_EQ(json[u"direction"], QStringLiteral("out"));
 }
 
-// The vectors of the manual.
+// The examples of the manual.
 TEST(CliLineExplain, TellsWhatAnAnswerMeans)
 {
     EXPECT_THAT(runLine(explainLine("00001235 --other 05P")).out, HasSubstr("05: position? -> 1235h = 4661"));
@@ -43,7 +43,7 @@ TEST(CliLineExplain, TellsWhatAnAnswerMeans)
     EXPECT_EQ(json[u"bits"].toArray().size(), 5);
 }
 
-// What no encoder takes or tells is explained all the same, and said to be out of range.
+// Values that no encoder accepts or reports are still explained, and said to be out of range.
 TEST(CliLineExplain, SaysWhatIsOutOfRange)
 {
     const CliRun preset = runLine(explainLine("03GP0"));

@@ -26,7 +26,7 @@ protected:
     {
         return runLine(QStringLiteral("ledger --json --ledger %1").arg(m_file)).json()[u"accounts"].toArray();
     }
-    // An encoder like the others, whose manual speaks of few writes.
+    // An encoder like the others, but its manual allows only few writes.
     static Catalog withBudget()
     {
         Catalog catalog = Catalog::builtIn();
@@ -103,7 +103,7 @@ TEST_F(CliLineLedger, AWriteThatMayHaveBeenDoneCounts)
 TEST_F(CliLineLedger, TheGatesAreThoseOfTheRing)
 {
     EXPECT_EQ(run("write 05 direction=ccw --yes --device few-writes").exit, 0);
-    // The budget of 1 is used: --yes answers, or somebody.
+    // The budget of 1 is used up: --yes or a person has to answer.
     EXPECT_EQ(errorKey(run("preset 05 1000 --json --device few-writes")), "eepromBudgetUsed");
     const CliRun warned = run("terminal 05GD0 --yes --device few-writes");
     EXPECT_EQ(warned.exit, 0);

@@ -123,7 +123,7 @@ TEST(CliLineProgram, ScansReadsWritesAndPresetsAtAServedLine)
     EXPECT_EQ(call("read 05 steps", port).out, "steps  = 864\n"); // the port keeps its encoders
 }
 
-// Two lines at two ports, with the same addresses on them, from the search to the words of a call.
+// Two lines at two ports, with the same addresses, from the search to the arguments of a call.
 TEST(CliLineProgram, AProjectLeadsToAllItsLines)
 {
     const Port left = served();
@@ -242,7 +242,7 @@ TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)
                 HasSubstr("\"version\":\"5882 PEER FOR TESTS V1.00\""));
 }
 
-// 1300h is as near to 1235h as the shaft could have turned to.
+// 1300h is close enough to 1235h for the shaft to have turned there.
 TEST(CliLineProgram, APresetThatIsAcknowledgedAndNotDoneIsNoSuccess)
 {
     const Port port = peer(QStringLiteral("--ignores GP"));
@@ -302,7 +302,7 @@ TEST(CliLineProgram, UnderAFloodItIsSaidThatBytesComeThatAreNoAnswers)
     EXPECT_EQ(errorKey(run), "noAnswerAmongBytes");
 }
 
-// Nobody answers: the search would take its time.
+// Nobody answers, so the search would take its time.
 TEST(CliLineProgram, CtrlCEndsASearchWithWhatWasFound)
 {
     PtyPair line;

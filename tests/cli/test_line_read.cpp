@@ -26,7 +26,7 @@ TEST(CliLineRead, ReadsAllAndTellsHexadecimalWhatIsNoNumber)
     EXPECT_THAT(run.out, HasSubstr("version               = 5882 RS485 V1.2 SIMULATED\n"));
 }
 
-// Manual, read command V: text among numbers.
+// Manual, read command V: a text among numbers.
 TEST(CliLineRead, TheVersionIsAValueToo)
 {
     const CliRun alone = runLine(QStringLiteral("read 05 version"));
@@ -110,7 +110,7 @@ TEST(CliLineMonitor, PrintsWhatChangesAndHowTheLineHasDone)
     EXPECT_EQ(json[u"place"], QStringLiteral("esc:03"));
 }
 
-// A row for each difference of what it shows, and for nothing else.
+// A row for each visible difference, and for nothing else.
 TEST(CliLineMonitor, WhatSaysTheSameIsNoSecondRow)
 {
     SharedLine line;
@@ -119,7 +119,7 @@ TEST(CliLineMonitor, WhatSaysTheSameIsNoSecondRow)
     for (const QString &row : QString::fromStdString(run.out).split(u'\n')) {
         if (row.isEmpty())
             break;
-        said.push_back(row.mid(9).toStdString()); // behind the time
+        said.push_back(row.mid(9).toStdString()); // after the time
     }
     ASSERT_GT(said.size(), 1U);
     EXPECT_EQ(std::ranges::adjacent_find(said), said.end()) << run.out;

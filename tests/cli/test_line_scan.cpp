@@ -127,7 +127,7 @@ TEST(CliLineScan, CtrlCBeforeAnybodyAnsweredIsNoSilence)
     EXPECT_THAT(run.err, HasSubstr("until then no encoder had answered"));
 }
 
-// What was not asked any more would be gone from the project.
+// Encoders no longer asked for would be lost from the project.
 TEST(CliLineScan, WhatWasCancelledIsNotSaved)
 {
     SharedLine line;
@@ -155,7 +155,7 @@ TEST(CliLineScan, SavesWhatAnswersAsAProject)
     EXPECT_EQ(project->devices[1].label.serialNumber, QStringLiteral("0012D5A4"));
 }
 
-// Its wishes and names stay with an encoder that answers again.
+// Wanted values and names stay with an encoder that answers again.
 TEST(CliLineScan, WhatIsPlannedStaysWithTheEncoder)
 {
     SharedLine line;

@@ -72,7 +72,7 @@ TEST_F(CliLineTransfer, CloneGivesTheValuesOfOneToAnother)
     const QJsonValue encoder = run.json()[u"encoders"][0];
     EXPECT_EQ(encoder[u"place"], QStringLiteral("esc:05"));
     EXPECT_EQ(became(encoder, "steps"), "written");
-    EXPECT_EQ(became(encoder, "revolutions"), "written"); // which the steps change
+    EXPECT_EQ(became(encoder, "revolutions"), "written"); // a consequence of the new steps
     EXPECT_EQ(became(encoder, "scaling"), "alreadyThere");
     const EscRegisters of03 = line.registers(0x03);
     const EscRegisters of05 = line.registers(0x05);
@@ -81,7 +81,7 @@ TEST_F(CliLineTransfer, CloneGivesTheValuesOfOneToAnother)
     EXPECT_TRUE(of05.countsCcw);
 }
 
-// Both would go to where the encoder stands, or move its position.
+// They would change where the encoder is reached, or move its position.
 TEST_F(CliLineTransfer, CloneLeavesAddressBaudRateAndPresetBehind)
 {
     ASSERT_EQ(run("preset 03 1000").exit, 0);
@@ -147,7 +147,7 @@ TEST_F(CliLineTransfer, OneThatDoesNotAnswerKeepsNoOtherFromItsValues)
 TEST_F(CliLineTransfer, AnotherSerialNumberThanThatOnTheLabelIsAnotherEncoder)
 {
     at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};
-    at(0x05).label.serialNumber = QStringLiteral("0012D5A4"); // as it tells it
+    at(0x05).label.serialNumber = QStringLiteral("0012D5A4"); // as it reports it
     at(0x12).label.serialNumber = QStringLiteral("4711");
     save();
     const CliRun run = this->run("transfer @ --yes --json");
@@ -176,12 +176,12 @@ TEST_F(CliLineTransfer, CtrlCEndsTheRoundAndWhatWasSentIsAccountedFor)
     EXPECT_FALSE(line.registers(0x12).countsCcw);
 }
 
-// The reading for the plan takes the signal; the call has to end by it.
+// Reading for the plan takes the signal, so the call has to end there.
 TEST_F(CliLineTransfer, CtrlCWhileItIsReadForThePlanSendsNothing)
 {
     ASSERT_EQ(run("write 05 steps=864 --yes").exit, 0);
     at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};
-    at(0x12).label.serialNumber = QStringLiteral("4711"); // of the one before
+    at(0x12).label.serialNumber = QStringLiteral("4711"); // of the previous encoder
     save();
     for (const auto &[call, request] : {std::pair{"transfer @ 05 --yes --json", "05U"},
                                         {"clone 05 03 12 --yes --json", "05U"},
@@ -237,7 +237,7 @@ TEST_F(CliLineTransfer, APositionThatWasSentAndNotAnsweredIsNotToldAsNotSet)
                 HasSubstr("Position: set to 3000.\n"));
 }
 
-// It has not told where it is: that is where it is asked.
+// Its address was never read, so it is taken to be the one at which it is asked.
 TEST_F(CliLineTransfer, ThePlanOfASilentEncoderShowsCommandsToItsAddress)
 {
     at(0x05).wanted = {{Parameter::direction, 1}};
@@ -293,7 +293,7 @@ TEST_F(CliLineTransfer, WhatWasStoredIsWrittenSaveThePresetAndThePlace)
 
 TEST_F(CliLineTransfer, ReplaceGivesTheNewEncoderValuesAndPosition)
 {
-    at(0x12).label.serialNumber = QStringLiteral("4711"); // of the one before
+    at(0x12).label.serialNumber = QStringLiteral("4711"); // of the previous encoder
     at(0x12).wanted = {{Parameter::direction, 1}};
     at(0x12).lastPosition = {2000, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC)};
     save();
@@ -377,7 +377,7 @@ TEST_F(CliLineTransfer, WritesAreCountedBeforeTheyAreSentAndBySerialNumber)
 {
     at(0x05).wanted = {{Parameter::direction, 1}};
     save();
-    line.unplugAfter("05GD"); // what became of it is not known
+    line.unplugAfter("05GD"); // with an unknown outcome
     EXPECT_EQ(run("transfer @ 05 --yes").exit, 1);
     const QJsonArray accounts =
         runLine(QStringLiteral("ledger --json --ledger ") + folder.filePath(QStringLiteral("eeprom.sqlite")))

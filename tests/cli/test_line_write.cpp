@@ -171,7 +171,7 @@ TEST(CliLineWrite, AnotherAddressIsToldWithThePlace)
     EXPECT_EQ(line.runLine(QStringLiteral("read 15 serial-number")).out, "serial-number  = 0012D5A4\n");
 }
 
-// 12h = 18 is there; so is 03, to which the digits "03" lead.
+// 12h = 18 is there; so is 03, which is what the digits "03" stand for.
 TEST(CliLineWrite, AnAddressThatIsTakenIsRefused)
 {
     SharedLine line;
@@ -235,7 +235,7 @@ TEST(CliLineWrite, AfterCtrlCNothingElseIsWrittenAndWhatWasIsRead)
     EXPECT_EQ(line.registers(0x05).lowerLimit, 1U);
 }
 
-// The terminal is closed, or nobody reads what is said any more.
+// The terminal is closed, or nobody reads the output any more.
 TEST(CliLineWrite, EverySignalThatEndsTheProgramLeavesAnAccount)
 {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
@@ -269,7 +269,7 @@ TEST(CliLinePreset, SetsThePositionAtOnce)
     EXPECT_EQ(line.registers(0x05).preset, 1'000U);
 }
 
-// 7 bytes of 1000 are damaged, some 8 answers of 100. The shaft stands still.
+// 7 bytes in 1000 are damaged, and so about 8 answers in 100. The shaft stands still.
 TEST(CliLinePreset, NoDamagedDigitGetsIntoTheAccount)
 {
     SharedLine line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// README and manual page print what the program prints.
+// README and manual page show the program's actual output.
 #include "tests/cli/cli_run.h"
 
 #include <QDir>
@@ -36,7 +36,7 @@ std::vector<Example> examplesIn(const QString &page)
 
 void comparePage(const char *name, std::size_t atLeast)
 {
-    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // examples name files of docs/examples
+    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // the examples name files in docs/examples
     QFile file(QStringLiteral(CODEWHEEL_ROOT "/") + QString::fromLatin1(name));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const std::vector<Example> examples = examplesIn(QString::fromUtf8(file.readAll()));

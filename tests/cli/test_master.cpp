@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A plan in a file of its own; how to give it.
+// Fault plans in files, as options of a call.
 class CliMaster : public testing::Test
 {
 protected:
@@ -75,7 +75,7 @@ TEST_F(CliMaster, ReadsInTheRingAsItIs)
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("The ring was read in: 3 devices."));
     EXPECT_THAT(run.out, HasSubstr("Master:         RUN"));
-    EXPECT_THAT(run.out, testing::Not(HasSubstr("is gone"))); // the wire is broken still
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("is gone"))); // the wire is still broken
 }
 
 TEST_F(CliMaster, SwitchesASegmentOff)
@@ -146,7 +146,7 @@ TEST_F(CliMaster, APlanThatIsBrokenOrNotThereIsTold)
     EXPECT_EQ(errorKey(missing), "fileNotReadable");
 }
 
-// A job that a bus fault ends is told as such.
+// A job ended by a bus fault is reported as such.
 TEST_F(CliMaster, AJobThatTheFaultEndsIsRefused)
 {
     const QString broken = plan(R"({"at": 5, "fault": "noSupply", "place": "2.0"})");

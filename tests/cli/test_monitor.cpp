@@ -29,7 +29,7 @@ TEST(CliMonitor, AShaftThatStandsStillIsOneRow)
     EXPECT_EQ(shared.bus().latest().cycle, 10'001u);
 }
 
-// 10 rpm of 8192 steps: 1365 steps a second.
+// 10 rpm at 8192 steps: 1365 steps a second.
 TEST(CliMonitor, AShaftThatTurnsIsARowEachTenthOfASecond)
 {
     const CliRun run = runLine(QStringLiteral("monitor 2.0 --for 1 --json"));
@@ -60,7 +60,7 @@ TEST(CliMonitor, PrintsWhatTheWordsMean)
                 HasSubstr("    1  00000000  00003039  Normal running  Running, position 12345\n"));
 }
 
-// A K1 of 12 bit at 3 rpm: 204.8 steps a second; a K2 of 24 bit at -6 rpm: 409.6 steps a second.
+// A K1 of 12 bits at 3 rpm: 204.8 steps a second; a K2 of 24 bits at -6 rpm: 409.6 steps a second.
 TEST(CliMonitor, ShowsEncodersThatHaveOnlyAnInWord)
 {
     EXPECT_EQ(runLine(QStringLiteral("monitor 3.0 --for 2 --every 1000")).out,

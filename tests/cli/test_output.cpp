@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real program with a standard output that takes nothing, and with streams that are closed.
+// The real program with a standard output that accepts nothing, and with closed streams.
 #include <QJsonDocument>
 #include <QProcess>
 #include <QProcessEnvironment>
@@ -24,7 +24,7 @@ struct Silenced
     std::string err;
 };
 
-// `prepare` is called in the program before it starts.
+// `prepare` runs in the new process before the program starts.
 Silenced startWith(const QString &line, const std::function<void()> &prepare)
 {
     const QTemporaryDir data;
@@ -118,7 +118,7 @@ TEST(CliOutput, WhatCouldNotBeShownIsNotSent)
     }
 }
 
-// Not a signal that ends the program: the account would be lost.
+// No signal may end the program here: the account would be lost.
 TEST(CliOutput, IntoAFileThatMayNotGrowIsAFullDisk)
 {
     const QTemporaryDir folder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several calls of the program at the same time, on the same files.
+// Several concurrent calls of the program on the same files.
 #include "journal/ledger.h"
 #include "project/project_file.h"
 #include "tests/support/places.h"
@@ -32,7 +32,7 @@ protected:
         m_calls.back()->setStandardInputFile(QProcess::nullDevice());
         m_calls.back()->start(QStringLiteral(CODEWHEEL_CLI), words);
     }
-    // What each answers with --json.
+    // The JSON answer of each.
     std::vector<QJsonObject> ended()
     {
         std::vector<QJsonObject> answers;

@@ -83,7 +83,7 @@ TEST(CliPreset, IsRefusedByAnEncoderThatOnlyTellsItsPosition)
     }
 }
 
-// In cam mode 40000000 would set the start of cam 0.
+// In cam mode, 40000000 would set the start of cam 0.
 TEST(CliPreset, IsRefusedInCamMode)
 {
     SharedBus shared;
@@ -93,7 +93,7 @@ TEST(CliPreset, IsRefusedInCamMode)
     EXPECT_EQ(errorKey(run), "inCamMode");
 }
 
-// FRABA manual 5.4.1: programmed once, activated as often as wanted; 60000000 stands for one cycle
+// FRABA manual 5.4.1: programmed once, activated as often as wanted; 60000000 is in OUT for one cycle
 TEST(CliPreset, TheFrabaPresetNeedsNoProgrammingAgain)
 {
     SharedBus shared;
@@ -122,7 +122,7 @@ TEST(CliPreset, WhereTheModeIsNotKnownTheUserSaysIt)
 {
     SharedBus shared;
     shared.bus().close();
-    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // nothing is known after that
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
     const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
     EXPECT_EQ(errorKey(run), "modeNotKnown");
     EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 --in-position-mode")).exit, 0);

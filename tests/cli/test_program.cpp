@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program itself, as a script starts it: nobody at a terminal.
+// The program as started by a script: nobody at a terminal.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -24,7 +24,7 @@ struct Ended
     std::string err;
 };
 
-// `locale` is what the system is set to: English without one.
+// `locale`: the system's setting, English by default.
 Ended start(const QString &line, const QString &locale = QStringLiteral("C.UTF-8"))
 {
     QProcess program;
@@ -72,7 +72,7 @@ TEST(CliProgram, WhatIsKnownIsToldInTheLanguageOfTheSystem)
     EXPECT_THAT(run.out, testing::Not(testing::ContainsRegex("[(](read|echoed|told)[)]")));
 }
 
-// Save what docs/command-line.md names as texts in the user's language.
+// Except for the texts that docs/command-line.md gives in the user's language.
 TEST(CliProgram, JsonIsTheSameInEveryLanguage)
 {
     for (const char *line : {"devices --json",
@@ -154,7 +154,7 @@ TEST(CliProgram, MakesAPdfWithoutAScreen)
     EXPECT_TRUE(pdf.readAll().startsWith("%PDF-"));
 }
 
-// A Qt without its driver for SQLite.
+// A Qt without its SQLite driver.
 TEST(CliProgram, SaysThatNothingIsKeptWithoutTheDriver)
 {
     const QTemporaryDir folder;

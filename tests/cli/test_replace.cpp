@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `replace` and `restore`: a new encoder gets what the one before had, and values from before come back.
+// `replace` and `restore`: a new encoder gets what the previous one had, and previous values come back.
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/ring/ring_access.h"
@@ -83,8 +83,8 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     EXPECT_TRUE(QFile::exists(file + u'~'));
 }
 
-// The wire breaks while the new encoder is written: what was for it is still in the project, and is written
-// by the same call again.
+// The wire breaks while the new encoder is being written: its values are still in the project, and the same
+// call writes them again.
 TEST_F(CliReplace, WhatWasInterruptedIsRepeated)
 {
     project.devices[0].wanted.clear();
@@ -204,7 +204,7 @@ TEST_F(CliReplace, TheWriteToBeTakenBackIsCalledByItsTime)
     EXPECT_THAT(shown.out, HasSubstr("8192")) << shown.err;
 }
 
-// Once an encoder has told its serial number, its writes stand under that.
+// Once an encoder has reported its serial number, its writes are listed under it.
 TEST_F(CliReplace, AnEncoderIsAskedForItsSerialNumberWhereItsPlaceHasNothing)
 {
     const QString option = QStringLiteral(" --ledger %1/ledger.sqlite").arg(folder.path());

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The project of docs/examples: steps 4096 wanted of both encoders of the training bus, and more.
+// The project of docs/examples: among other things, steps 4096 wanted of both encoders of the training bus.
 class CliReport : public testing::Test
 {
 protected:

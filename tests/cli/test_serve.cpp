@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real program offers the line; this test is the other program, with nothing of core between it and the
-// terminal.
+// The real program serves the line; this test is the other program, with none of our core code between it and
+// the terminal.
 #include "tests/cli/cli_run.h"
 
 #include <QFile>
@@ -105,7 +105,7 @@ TEST_F(Serve, KeepsWhatItsEncodersHaveForTheNextProgram)
     EXPECT_EQ(ask("05P", 12), "\r\n00005200\r\n");
 }
 
-// Megabytes that nobody understands, much faster than the line carries them.
+// Megabytes of nonsense, much faster than the line can carry.
 TEST_F(Serve, AFloodIsBoundedAndTheNextProgramIsServedAtOnce)
 {
     start();
@@ -142,7 +142,7 @@ TEST_F(Serve, WhatWasNotFetchedIsNotForTheNextProgram)
     ASSERT_EQ(::poll(&port, 1, 60'000), 1);
     const QByteArray name(::ttyname(m_port));
     ::close(m_port);
-    for (bool isEmpty = false; !isEmpty;) {                               // it is noticed soon
+    for (bool isEmpty = false; !isEmpty;) {                               // takes effect shortly
         m_port = ::open(name.constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
         port.fd = m_port;
         isEmpty = ::poll(&port, 1, 100) == 0;

@@ -94,7 +94,7 @@ TEST(CliTerminal, InAPipeTheFirstThatIsWrongIsTheLast)
     EXPECT_EQ(silent.exit, 1);
     EXPECT_EQ(lines(silent).back()[u"error"][u"key"], QStringLiteral("escNoAnswer"));
 
-    // Who sits there goes on.
+    // A person at the terminal can go on.
     const CliRun person = line.runLine(QStringLiteral("terminal"), {true, "05?\n07P\n05N\n"});
     EXPECT_EQ(person.exit, 0);
     EXPECT_THAT(person.out, HasSubstr("0012D5A4h\n"));
@@ -108,7 +108,7 @@ TEST(CliTerminal, AnAnswerThatRefusesIsAnAnswer)
     EXPECT_THAT(run.out, HasSubstr("answer"));
 }
 
-// By its serial number the encoder is known before the write, which is never sent.
+// The serial number identifies the encoder before the write, which is never sent.
 TEST(CliTerminal, AWriteThatThePortWasGoneForWasNotSent)
 {
     SharedLine line;

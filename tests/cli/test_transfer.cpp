@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// The training bus as a project that wants something of two of its encoders.
+// The training bus as a project with wanted values for two of its encoders.
 class CliTransfer : public testing::Test
 {
 protected:
@@ -152,7 +152,7 @@ TEST_F(CliTransfer, StoreKeepsWhatWasReadInTheProject)
     EXPECT_FALSE(stored->devices[0].stored.empty());
     EXPECT_TRUE(stored->devices[1].stored.empty());
     EXPECT_EQ(stored->devices[0].wanted, project.devices[0].wanted);
-    EXPECT_EQ(runIt("transfer @ 1.0 --stored").exit, 0); // it has it
+    EXPECT_EQ(runIt("transfer @ 1.0 --stored").exit, 0); // it already has it
 }
 
 TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
@@ -236,7 +236,7 @@ TEST_F(CliTransfer, WhyAnEncoderWasNotWrittenIsToldBeforeAReportThatWasNotSaved)
     EXPECT_THAT(run.err, HasSubstr("x.html cannot be written"));
 }
 
-// The project has a K1 before the K3s: each of its encoders stands one place further on than the bus has it.
+// The project has a K1 before the K3s: each of its encoders is one place further on than on the bus.
 class CliTransferShifted : public CliTransfer
 {
 protected:

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// A data folder of its own, so that nobody's real one is read.
+// A data folder of its own, so that nobody's real folder is read.
 class CliUserDevices : public testing::Test
 {
 protected:

@@ -43,7 +43,7 @@ TEST(CliVelocity, WhereTheModeIsNotKnownTheUserSaysIt)
 {
     SharedBus shared;
     shared.bus().close();
-    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // nothing is known after that
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
     const CliRun run = shared.runLine(QStringLiteral("velocity 1.0 on"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.err, HasSubstr("In cam mode the word 20400001 changes which cams are active"));

@@ -80,7 +80,7 @@ TEST(CliWords, AnErrorEndsTheSequence)
     EXPECT_EQ(rowsOf(run.json()).back(), "80000000 82000000");
 }
 
-// Baumer manual: out of the error by another value and run.
+// Baumer manual: leave the error with a new value and run.
 TEST(CliWords, AfterAnErrorTheWayOutCanBeTried)
 {
     const CliRun out = runLine(
@@ -181,7 +181,7 @@ struct BadWords
 {
     const char *line;
     const char *key;
-    const char *help; // what the sentence must offer
+    const char *help; // to be offered in the sentence
 };
 
 TEST(CliWords, AnEncoderWithoutOutTakesNone)

@@ -137,7 +137,7 @@ TEST(CliWrite, WhereTheModeIsNotKnownTheRawWordIsTold)
 {
     SharedBus shared;
     shared.bus().close();
-    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // nothing is known after that
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
     const CliRun run = shared.runLine(QStringLiteral("write 1.0 steps=255 --yes"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_THAT(run.out,
@@ -174,7 +174,7 @@ TEST(CliWrite, WithoutReadOutWhatWasWrittenFromHereIsLeftOut)
     EXPECT_THAT(keysOf(other, u"written"), ElementsAre("preset"));
 }
 
-// More steps a turn than the disc has: the encoder's error 1 at run.
+// More steps per turn than the disc has: the encoder's error 1 at run.
 TEST(CliWrite, WhatTheEncoderRefusesIsExit1AndSaysWhereItWasLeft)
 {
     const CliRun run = runLine(QStringLiteral("write 2.0 steps=20000 revolutions=1 --yes --json"));

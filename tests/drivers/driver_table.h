@@ -12,11 +12,11 @@
 
 namespace codewheel {
 
-// What an encoder shows that stands still.
+// The IN words of an encoder standing still.
 inline constexpr Word pos = 0x0000'3039;          // 12345
 inline constexpr Word posInCamMode = 0x0030'3900; // the same in cam mode, no cam on
 
-// One bus cycle as the manuals' tables write it: the OUT word the driver must have put there, and the IN word
+// One bus cycle as in the manuals' tables: the OUT word the driver must have put there, and the IN word
 // beside it.
 struct Row
 {
@@ -24,10 +24,10 @@ struct Row
     Word in;
 };
 
-// Of the built-in catalog.
+// From the built-in catalog.
 const DeviceDescription &describe(QStringView key);
 
-// A driver on a table instead of a bus: plays rows and collects what the driver says. 1 cycle = 1 ms.
+// Runs a driver on a table instead of a bus: plays rows and collects what the driver reports. 1 cycle = 1 ms.
 class DriverTable
 {
 public:
@@ -36,7 +36,7 @@ public:
 
     CyclicDriver &driver() { return *m_driver; }
     void tell(Parameter parameter, std::int64_t value);
-    // The job begins on the words of the last row; on 00000000 / 00000000 before the first.
+    // The job begins at the words of the last row; before the first, at 00000000 / 00000000.
     Result<void> begin(const Job &job, Pace pace = Pace::byItself);
     // Each row is one cycle; a wrong OUT is a test failure that names the row.
     void play(const std::vector<Row> &rows);

@@ -42,7 +42,7 @@ esc::ExchangeResult resultOf(const std::string &text, const esc::Request &reques
     return {.answer = answer, .sent = 1, .answerTime = answerTime};
 }
 
-// Where the data of a write is read again.
+// The command that reads back each write.
 const std::map<std::string, std::string> readBy{{"GR", "D"}, {"GM", "U"}, {"GT", "M"}, {"GL", "L"},
                                                 {"GH", "H"}, {"GF", "F"}, {"GP", "S"}};
 

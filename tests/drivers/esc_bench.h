@@ -12,8 +12,8 @@
 
 namespace codewheel {
 
-// A driver beside a made-up encoder that does what the manual's two tables say, in virtual time. What it
-// answers next can be told in the words of the wire, so that the tests stand beside the manual.
+// A driver with a made-up encoder that follows the manual's two tables, in virtual time. Its next answers can
+// be given as they are on the wire, so that tests can be compared with the manual.
 class EscBench
 {
 public:
@@ -27,7 +27,7 @@ public:
 
     EscDriver driver;
 
-    // What the encoder has, by the letters that read it: "D" -> "2000". Alter it at will.
+    // The encoder's values by the letters that read them: "D" -> "2000". May be changed at any time.
     std::map<std::string, std::string> has;
     LineAddress address{3};
     int baudRate = 19200;
@@ -35,24 +35,24 @@ public:
     bool readsAddressAsDecimal = false;
     std::function<std::uint32_t(Instant)> position; // instead of has["P"]
 
-    // The next requests with these letters are answered so, or meet that fate, whatever the encoder has.
+    // The next requests with these letters get this answer, or this fate, whatever the encoder has.
     void answerNext(const std::string &letters, const std::string &answer);
     void next(const std::string &letters, Fate fate);
     void always(const std::string &letters, Fate fate) { m_always[letters] = fate; }
 
     Instant now{};
     void run(Instant duration);
-    void settle(); // first contact and identity are over, and the log is empty
-    // Runs the job to its end. By hand: as far as it goes.
+    void settle(); // until first contact and identification are over; clears the log
+    // Runs the job to its end. By hand: as far as it gets.
     const Outcome &finish(const Job &job, Pace pace = Pace::byItself);
     Result<void> begin(const Job &job, Pace pace = Pace::byItself);
-    void step(); // one request and its answer, or the time until the next
+    void step(); // one request and its answer, or the time until the next one
     void runUntil(const std::function<bool()> &isReached);
-    // All is answered before the first request with this command, which has gone out when this is back.
+    // Answers everything before the first request with this command, which has gone out on return.
     esc::Request goOnTo(esc::Command command);
 
     std::vector<std::string> log;      // all requests, between ESC and CR LF
-    std::vector<Instant> times;        // of them
+    std::vector<Instant> times;        // when they were sent
     std::vector<std::string> jobLog(); // without P, E and A
     int count(const std::string &letters) const;
 

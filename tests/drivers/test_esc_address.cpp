@@ -39,7 +39,7 @@ TEST(EscAddress, GoesAsTwoHexadecimalDigitsAndIsFoundThere)
     EXPECT_EQ(bench.countOf(MessageId::encoderSilent), 0);
 }
 
-// "address will be set to 21" beside <ESC>02X21: the manual leaves open which notation it means.
+// "address will be set to 21" for <ESC>02X21: the manual leaves the notation open.
 TEST(EscAddress, IsFoundAtTheDecimalReadingAndReported)
 {
     EscBench bench;

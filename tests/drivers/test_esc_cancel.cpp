@@ -175,7 +175,7 @@ TEST(EscStop, EndsTheJobWhereItStands)
     EXPECT_EQ(bench.eepromWrites, 1);
 }
 
-// Until the write has gone out; its answer is still to come.
+// Runs until the write has gone out, with its answer still to come.
 esc::Request requestOfLowerLimit(EscBench &bench)
 {
     bench.settle();
@@ -245,7 +245,7 @@ TEST(EscStop, BetweenWritesSaysWhatEndedIt)
     EXPECT_EQ(bench.outcome->result.error(), lost);
 }
 
-// Between every two requests, and before the first.
+// Cancelled between every two requests, and before the first.
 TEST(EscCancel, NothingIsWrittenAfterIt)
 {
     const std::pair<const char *, Job> jobs[] = {

@@ -80,7 +80,7 @@ TEST(EscPolling, ADamagedIdentityIsReadAgain)
     EXPECT_EQ(bench.count("N"), 4);
 }
 
-// Two reads that never agree, as with two encoders of one address: all else goes on being asked.
+// Two reads that never agree, as with two encoders at one address: everything else is still polled.
 TEST(EscPolling, WhatDoesNotAgreeIsPutOffAndKeepsNothingElseBack)
 {
     EscBench bench;

@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 using Verdict = EscPositionGuard::Verdict;
 using Figures = EscPositionGuard::Figures;
 
-// 60 turns of 100 steps a minute: 100 steps a second.
+// 60 turns of 100 steps per minute: 100 steps per second.
 constexpr EscPositionGuard::Scale slow{.topSpeed = 60, .stepsPerTurn = 100, .total = 1000};
 
 TEST(EscPositionGuard, ReachesWhatTheTopSpeedAllows)
@@ -115,7 +115,7 @@ TEST(EscPosition, TheTopSpeedIsSettableAndCountsInStepsOfTheEncoder)
 {
     EscBench bench;
     bench.settle();
-    bench.has["P"] = "00003235"; // 8192 further
+    bench.has["P"] = "00003235"; // 8192 steps further
     bench.run(50ms);
     EXPECT_EQ(bench.driver.figures().suspect, 0);
     EscSettings slower = bench.driver.settings();
@@ -126,7 +126,7 @@ TEST(EscPosition, TheTopSpeedIsSettableAndCountsInStepsOfTheEncoder)
     EXPECT_EQ(bench.driver.figures().suspect, 1);
 
     bench.driver.setSettings({});
-    bench.has["D"] = "0168"; // 360 steps: the same way is 22 turns now
+    bench.has["D"] = "0168"; // 360 steps: the same distance is now 22 turns
     bench.finish(ReadParameters{{Parameter::steps, Parameter::scaling}});
     bench.has["P"] = "00003235";
     bench.run(50ms);

@@ -21,7 +21,7 @@ void PrintTo(const Agreed &agreed, std::ostream *out)
     *out << agreed.position.value_or(-1) << " after " << agreed.reads;
 }
 
-// One read each 20 ms.
+// With a read every 20 ms.
 Agreed agreementOf(const std::vector<std::int64_t> &positions, std::optional<std::int64_t> total = {})
 {
     EscPositionGuard guard;
@@ -57,7 +57,7 @@ TEST(EscPositionAgreement, GivesUpWhereEachReadSaysSomethingElse)
     EXPECT_EQ(agreementOf({1, 500, 3, 4000, 90, 7000}), (Agreed{{}, 6}));
 }
 
-// Each digit of each answer to P is damaged once, all others are right.
+// Damages each digit of each answer to P once, with all other answers right.
 class DamagedOnce
 {
 public:

@@ -28,7 +28,7 @@ TEST(EscPreset, SetsThePositionAndTellsItBeforeAndAfter)
     EXPECT_EQ(bench.driver.figures().suspect, 0) << "the jump is ours";
 }
 
-// Nothing had been read of the encoder before.
+// Nothing had been read from the encoder before.
 TEST(EscPreset, BeyondTheMeasuringRangeItIsNotSent)
 {
     EscBench bench;
@@ -82,7 +82,7 @@ TEST(EscPreset, AcceptedAndNotThereIsNotBelieved)
     EXPECT_EQ(outcome.positionAfter, 0x1235);
 }
 
-// CR LF came, and nothing else happened: 1300h is as near as the shaft could have turned to.
+// CR LF came, and nothing else happened: 1300h is close enough for the shaft to have turned there.
 TEST(EscPreset, AcceptedWithThePresetValueAsItWasIsNotDone)
 {
     EscBench bench;
@@ -95,7 +95,7 @@ TEST(EscPreset, AcceptedWithThePresetValueAsItWasIsNotDone)
                                                {Parameter::preset, std::int64_t{0x1300}, std::int64_t{1}}}));
 }
 
-// S is the preset from the last time, and the shaft has turned on since: 1235h is near enough to 1300h.
+// S is still the preset from last time, and the shaft has turned since: 1235h is close enough to 1300h.
 TEST(EscPreset, AcceptedWithThePresetValueOfTheLastTimeThePositionDecides)
 {
     EscBench bench;
@@ -110,7 +110,7 @@ TEST(EscPreset, AcceptedWithThePresetValueOfTheLastTimeThePositionDecides)
     EXPECT_TRUE(bench.finish(SetPreset{.value = 0x1300}).result) << "it is there, and was before";
 }
 
-// 20 steps a ms: the encoder went on turning as if nothing had been said.
+// 20 steps per ms: the encoder kept turning as if there had been no command.
 TEST(EscPreset, AcceptedByATurningShaftThatGoesOnIsNotDone)
 {
     EscBench bench;
@@ -123,7 +123,7 @@ TEST(EscPreset, AcceptedByATurningShaftThatGoesOnIsNotDone)
     EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
 }
 
-// From the command on the shaft turns, 20 steps a ms: whether from 1235h or from 1300h nobody can tell.
+// From the command on the shaft turns, 20 steps per ms: whether from 1235h or from 1300h cannot be told.
 void beginToTurnWithTheCommand(EscBench &bench)
 {
     const auto begun = std::make_shared<std::optional<Instant>>();
@@ -156,7 +156,7 @@ TEST(EscPreset, AJumpNoShaftCanMakeIsProofWithoutThePresetValue)
     EXPECT_TRUE(bench.finish(SetPreset{.value = 0x800000}).result);
 }
 
-// Nobody knows what S was before, so that it tells nothing of a command without an answer.
+// S was not known before, so it says nothing about a command without an answer.
 TEST(EscPreset, ThePresetValueProvesNothingWhereItWasNotReadBefore)
 {
     EscBench bench;
@@ -197,7 +197,7 @@ TEST(EscPreset, WithoutAnAnswerItIsFoundNotDone)
     }
 }
 
-// The position was at the preset already, and the preset value is the old one: nothing tells them apart.
+// Position and preset value were already the wanted ones: the cases cannot be told apart.
 TEST(EscPreset, WithoutAnAnswerItMayStayUnknown)
 {
     EscBench bench;
@@ -219,7 +219,7 @@ TEST(EscPreset, WhatContradictsItselfIsUnknown)
     bench.next("GP", Fate::lost);
     ASSERT_TRUE(bench.begin(SetPreset{.value = 0x800000}));
     bench.runUntil([&] { return bench.count("GP") == 1; });
-    bench.has["S"] = "00800000"; // it says the preset was taken, and the position did not move
+    bench.has["S"] = "00800000"; // says that the preset was taken, but the position did not move
     bench.runUntil([&] { return bench.outcome.has_value(); });
     EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escWriteUnknown);
 }

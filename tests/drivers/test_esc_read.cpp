@@ -110,7 +110,7 @@ TEST(EscRead, ACommandTheEncoderDoesNotKnowLeavesTheOthers)
     }
 }
 
-// A request that was damaged on its way gets an error too.
+// A request damaged on its way also gets an error.
 TEST(EscRead, AnErrorIsBelievedWhenTheNextReadSaysTheSame)
 {
     for (const char *error : {"03", "05"}) {

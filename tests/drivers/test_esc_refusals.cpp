@@ -118,7 +118,7 @@ TEST(EscRefusals, TheRangesAreThoseTheEncoderTells)
     EXPECT_EQ(bench.begin(writing({{Parameter::upperLimit, 4097}})).error().id, RefusalId::valueOutOfRange);
     EXPECT_EQ(bench.begin(writing({{Parameter::measuringRange, 16 * 8192 + 1}})).error().id,
               RefusalId::valueOutOfRange);
-    // what the same job tells the encoder counts
+    // The values of the same job count.
     EXPECT_TRUE(bench.begin(writing({{Parameter::measuringRange, 9000}, {Parameter::upperLimit, 9000}})));
 }
 

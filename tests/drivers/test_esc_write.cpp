@@ -23,8 +23,8 @@ struct WriteRow
     Lines requests;
 };
 
-// Manual, "Programmable parameters" with their examples; GR and GT bring the scaling factor along, 32 bit
-// with 29 fraction bits: 864/8192 = 03600000h, 100000h of 2000000h = 01000000h.
+// Manual, "Programmable parameters" with its examples; GR and GT bring the scaling factor along, 32 bits with
+// 29 fraction bits: 864/8192 = 03600000h, 100000h of 2000000h = 01000000h.
 const WriteRow writeRows[] = {
     {3,
      Parameter::steps,
@@ -53,7 +53,7 @@ bool isRead(const std::string &line)
     return line.size() == 3;
 }
 
-// The factor goes with what is written, in whatever order it is given; what contradicts is refused.
+// The factor is sent with what needs it, in whatever order they are given; contradictions are refused.
 TEST(EscWrite, StepsAndMeasuringRangeActThroughOneFactor)
 {
     const ParameterValues together{{Parameter::measuringRange, 4'096'000}, {Parameter::steps, 1000}};
@@ -124,7 +124,7 @@ TEST(EscWrite, WantedRevolutionsAreWrittenAgainWithTheSteps)
     EXPECT_EQ(bench.count("GR") + bench.count("GM"), 0) << "both are there";
 }
 
-// 1000 steps of 16 revolutions; the factor would be that of 4096 otherwise.
+// 1000 steps for 16 revolutions; otherwise the factor would be that for 4096.
 TEST(EscWrite, AMeasuringRangeBesideStepsKnowsThatTheyCountAllRevolutions)
 {
     EscBench bench;
@@ -157,7 +157,7 @@ TEST(EscWrite, AFactorThatIsGivenTakesThePlaceOfTheComputedOne)
     EXPECT_EQ(bench.count("GF"), 1);
 }
 
-// The factor of 1000 turns of 100000h steps: 100000h / (8192 * 1000)
+// The factor for 1000 turns of 100000h steps: 100000h / (8192 * 1000)
 TEST(EscWrite, TheFactorOfARangeKnowsTheRevolutions)
 {
     EscBench bench;
@@ -332,9 +332,9 @@ TEST(EscWrite, TheEncoderIsUnpluggedInTheMiddle)
     EXPECT_EQ(bench.known[Parameter::lowerLimit].evidence, Evidence::read);
 }
 
-// The first of a group is read at once, before the factor makes it act.
-// Manual, note on GR, GT and GF: they act once the factor has been sent, so what D and M tell before says
-// nothing of a command without an answer.
+// The first of a group is read at once, before the factor puts it into effect. Manual, note on GR, GT and GF:
+// they take effect once the factor has been sent, so what D and M report before says nothing about a command
+// without an answer.
 TEST(EscWrite, TheOldScalingIsNoProofThatItWasNotWritten)
 {
     const std::tuple<Parameter, std::int64_t, std::string> scaling[] = {
@@ -342,7 +342,7 @@ TEST(EscWrite, TheOldScalingIsNoProofThatItWasNotWritten)
     for (const auto &[parameter, value, letters] : scaling) {
         EscBench bench;
         bench.settle();
-        bench.next(letters, Fate::lost); // or carried out, and not shown yet
+        bench.next(letters, Fate::lost); // or carried out, but not shown yet
         const Outcome &outcome =
             bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {parameter, value}}));
         ASSERT_FALSE(outcome.result);

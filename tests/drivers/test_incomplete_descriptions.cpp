@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Descriptions that slipped past the catalog: what they lack is refused, nothing is sent in its place.
+// Descriptions that slipped past the catalog: what they lack is refused, and nothing is sent instead.
 #include "catalog/catalog.h"
 #include "drivers/protocol.h"
 
@@ -46,7 +46,7 @@ TEST_F(IncompleteDescription, NoK3IsSetWhosePresetHasNoWord)
     }
 }
 
-// A FRABA activates a programmed preset once: the old value is programmed again, and has to be read for that.
+// A FRABA activates a programmed preset once: the old value is programmed again, so it must be read.
 TEST_F(IncompleteDescription, APresetThatCannotBeReadIsGiven)
 {
     DeviceDescription fraba = *catalog.find(u"fraba-ocd-ib");

@@ -11,10 +11,10 @@ struct WideRange
 {
     QStringView device;
     Parameter parameter;
-    std::int64_t largest; // that the data field holds
+    std::int64_t largest; // that fits the data field
 };
 
-// A range that slipped past the catalog: what the field cannot hold would be cut off without a word.
+// A range that slipped past the catalog: what does not fit the field would be cut off silently.
 TEST(JobCheck, RefusesWhatTheDataFieldCannotHoldWhateverTheDescriptionSays)
 {
     const Catalog catalog = Catalog::builtIn();

@@ -20,7 +20,7 @@ TEST(K3ByHand, EachWordWaitsForTheUser)
     table.play({{0x0000'0000, pos}, {0x0200'00FF, pos}});
     EXPECT_FALSE(table.progress().waitsForUser);
     table.play({{0x0200'00FF, 0xC200'00FF}});
-    table.repeat(5000, {0x0200'00FF, 0xC200'00FF}); // thinking is no time-out
+    table.repeat(5000, {0x0200'00FF, 0xC200'00FF}); // thinking does not time out
     EXPECT_TRUE(table.progress().waitsForUser);
     EXPECT_EQ(table.progress().confirmed, (ParameterValues{{Parameter::steps, 255}}));
 

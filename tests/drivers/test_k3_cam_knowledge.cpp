@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cam words that no job sends teach as much: what is known of the programs follows the wire.
+// Cam words that no job has sent teach just as much: what is known of the programs follows the wire.
 #include "drivers/k3_knowledge.h"
 #include "tests/drivers/driver_table.h"
 
@@ -139,7 +139,7 @@ TEST_F(CamWire, WhereTheProgramIsNotKnownAnAcknowledgementMakesAllUnknown)
 {
     enter(1);
     readAll(1000);
-    play({{0x2080'0003, posInCamMode}, {0x0000'0000, posInCamMode}}); // may have been taken, or not
+    play({{0x2080'0003, posInCamMode}, {0x0000'0000, posInCamMode}}); // may or may not have been taken
     EXPECT_EQ(fraba.mode(), std::nullopt);
     EXPECT_EQ(startOfCam3(1), 1003);
     setCam3();
@@ -176,7 +176,7 @@ TEST_F(CamWire, LostParametersTakeTheProgramsAlong)
     EXPECT_EQ(fraba.mode(), std::nullopt);
 }
 
-// Normal with all cams off and no part of the position beside them.
+// Zero is normal: all cams off, and the part of the position is 0.
 TEST_F(CamWire, AnAcknowledgementAfterAZeroIsTaken)
 {
     enter(1);

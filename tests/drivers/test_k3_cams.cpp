@@ -25,7 +25,7 @@ protected:
     {
         m_table.play({{readOut, otherwise}, {readOut, 0xA000'0000 | value}, {0x0000'0000, otherwise}});
     }
-    // All that the encoder has of a program but the configuration, which is read first.
+    // Answers everything the encoder has of a program except the configuration, which is read first.
     void answerRest(const std::vector<std::pair<Word, Word>> &startAndStop, Word shift)
     {
         for (Word cam = 0; cam < 8; ++cam) {
@@ -100,7 +100,7 @@ TEST_F(K3Cams, NoWordThatMeansSomethingElseInPositionModeOpensTheParameterizatio
     auto values = nothing();
     values[0] = {0x10, 0x20};
     answerRest(values, 5);
-    m_table.play({{0x2010'0000, posInCamMode}, // differs, but would be the last
+    m_table.play({{0x2010'0000, posInCamMode}, // it differs, but would come last
                   {0x2010'0000, 0xE010'0000},
                   {0x4000'0000, 0xE010'0000},
                   {0x4000'0000, 0xC000'0000},
@@ -112,7 +112,7 @@ TEST_F(K3Cams, NoWordThatMeansSomethingElseInPositionModeOpensTheParameterizatio
                   {0x8000'0000, posInCamMode}});
 }
 
-// Not in cam mode after all, e.g. another make: nothing but the question was sent, and its error is ended.
+// Not in cam mode after all, e.g. another make: only the question was sent, and its error is ended.
 TEST_F(K3Cams, AnEncoderThatDoesNotAnswerAReadOutOfCamsGetsNoCamWord)
 {
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
@@ -149,7 +149,7 @@ struct CamErrorRow
 {
     const char *name;
     CamProgram program;
-    Word out; // the one that is refused, the first to be sent
+    Word out; // the refused one, the first to be sent
     Word in;
     RefusalId id;
     std::vector<RefusalArgument> arguments;
@@ -165,7 +165,7 @@ CamProgram with(std::size_t cam, Cam values, unsigned shift = 0)
     return program;
 }
 
-// FRABA manual 10.6, in place of the acknowledgement
+// FRABA manual 10.6, instead of the acknowledgement
 INSTANTIATE_TEST_SUITE_P(Manual106, K3CamError,
                          testing::Values(CamErrorRow{"startAbove",
                                                      with(2, {9000, 0, false}),
@@ -269,7 +269,7 @@ TEST_F(K3Cams, LeavingAChangedProgramIsOneEepromWrite)
     EXPECT_EQ(m_table.cams(1)->program, with(0, {1, 0, false}));
 }
 
-// The program the encoder is in comes first, and is not entered again: that would save it.
+// The encoder's present program comes first and is not entered again, since that would save it.
 TEST_F(K3Cams, TheProgramTheEncoderIsInIsReadFirst)
 {
     m_table.repeat(3, {0x0000'0000, pos});
@@ -356,7 +356,7 @@ TEST_F(K3Cams, AnEncoderWithoutCamsHasNone)
         EXPECT_EQ(baumer.begin(job).error().id, RefusalId::camsNotSupported);
 }
 
-// 2080000p would end it, and what it is about is not known.
+// 2080000p would end it, and what it sets is not known.
 TEST_F(K3Cams, AParameterizationThatIsNoneOfCamsIsLeftAlone)
 {
     m_table.play({{0x0000'0000, 0xC200'00FF}});
@@ -365,8 +365,8 @@ TEST_F(K3Cams, AParameterizationThatIsNoneOfCamsIsLeftAlone)
     EXPECT_EQ(begun.error().id, RefusalId::inParameterization);
 }
 
-// In cam mode for all we know, and yet in a parameterization that is none of cams: run would make valid what
-// somebody else has sent.
+// In cam mode as far as we know, yet in a parameterization that is not about cams: run would put into effect
+// what somebody else has sent.
 TEST_F(K3Cams, NoRunIsSentIntoAParameterizationOfOthers)
 {
     m_table.tell(Parameter::startUpMode, 3); // cam program 1
@@ -423,8 +423,8 @@ TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
     EXPECT_EQ(m_table.cams(1)->program, CamProgram{}) << "as it was read, and saved";
 }
 
-// The first program was written and read back, the second is under way: then both are as before, and nothing
-// tells the first as written.
+// The first program was written and read back, the second is under way: then both are as before, and the
+// first is not reported as written.
 TEST_F(K3Cams, CancelledInTheSecondProgramBothAreRestored)
 {
     CamProgram first = with(0, {1, 0, false});
@@ -469,7 +469,7 @@ TEST_F(K3Cams, CancelledInTheSecondProgramBothAreRestored)
               (std::vector{CamProgram{.number = 1, .cam = {}}, CamProgram{.number = 2, .cam = {}}}));
 }
 
-// Of what is sent as it is, only a word that sets something of a program is one that was taken of it.
+// Of words sent as they are, only those that set something in a program count as taken.
 TEST_F(K3Cams, AWordByHandThatSetsNothingOfAProgramIsNotTakenForOne)
 {
     m_table.repeat(3, {0x0000'0000, pos});

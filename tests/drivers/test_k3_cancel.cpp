@@ -235,7 +235,7 @@ TEST_F(K3Cancel, DuringTheReadBackTheValuesStay)
     EXPECT_EQ(table.outcome()->written.size(), 2u);
 }
 
-// Too late to be given back, it is not among what was.
+// Too late to be restored, it is not reported as restored.
 TEST_F(K3Cancel, WhatIsConfirmedWhileTheValuesGoBackIsNotRestored)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
@@ -255,7 +255,7 @@ TEST_F(K3Cancel, WhatIsConfirmedWhileTheValuesGoBackIsNotRestored)
     EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::steps, 8192}}));
 }
 
-// What was read back before the cancel says nothing of the values from before.
+// What was read back before the cancel says nothing about the previous values.
 TEST_F(K3Cancel, RestoreEndsWellAfterAReadBackThatDiffered)
 {
     table.play({{0x0000'0000, pos},
@@ -291,7 +291,6 @@ TEST(K3CancelUnknown, RestoreIsNotOfferedWhereTheValuesFromBeforeAreNotKnown)
     EXPECT_FALSE(table.progress().canRestore);
 }
 
-// An encoder left behind, e.g. by a program that was closed
 // Run would carry out the reset.
 TEST(K3CancelWords, RestoreIsNotOfferedOnceAResetIsAmongThem)
 {
@@ -308,7 +307,7 @@ TEST(K3CancelWords, RestoreIsNotOfferedOnceAResetIsAmongThem)
     EXPECT_FALSE(table.progress().canRestore);
 }
 
-// Its old value is not known: restore would leave the new one behind.
+// Its old value is not known, so restoring would leave the new one.
 TEST(K3CancelWords, AWordConfirmedAfterTheCancelCountsAsTaken)
 {
     DriverTable table{u"fraba-ocd-ib"};

@@ -178,7 +178,7 @@ TEST(Preset40000000, OfAFastShaftIsCountedWhereItIsStored)
     EXPECT_EQ(table.eepromWrites(), 1);
 }
 
-// A word of a monitor, which nobody takes away
+// A word from a monitor, which nobody takes back
 TEST(FrabaPresetByHand, IsTakenAwayWhateverTheMode)
 {
     DriverTable table(u"fraba-ocd-ib");

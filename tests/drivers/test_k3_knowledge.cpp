@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that no job sends teach as much: what is known follows the wire.
+// Words that no job has sent teach just as much: what is known follows the wire.
 #include "drivers/k3_knowledge.h"
 #include "tests/drivers/driver_table.h"
 

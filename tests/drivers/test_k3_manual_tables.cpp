@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manuals' own tables, row by row and with the delay of a real encoder, as words the user sends.
+// The manuals' own tables, row by row and with the delay of a real encoder, as the user's words.
 #include "tests/drivers/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(FrabaManual53, CycleByCycleWithTwoCyclesOfDelay)
     EXPECT_TRUE(table.outcome()->result);
 }
 
-// FRABA manual 5.3, generic rows 4-5, and 10.4: "processing" as operation or as C0xxxxxx is waited through
+// FRABA manual 5.3, generic rows 4-5, and 10.4: "processing" as operation or as C0xxxxxx is waited out
 TEST(FrabaManual53, ProcessingIsNoConfirmation)
 {
     DriverTable table(u"fraba-ocd-ib");
@@ -89,7 +89,7 @@ TEST(FrabaManual53, PresetIsInitialisedByBit30)
     EXPECT_TRUE(table.outcome()->result);
 }
 
-// Baumer manual 6, example 2: 20 000 revolutions do not harmonize, disturbance 1 at run
+// Baumer manual 6, example 2: 20 000 revolutions do not harmonize, so disturbance 1 at run
 TEST(BaumerManualExample2, DisturbanceAtRunEndsTheWords)
 {
     DriverTable table(u"baumer-gxp6w");

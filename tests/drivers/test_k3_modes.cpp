@@ -64,7 +64,7 @@ TEST_F(K3Modes, VelocityOff)
     EXPECT_EQ(m_table.driver().reading().velocity, std::nullopt);
 }
 
-// 20800000 ends cam mode, and is the one word that means the same in each
+// 20800000 ends cam mode, and is the only word that means the same in every mode
 TEST_F(K3Modes, PositionModeCanBeReachedFromAModeThatIsNotKnown)
 {
     ASSERT_TRUE(m_table.begin(SwitchMode{Mode::position}));
@@ -164,7 +164,7 @@ protected:
     std::optional<Mode> mode() { return m_table.driver().reading().mode; }
 };
 
-// A FRABA is in cam or velocity mode then, another make is not.
+// A FRABA would then be in cam or velocity mode, another make not.
 TEST_F(K3ModesOfAnUnnamedEncoder, AWordThatWouldSwitchAFrabaLeavesTheModeUnknown)
 {
     for (const Word word : {0x2080'0001u, 0x2040'0001u}) {

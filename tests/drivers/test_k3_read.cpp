@@ -6,8 +6,7 @@
 namespace codewheel {
 namespace {
 
-// FRABA manual 10.2: answer A0000000 + value without the number, as long as 2021xxxx stands in OUT; then
-// 00000000
+// FRABA manual 10.2: answer A0000000 + value without the number, as long as 2021xxxx is in OUT; then 00000000
 TEST(K3Read, EachReadOutEndsBeforeTheNextBegins)
 {
     DriverTable table(u"fraba-ocd-ib");

@@ -16,7 +16,7 @@ struct StateRow
     std::optional<unsigned> error;
 };
 
-// "The K3 words" of the profile, and where the makes differ
+// "The K3 words" of the profile, and the differences between makes
 TEST(K3Reading, StateIsThatOfTheStatusBits)
 {
     const StateRow rows[] = {

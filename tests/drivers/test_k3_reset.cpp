@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// A read-out that stands alone between two 00000000.
+// A read-out between two 00000000.
 void playReadOut(DriverTable &table, Word request, Word answer)
 {
     table.play({{request, pos}, {request, answer}, {0x0000'0000, pos}});
@@ -39,7 +39,7 @@ TEST(K3Reset, FrabaIsReadBackAfterwards)
     EXPECT_EQ(table.driver().reading().mode, Mode::position);
 }
 
-// Cam mode refuses parameter words (FRABA manual 10.6)
+// Cam mode refuses parameter words (FRABA manual 10.6).
 TEST(K3Reset, FrabaIsBroughtToPositionModeFirst)
 {
     DriverTable table(u"fraba-ocd-ib");
@@ -72,7 +72,7 @@ TEST(K3Reset, BaumerHasItsFactorySettingsAfterwards)
     EXPECT_EQ(table.driver().reading().position, 12'345) << "the coding is known now";
 }
 
-// FRABA manual 10.3: 86000000, parameters lost, is left by the default
+// FRABA manual 10.3: 86000000, parameters lost, is cleared by the default
 TEST(K3Reset, LeavesTheErrorOfLostParameters)
 {
     DriverTable table(u"baumer-gxp6w");
@@ -100,7 +100,7 @@ void confirmByHand(DriverTable &table)
 class K3ResetCancelled : public testing::TestWithParam<OnCancel>
 {};
 
-// Restoring begins with run, which would carry the reset out
+// Restoring begins with run, which would carry out the reset
 TEST_P(K3ResetCancelled, AfterTheConfirmationIsNotRun)
 {
     DriverTable table(u"baumer-gxp6w");

@@ -86,7 +86,7 @@ TEST(K3Write, OldConfirmationIsNotTakenForTheNewParameter)
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::parameterization);
 }
 
-// FRABA confirms first and refuses afterwards
+// FRABA confirms first and refuses later
 TEST(K3Write, AConfirmationThatIsTakenBackWithinTheSettleTimeIsNone)
 {
     DriverTable table(u"fraba-ocd-ib", {.settle = std::chrono::milliseconds(20)});

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-// LA-66 manual 4: service and data for two cycles, the service bit until it is acknowledged, the service bit
-// back with the rest standing, 0 when the encoder is in normal mode again.
+// LA-66 manual 4: service and data for two cycles, the service bit until it is acknowledged, then the service
+// bit cleared with the rest unchanged, and 0 when the encoder is in normal mode again.
 namespace codewheel {
 namespace {
 
@@ -29,7 +29,7 @@ TEST(La66Driver, AWriteIsAServiceAndIsReadBack)
         {0xC200'C350, pos},         // service bit
         {0xC200'C350, pos},         // the encoder processes
         {0xC200'C350, 0xC200'C350}, // done and acknowledged
-        {0x4200'C350, 0xC200'C350}, // service bit back, the rest stands
+        {0x4200'C350, 0xC200'C350}, // service bit cleared, the rest unchanged
         {0x4200'C350, pos},         // the encoder is in normal mode
         {0x0200'0000, pos},         // read it back
         {0x0200'0000, pos},
@@ -126,7 +126,7 @@ TEST(La66Driver, SettingThePositionIsOneServiceThatNothingReadsBack)
     EXPECT_EQ(table.outcome()->eepromWrites, 1);
 }
 
-// D29: the encoder tells the last position it knew, which is not where the magnet is.
+// D29: the encoder shows the last position it knew, which is not where the magnet is.
 TEST(La66Driver, ThePositionIsNotSetWhileTheMagnetIsOutsideTheRange)
 {
     constexpr Word magnetLost = 0x2000'0000 | pos;
@@ -272,14 +272,14 @@ TEST(La66Driver, WordsOfTheUserGetWhatTheHandshakeNeedsInBetween)
     DriverTable table = rod();
     ASSERT_TRUE(table.begin(SendWords{{0xC200'C350, 0x8100'0000, 0x0000'0000}, 3}));
     table.play({{0x0000'0000, pos},
-                {0x4200'C350, pos}, // put in
+                {0x4200'C350, pos}, // inserted
                 {0x4200'C350, pos},
                 {0xC200'C350, 0xC200'C350},
-                {0x4200'C350, pos}, // put in
-                {0x0100'0000, pos}, // put in
+                {0x4200'C350, pos}, // inserted
+                {0x0100'0000, pos}, // inserted
                 {0x0100'0000, pos},
                 {0x8100'0000, 0x8100'0000},
-                {0x0100'0000, pos}, // put in
+                {0x0100'0000, pos}, // inserted
                 {0x0000'0000, pos},
                 {0x0000'0000, pos},
                 {0x0000'0000, pos},
@@ -391,7 +391,7 @@ TEST(La66Driver, ByHandItWaitsBeforeEachChangeOfOut)
     EXPECT_EQ(table.progress().steps.size(), 4u);
 }
 
-// Writes of the jobs before are none of this one.
+// Writes of earlier jobs do not belong to this one.
 TEST(La66Driver, EachJobTellsItsOwnEepromWrites)
 {
     DriverTable table = rod();

@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-// What words teach that nobody's job has sent: the monitor's, or those of a job that was stopped.
+// What is learned from words that no job has sent: from a monitor, or from a job that was stopped.
 namespace codewheel {
 namespace {
 
 class La66Knows : public testing::Test
 {
 protected:
-    // IN in consecutive cycles, whatever stands in OUT.
+    // IN in consecutive cycles, whatever is in OUT.
     void see(std::initializer_list<Word> in)
     {
         for (const Word word : in)

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
-// LA-66 manual 4, note 2: service bit and data never change in one cycle. Random jobs, by themselves and by
-// hand, cancelled and stopped, at an encoder that answers, refuses, is slow, says nonsense or is dead: every
-// pair of consecutive OUT words is looked at.
+// LA-66 manual 4, note 2: service bit and data never change in the same cycle. Random jobs, by themselves and
+// by hand, cancelled and stopped, with an encoder that answers, refuses, is slow, talks nonsense or is dead:
+// every pair of consecutive OUT words is checked.
 namespace codewheel {
 namespace {
 
@@ -62,7 +62,7 @@ private:
     Word m_in = pos;
 };
 
-// What the words may do from one cycle to the next.
+// Checks what may change between consecutive words.
 class OutWatch
 {
 public:
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    Word m_out = 0; // of the last cycle, and what came in beside it
+    Word m_out = 0; // of the last cycle, with the IN word beside it
     Word m_in = 0;
     int m_stoodFor = 1'000;
 };

@@ -44,7 +44,7 @@ TEST(PositionScaleTest, TellsWhereThePositionWillJump)
     EXPECT_EQ(wrapJump(scaled(1000, 4)), WrapJump::none);
 }
 
-// The training bus: raw 12345 shows 12345 at 8192 steps, and 384 at 255 steps (12345 x 255 / 8192).
+// The training bus: raw 12345 reads 12345 at 8192 steps, and 384 at 255 steps (12345 x 255 / 8192).
 TEST(PositionScaleTest, ForetellsThePositionInAnotherScale)
 {
     EXPECT_EQ(foretellPosition(scaled(8192, 1), 12'345, scaled(255, 1)), (ForetoldPosition{384, true}));
@@ -63,7 +63,7 @@ TEST(PositionScaleTest, ForetellsNothingItCannotKnow)
     PositionScale unknown = scaled(8192, 1);
     unknown.zeroOffset.reset();
     EXPECT_FALSE(foretellPosition(unknown, 1, scaled(255, 1)));
-    EXPECT_FALSE(foretellPosition(scaled(200, 1, 5), 1, scaled(255, 1))); // which of the many 5 turns?
+    EXPECT_FALSE(foretellPosition(scaled(200, 1, 5), 1, scaled(255, 1))); // in which of the many 5 turns?
 }
 
 TEST(PositionScaleTest, TurnsInThought)

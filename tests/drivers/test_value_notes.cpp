@@ -30,7 +30,7 @@ std::vector<Id> idsOf(QStringView device, const ParameterValues &written, const 
     return ids;
 }
 
-// Baumer manual 5: 200 steps, 5 turns make 0..999. 4096 turns are 819 200 steps, 200 of the last round.
+// Baumer manual 5: 200 steps, 5 turns give 0..999. 4096 turns are 819 200 steps, with 200 in the last round.
 TEST(ValueNotes, AMeasuringRangeThatDoesNotDivideTheTurnsJumps)
 {
     const ParameterValues scale{{Parameter::steps, 200}, {Parameter::revolutions, 1}};
@@ -86,7 +86,7 @@ TEST(ValueNotes, StepsOfASerialEncoderSetItsRevolutions)
         << "a K3 encoder keeps them";
 }
 
-// The zero offset is kept as the scaling changes.
+// The zero offset is kept when the scaling changes.
 TEST(ValueNotes, AnotherScalingNeedsThePresetAgain)
 {
     const ParameterValues steps{{Parameter::steps, 4096}};

@@ -27,7 +27,7 @@ TEST(ABusFault, HasOneName)
               "0BE1 the bus failed, but the check finds nothing: look at shielding, connectors and supply");
 }
 
-// No text is invented for a code that only the firmware's manual knows.
+// No text is invented for a code that only the firmware manual explains.
 TEST(ABusFault, OfAnotherCodeIsItsNumberAndWhereToLookItUp)
 {
     EXPECT_EQ(busFaultText(0x0D10, 0x0280).toStdString(),

@@ -120,7 +120,7 @@ TEST(Freshness, HowLongAgo)
 
 TEST(SleepWatch, TellsEachSleepOnce)
 {
-    std::chrono::milliseconds slept{1000}; // before the program was started
+    std::chrono::milliseconds slept{1000}; // before the program started
     SleepWatch watch([&slept] { return slept; });
     EXPECT_EQ(watch.sleptSinceLast(), 0ms);
     slept += 2h;

@@ -81,7 +81,7 @@ TEST(Place, IsReadAsItIsTyped)
     EXPECT_FALSE(Place::parse(u"1.2")->isAddress());
 }
 
-// Manual, "Masteraddress: 00": the place of an encoder that is alone on its line, and not no place.
+// Manual, "Masteraddress: 00": the place of an encoder alone on its line, not a missing place.
 TEST(Place, MayBeTheMasterAddressOfASerialLine)
 {
     const Place alone = placeOnLine(LineAddress::master());

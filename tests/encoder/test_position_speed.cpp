@@ -16,7 +16,7 @@ constexpr std::int64_t stepsOfTurn = 8192;
 constexpr PositionSpeed::Scale multiTurn{.stepsPerTurn = stepsOfTurn, .total = stepsOfTurn * 4096};
 constexpr PositionSpeed::Scale singleTurn{.stepsPerTurn = stepsOfTurn, .total = stepsOfTurn};
 
-// A shaft whose speed is known, seen at times that are not even.
+// A shaft of known speed, seen at irregular times.
 class PositionSpeedTest : public testing::Test
 {
 protected:
@@ -26,7 +26,7 @@ protected:
         speed.setScale(newScale);
     }
 
-    // What it reads after each position, in tenths of a revolution per minute; nothing: none.
+    // What it reads after each position, in tenths of a revolution per minute; nothing: no speed.
     std::set<std::optional<long>> turn(double rpm, Instant duration, Instant shortest, Instant longest)
     {
         std::set<std::optional<long>> readings;

@@ -84,7 +84,7 @@ TEST(RefusalText, SaysWhatWasWrongAndWhatWouldBeRight)
         EXPECT_EQ(text(row.id, row.arguments), row.text);
 }
 
-// As many arguments as any refusal has, of a type any of them may meet.
+// As many arguments as any refusal takes, of the types it may get.
 const std::vector<Arguments> anyArguments = {
     {},
     {Word{0x8200'0000}},

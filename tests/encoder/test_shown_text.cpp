@@ -22,7 +22,7 @@ TEST(ShownText, WhatSteersATerminalIsAnEscape)
         {QStringLiteral("\u202Edna\u202C \u2066x\u2069"), "\\u202Edna\\u202C \\u2066x\\u2069"},
         {QStringLiteral("\u200E\u200F\u061C\uFEFF"), "\\u200E\\u200F\\u061C\\uFEFF"},
         {QStringLiteral("one\u2028two\u2029"), "one\\u2028two\\u2029"},
-        {QStringLiteral("\U0001F3D7 site"), "\U0001F3D7 site"}, // a pair of surrogates
+        {QStringLiteral("\U0001F3D7 site"), "\U0001F3D7 site"}, // a surrogate pair
         {QString(QChar(0xD83C)), "\\uD83C"},
         {QString(QChar(u'\0')) + u'x', "\\u0000x"},
     };

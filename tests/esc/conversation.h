@@ -9,7 +9,7 @@
 
 namespace codewheel::esc {
 
-// Bytes that reach the program together; the last of them at `at`.
+// Bytes that reach the program together, the last of them at `at`.
 struct Arrival
 {
     Instant at{};
@@ -17,14 +17,14 @@ struct Arrival
 };
 using Arrivals = std::vector<Arrival>;
 
-// What comes because of the n-th sending (from 0) of a request, whose last bit is on the wire at `end`.
+// What arrives in answer to the n-th sending (from 0) of a request whose last bit is on the wire at `end`.
 using Peer = std::function<Arrivals(int n, Instant end)>;
 
 // 19200 Bd 8N2, rounded up to a microsecond.
 inline constexpr Instant character{573};
 inline constexpr Instant millisecond{1'000};
 
-// What an answer that begins at `start` is: in one piece, or byte by byte.
+// An answer that begins at `start`, in one piece or byte by byte.
 Arrival whole(const QByteArray &bytes, Instant start);
 Arrivals byteByByte(const QByteArray &bytes, Instant start);
 Arrivals operator+(Arrivals first, const Arrivals &then);
@@ -38,19 +38,19 @@ struct Conversation
     std::vector<QByteArray> sent;
     Instant doneAt{};
     QByteArray arrived; // all of it
-    bool ended = false; // it did not go on for ever
+    bool ended = false; // it came to an end
 
-    // Of one kind, one after the other.
+    // All of one kind, in order.
     QByteArray bytesOf(LineRow::Kind kind) const;
-    // All that was not sent: nothing may be lost or put in another order.
+    // Everything that was not sent: nothing may be lost or reordered.
     QByteArray bytesOfAllArrivals() const;
 };
 
-// `before` is there when the exchange begins, at 0.
+// `before` has arrived when the exchange begins, at 0.
 Conversation converse(const Request &request, const Peer &peer, const Timing &timing = {},
                       const Arrivals &before = {});
 
-// A peer that answers each sending with the same bytes, 2 ms after its end.
+// A peer that answers each sending with the same bytes, 2 ms after the sending ends.
 Peer answering(const QByteArray &bytes);
 Peer silent();
 

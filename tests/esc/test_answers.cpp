@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is an answer and what is noise, byte for byte (manual, "Return values from encoder").
+// Telling answers from noise, byte for byte (manual, "Return values from encoder").
 #include "tests/esc/conversation.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ TEST(EscAnswers, HaveHexadecimalDigitsAndNothingElse)
                     8),
          noise},
     });
-    // Every byte at every place of the digits.
+    // Every byte value in every place of the digits.
     for (int place = 2; place < 6; ++place) {
         for (int byte = 0; byte < 256; ++byte) {
             AnswerRow row{"05D", "\r\n2000\r\n", {}};

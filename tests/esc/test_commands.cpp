@@ -63,7 +63,7 @@ TEST(EscCommands, AreThoseOfBothTables)
     }
 }
 
-// 0.00001 to 1.0 (manual, read command F), whatever the format of the line.
+// 0.00001 to 1.0 (manual, read command F), whatever the line's format.
 TEST(EscCommands, TheLimitsOfTheScalingFactorFollowFromItsFormat)
 {
     for (const Command factor : {Command::scalingFactor, Command::writeScalingFactor}) {

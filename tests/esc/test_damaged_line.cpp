@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 10 000 polls of a position in virtual time over a line that damages one byte in a hundred, either way. The
-// peer here knows the protocol from the manual alone.
+// 10 000 polls of a position in virtual time over a line that damages one byte in a hundred, both ways. The
+// peer here is written from the manual alone.
 #include "tests/esc/conversation.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ public:
         } else if (heard.startsWith("\x1B"
                                     "05") &&
                    heard.endsWith("\r\n")) {
-            arrivals = arrivals + cut(damaged("03\r\n"), start); // another letter
+            arrivals = arrivals + cut(damaged("03\r\n"), start); // a changed letter
         }
         return arrivals;
     }
@@ -102,7 +102,7 @@ void countPoll(DamagedLine &line, Outcome &outcome)
     outcome.timeOuts += poll.result.timeOuts;
     if (!poll.result.answer) {
         ++outcome.none;
-        EXPECT_EQ(poll.result.timeOuts, 3); // not before all tries failed
+        EXPECT_EQ(poll.result.timeOuts, 3); // only after all tries have failed
         return;
     }
     const Answer &answer = *poll.result.answer;
@@ -130,7 +130,7 @@ TEST_P(EscDamagedLine, NothingMalformedIsTakenAndEveryRetryIsCounted)
     EXPECT_EQ(outcome.right + outcome.wrong + outcome.errors + outcome.none, polls);
     EXPECT_EQ(outcome.sent, line.requests);
     EXPECT_EQ(outcome.timeOuts, outcome.sent - polls + outcome.none);
-    // A digit that was turned into another one looks right; nothing else gets through.
+    // A digit changed into another one looks right; nothing else gets through.
     EXPECT_EQ(outcome.wrong, line.looksRightAndIsNot);
     EXPECT_GT(outcome.wrong, 0);
     EXPECT_GT(outcome.right, polls * 9 / 10);

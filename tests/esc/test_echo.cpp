@@ -9,7 +9,7 @@ namespace {
 
 using RowKind = LineRow::Kind;
 
-// `echo` while the request is sent, then `answer`.
+// `echo` while the request is being sent, then `answer`.
 Peer echoing(const QByteArray &echo, const QByteArray &answer)
 {
     return [=](int, Instant end) {
@@ -77,7 +77,7 @@ TEST(EscEcho, AfterGarbageIsStillOne)
               accepted);
 }
 
-// Every bit of every byte turned, every byte lost, every byte doubled.
+// Every bit of every byte flipped, every byte lost, every byte doubled.
 std::vector<QByteArray> damagedOnce(const QByteArray &bytes)
 {
     std::vector<QByteArray> all;
@@ -120,7 +120,7 @@ TEST(EscEcho, DamagedBeforeAReadIsGarbage)
     }
 }
 
-// Its line end is none of the answer's.
+// Its line end does not belong to the answer.
 TEST(EscEcho, DoesNotStandInForTheFirstLineEnd)
 {
     const Conversation conversation =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An answer is never taken for that of another request.
+// An answer is never taken for the answer to another request.
 #include "tests/esc/conversation.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(EscLateAnswers, OfASlowDeviceMakeTheQuietLonger)
     EXPECT_EQ(conversation.sendings.at(1), timeOut + 180 * millisecond);
 }
 
-// The first one is late by so much that it meets the second sending, whose own answer follows.
+// The first answer is so late that it comes with the second sending, whose own answer follows.
 TEST(EscLateAnswers, AfterARetryTheNextRequestWaitsUntilTheLineIsQuiet)
 {
     const Conversation conversation = converse(positionOf05(), [](int n, Instant end) {
@@ -60,7 +60,7 @@ TEST(EscLateAnswers, AfterARetryTheNextRequestWaitsUntilTheLineIsQuiet)
 
 TEST(EscLateAnswers, ThatEndBeforeTheDeviceCanHaveAnsweredAreNotTaken)
 {
-    // They end while the request is sent, or so soon after it that they began before.
+    // They end while the request is being sent, or so soon afterwards that they began before its end.
     for (const Instant before : {-12 * character, -6 * character, -3 * character}) {
         const Conversation conversation = converse(positionOf05(), [&](int, Instant end) {
             const Instant oldEnd = end + before + 12 * character;
@@ -70,7 +70,7 @@ TEST(EscLateAnswers, ThatEndBeforeTheDeviceCanHaveAnsweredAreNotTaken)
         expectNew(conversation);
         EXPECT_EQ(conversation.bytesOf(RowKind::late), oldAnswer);
         EXPECT_EQ(conversation.result.sent, 1);
-        EXPECT_GE(conversation.doneAt, readTime + quietTwice); // there may be more of it
+        EXPECT_GE(conversation.doneAt, readTime + quietTwice); // more of it may follow
     }
 }
 
@@ -84,7 +84,7 @@ TEST(EscLateAnswers, BeforeTheEchoAreNotTaken)
     EXPECT_EQ(conversation.bytesOf(RowKind::echo), positionOf05().bytes());
 }
 
-// It is held back for as long as something follows, but not for ever.
+// It is held back while something follows, but not for ever.
 TEST(EscLateAnswers, ThatComeTooEarlyAndAreFollowedByGarbageWithoutEndAreNotTaken)
 {
     const Conversation conversation = converse(positionOf05(), [](int n, Instant end) {

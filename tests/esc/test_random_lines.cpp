@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds whatever comes in, in whatever pieces and at whatever time. converse() itself checks that every
+// What holds whatever arrives, in whatever pieces and at whatever time. converse() itself checks that every
 // exchange ends and that no byte is lost.
 #include "tests/esc/conversation.h"
 
@@ -22,7 +22,7 @@ public:
             bytes += alphabet[below(static_cast<int>(alphabet.size()))];
         return bytes;
     }
-    // In random pieces, one directly after the other.
+    // In random pieces, one right after the other.
     Arrivals pieces(const QByteArray &bytes, Instant start)
     {
         Arrivals arrivals;
@@ -59,7 +59,7 @@ QByteArray answerFor(const Request &request, Random &random)
     return "\r\n" + digits + "\r\n";
 }
 
-// Only what stood on the line, whole and with both its ends, is an answer.
+// Only what was on the line, complete and with both its line ends, is an answer.
 void expectWellFormed(const Conversation &conversation, const Request &request)
 {
     if (!conversation.result.answer)
@@ -76,7 +76,7 @@ void expectWellFormed(const Conversation &conversation, const Request &request)
     EXPECT_EQ(conversation.bytesOf(LineRow::Kind::answer), onLine);
 }
 
-// Before each retry, and before the end after one, the line was silent for long enough.
+// Before each retry, and before the end of an exchange with one, the line was silent for long enough.
 void expectQuiet(const Conversation &conversation, const Arrivals &arrivals, const Timing &timing)
 {
     const Instant quiet = 2 * 44 * timing.character;
@@ -123,7 +123,7 @@ TEST(EscRandomLines, AnAnswerIsFoundAmongEchoAndGarbage)
         const Request request = randomRequest(random);
         const QByteArray answer = answerFor(request, random);
         const bool writes = shapeOf(request.command).writes;
-        // Garbage before a write's answer makes it unsure, unless the echo shows that it was there before.
+        // Garbage before a write's answer makes it doubtful, unless the echo shows that it came first.
         const bool echoes = random.oneIn(2);
         const QByteArray junk = "03FG\n\xFF\x80";
         const QByteArray garbage = !writes || echoes ? random.bytes(junk, 8) : QByteArray();

@@ -17,7 +17,7 @@ constexpr Instant answerTime = 12 * character;
 // Twice the longest answer: 40 characters of text between two line ends.
 constexpr Instant quiet = 2 * 44 * character;
 
-// Answers the n-th sending, and no other.
+// Answers only the n-th sending.
 Peer answeringOnly(int which, const QByteArray &bytes)
 {
     return [=](int n, Instant end) {
@@ -80,7 +80,7 @@ TEST(EscReads, GarbageBeforeAndAfterTheAnswerIsCountedAndDropped)
         const Conversation after = converse(positionOf05(), answering(answer + garbage));
         expectPosition(after);
         EXPECT_EQ(after.bytesOf(RowKind::garbage), garbage);
-        // More of it may come.
+        // More of it may follow.
         EXPECT_GE(after.doneAt, requestTime + 2 * millisecond + answerTime + quiet);
     }
 }
@@ -89,9 +89,9 @@ TEST(EscReads, GarbageWithinTheAnswerSpoilsIt)
 {
     for (qsizetype place = 1; place < answer.size(); ++place) {
         for (const char *garbage : {"\xFF", "0", "\r\n", "\x1B"}) {
-            if (place == 2 && garbage == QByteArrayView("\r\n")) // before it, as it were
+            if (place == 2 && garbage == QByteArrayView("\r\n")) // in effect before the answer
                 continue;
-            if (place == answer.size() - 2 && garbage == QByteArrayView("\r\n")) // behind it
+            if (place == answer.size() - 2 && garbage == QByteArrayView("\r\n")) // in effect after the answer
                 continue;
             QByteArray spoiled = answer;
             spoiled.insert(place, garbage);
@@ -125,7 +125,7 @@ TEST(EscReads, ASilentEncoderIsAskedThreeTimes)
     EXPECT_EQ(conversation.result.sent, 3);
     EXPECT_EQ(conversation.result.timeOuts, 3);
     EXPECT_EQ(conversation.sent, (std::vector{question, question, question}));
-    // Time-out, what an adapter may be late, and the quiet.
+    // Time-out, the adapter's delay, and the silence.
     const Instant timeOut = requestTime + 102 * millisecond + character;
     EXPECT_EQ(conversation.sendings, (std::vector{Instant{}, timeOut + quiet, 2 * (timeOut + quiet)}));
     EXPECT_EQ(conversation.doneAt, 3 * (timeOut + quiet));
@@ -194,7 +194,7 @@ TEST(EscReads, GarbageWithoutEndIsGivenUp)
         return arrivals;
     });
     EXPECT_EQ(conversation.result.answer, std::nullopt);
-    EXPECT_EQ(conversation.result.sent, 1); // nothing is sent into a line that is not quiet
+    EXPECT_EQ(conversation.result.sent, 1); // nothing is sent until the line is silent
     EXPECT_EQ(conversation.result.timeOuts, 1);
 }
 

@@ -15,7 +15,7 @@ struct RequestRow
     const char *bytes; // hexadecimal
 };
 
-// The examples of the manual, as far as they do not contradict its tables (GD is printed as GF, O as 0).
+// The examples of the manual, except where they contradict its tables (GD is printed as GF, O as 0).
 const RequestRow requestRows[] = {
     {0x05, Command::position, 0, "05P", "1B303550 0D0A"},
     {0x00, Command::operatingParameters, 0, "00O", "1B30304F 0D0A"},

@@ -53,7 +53,7 @@ TEST(EscScaling, FactorsLieBetweenAHundredThousandthAndOne)
     EXPECT_EQ(rawScalingFactor(1ULL << 32, 1ULL << 32, 30), 0x40000000U);
     EXPECT_EQ(factorForSteps(0, 29), std::nullopt);
     EXPECT_EQ(factorForSteps(8'193, 29), std::nullopt);
-    EXPECT_EQ(factorForRange(335, 4'096, 29), std::nullopt); // 335.5 would be a hundred-thousandth
+    EXPECT_EQ(factorForRange(335, 4'096, 29), std::nullopt); // 335.5 would be one hundred-thousandth
     EXPECT_EQ(factorForRange(336, 4'096, 29), 5'376U);
     EXPECT_EQ(factorForRange(1'000, 0, 29), std::nullopt);
     EXPECT_EQ(factorForRange(1'000, 4'097, 29), std::nullopt);
@@ -78,9 +78,9 @@ TEST(EscScaling, FractionBitsAreDeterminedFromTheDevice)
     EXPECT_EQ(fractionBitsFrom(0x3E800000, 8'000, 32'768'000), 30);
     EXPECT_EQ(fractionBitsFrom(0x20000000, 8'192, 33'554'432), 29);
     EXPECT_EQ(fractionBitsFrom(0x20000000, 8'191, 33'554'432), 29); // the table's 1..8191
-    // Few revolutions: the steps per revolution tell, whatever the range is.
+    // With few revolutions, the steps per revolution decide, whatever the range.
     EXPECT_EQ(fractionBitsFrom(0x20000000, 8'192, 16'777'216), 29);
-    // A step per revolution does not tell; the range does.
+    // One step per revolution decides nothing; the range does.
     EXPECT_EQ(fractionBitsFrom(0x10000, 1, 4'096), 29);
     EXPECT_EQ(fractionBitsFrom(0x10000, 1, 8'192), 28);
 }

@@ -49,7 +49,7 @@ TEST(EscWrites, ALateReadAnswerBeginsWithALineEndToo)
     }
 }
 
-// An adapter hands over what comes in in packets: the line end in one, the digits in the next, later.
+// An adapter delivers its input in packets: the line end in one, the digits later in the next.
 TEST(EscWrites, ALateReadAnswerInTwoPacketsIsNoAcceptance)
 {
     const Timing slow{.adapterDelay = 16 * millisecond};
@@ -62,7 +62,7 @@ TEST(EscWrites, ALateReadAnswerInTwoPacketsIsNoAcceptance)
     EXPECT_EQ(conversation.result.answer, std::nullopt);
 }
 
-// When the last of its bytes came in, the silence was long enough; when the first one did, it was not.
+// When its last byte arrived, the silence had been long enough; when its first one did, it had not.
 TEST(EscWrites, APacketIsAsOldAsItsFirstByte)
 {
     Exchange exchange(presetOf03(), noDelay);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever comes from a serial line, in whatever pieces and at whatever time: an exchange ends, loses no
-// byte, and takes nothing for an answer that is none. What was typed is a request that is read as itself, or
+// byte, and takes only an answer for one. What is typed is either a request that reads back as itself, or
 // nothing.
 //
-// The first byte chooses the command, the second how often a read is sent again; then come pieces: how many
-// half milliseconds later than the one before, how many bytes, these bytes.
+// The first byte chooses the command, the second the number of retries of a read; then follow pieces: their
+// delay after the previous one in half milliseconds, their length, their bytes.
 #include "esc/esc_exchange.h"
 #include "esc/esc_explain.h"
 #include "tests/fuzz/must.h"
@@ -22,8 +22,8 @@ constexpr int mostSteps = 100'000;
 struct Heard
 {
     QByteArray arrived;
-    QByteArray told;     // by the rows
-    QByteArray answered; // likewise, the answer alone
+    QByteArray told;     // reported by the rows
+    QByteArray answered; // likewise, only the answer
     int sendings = 0;
     bool done = false;
 };
@@ -38,7 +38,7 @@ void readRows(Exchange &exchange, Heard &heard)
     }
 }
 
-// Lets the exchange do what it wants to until then.
+// Lets the exchange do what it wants until then.
 void passUntil(Exchange &exchange, Instant &now, Instant until, Heard &heard)
 {
     for (int step = 0;; ++step) {

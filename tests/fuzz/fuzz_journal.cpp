@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are a database of messages or of EEPROM writes, or get a sentence; whatever such a database holds
-// can be shown, searched, written to and dropped. The first byte chooses.
+// Any bytes are a database of messages or of EEPROM writes, or are refused with a sentence; whatever such a
+// database contains can be shown, searched, written to and dropped. The first byte chooses which.
 #include "journal/argument_json.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger.h"

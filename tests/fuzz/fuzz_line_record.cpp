@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are a session of a serial line, or get a sentence; what was read is kept as it is, and its
-// requests can be told.
+// Any bytes are a session of a serial line, or are refused with a sentence; what was read is saved unchanged,
+// and its requests can be described.
 #include "esc_line/line_record.h"
 #include "esc_line/line_replay.h"
 #include "tests/fuzz/must.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// What a fuzz target expects of its input; the fuzzer keeps the input that breaks it.
+// What a fuzz target requires of any input; the fuzzer keeps inputs that break it.
 inline void must(bool holds, const char *what)
 {
     if (holds)

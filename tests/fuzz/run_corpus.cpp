@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a fuzz target over the files of a folder, where there is no libFuzzer.
+// Runs a fuzz target over the files of a folder, for builds without libFuzzer.
 #include <QDir>
 #include <QFile>
 

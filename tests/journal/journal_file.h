@@ -13,7 +13,7 @@
 
 namespace codewheel::test {
 
-// A file of a folder of its own, and what one does to it from outside.
+// A file in a folder of its own, and what can be done to it from outside.
 class JournalFile
 {
 public:
@@ -27,7 +27,7 @@ public:
         EXPECT_TRUE(file.open(QIODevice::WriteOnly));
         EXPECT_EQ(file.write(bytes), bytes.size());
     }
-    // What each file of SQLite begins with.
+    // How every SQLite file begins.
     static QByteArray header() { return {"SQLite format 3", 16}; }
     // As another program would.
     void execute(const QString &sql) const

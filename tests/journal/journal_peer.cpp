@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One of several programs that share the files of the journal; the child of test_parallel.cpp.
 //
-//   journal_peer count FILE TIMES     counts a write so often, looking into the ledger meanwhile as well
-//   journal_peer keep FILE TIMES      keeps messages so often, each when it is told so; says "N" for each
-//   that is kept journal_peer look FILE TIMES      reads the messages so often
+//   journal_peer count FILE TIMES     counts that many writes, also reading the ledger in between
+//   journal_peer keep FILE TIMES      keeps that many messages, each on request; prints the number of each
+//   journal_peer look FILE TIMES      reads the messages that many times
 #include "journal/ledger.h"
 #include "journal/message_store.h"
 
@@ -33,7 +33,7 @@ int countWrites(const DatabasePlace &place, int times)
     if (!ledger)
         return failed(ledger.error());
     for (int i = 0; i < times; ++i) {
-        const auto other = Ledger::open(place); // as the command line, which counts for ring and line
+        const auto other = Ledger::open(place); // like the command line, which counts for ring and line
         if (!other)
             return failed(other.error());
         const auto id = ledger->begin({.at = QDateTime::currentDateTimeUtc(),
@@ -59,7 +59,7 @@ int keepMessages(const QString &file, int times)
         store.add({.severity = Severity::fault, .id = MessageId::training, .arguments = {QString::number(i)}},
                   QDateTime::currentDateTime());
         store.flush();
-        if (!MessageTable::open(*store.place())) // as the view of them does
+        if (!MessageTable::open(*store.place())) // like their view
             return 1;
         std::printf("%d\n", i);
         std::fflush(stdout);

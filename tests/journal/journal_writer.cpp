@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The child of test_killed.cpp: keeps messages and the ledger of a training bus on which handshakes run, and
-// says on its standard output what it was promised to be on disk, until it is killed.
+// The child of test_killed.cpp: keeps messages, and the ledger of a training bus on which handshakes run, and
+// prints what it was promised to be on disk, until it is killed.
 //
 //   journal_writer MESSAGES LEDGER RUN
 //

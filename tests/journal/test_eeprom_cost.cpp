@@ -75,17 +75,17 @@ TEST_F(EepromCost, IsTheMostAJobMayWrite)
                                         .previous = {},
                                         .initialisePreset = true}),
               3);
-    EXPECT_EQ(of(fraba, SetPreset{}), 2); // a preset that is used up is programmed again
+    EXPECT_EQ(of(fraba, SetPreset{}), 2); // a used-up preset is programmed again
     EXPECT_EQ(of(fraba, SetPreset{.value = {}, .command = PresetCommand::manufacturer}), 1);
     EXPECT_EQ(of(fraba, SetPreset{.value = 7, .command = PresetCommand::manufacturer}), 2);
-    EXPECT_EQ(of(fraba, ResetToDefault{}), 2); // it may be in a cam program that was changed
+    EXPECT_EQ(of(fraba, ResetToDefault{}), 2); // it may be in a changed cam program
     EXPECT_EQ(of(2, ResetToDefault{}), 1);
     EXPECT_EQ(of(fraba, ReadCams{{1, 2, 3}, {}}), 4);
     EXPECT_EQ(of(fraba, SendWords{{0x020000FF, 0x80000000, 0}}), 1);
     EXPECT_EQ(of(2, SwitchMode{}), 0);
 }
 
-// No kind of job is left out: whoever adds one says here what it costs at most.
+// No kind of job is left out: new ones state their highest cost here.
 TEST_F(EepromCost, IsStatedForEachKindOfJob)
 {
     const std::vector<std::pair<Job, int>> all{
@@ -144,7 +144,7 @@ TEST_F(EepromCost, OfAWordByHand)
     EXPECT_EQ(of(1, SendWords{{0x20800001, 0x46000015, 0x80000000, 0x20800000}}), 2); // the second leaves it
 }
 
-// An unnamed K3 may be a FRABA: no word costs less there.
+// An unnamed K3 may be a FRABA, so no word costs less.
 TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
 {
     constexpr Place unnamed = "1.0"_ring;
@@ -171,7 +171,7 @@ TEST_F(EepromCost, OfWritingBackWhatWasBefore)
                       .steps = {step(StepKind::readOut, 0x20210001), step(StepKind::parameter, 0x020000FF),
                                 step(StepKind::parameter, 0x04000001), step(StepKind::parameter, 0x06000003)},
                       .confirmed = {}};
-    EXPECT_EQ(mostWritesToRestore(progress), 2); // the one that is on its way as well
+    EXPECT_EQ(mostWritesToRestore(progress), 2); // including the one under way
     progress.index = 4;
     EXPECT_EQ(mostWritesToRestore(progress), 3);
     EXPECT_EQ(mostWritesToRestore(Progress{}), 0);

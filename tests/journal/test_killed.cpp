@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Killed at any time, the program leaves both databases whole, with all that was promised to be kept.
+// Killed at any time, the program leaves both databases intact, with everything that was promised to be kept.
 #include "encoder/refusal_text.h"
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
@@ -25,7 +25,7 @@ struct Promised
     int writes = 0;
 };
 
-// Runs the child until it has said so many lines, and kills it.
+// Runs the child until it has printed this many lines, then kills it.
 Promised runAndKill(const JournalFile &messages, const JournalFile &ledger, int run, int lines)
 {
     QProcess child;
@@ -70,7 +70,7 @@ QString integrity(const JournalFile &file)
     return result;
 }
 
-// The messages of a run are there from 0 to some number without a gap.
+// The messages of a run start at 0 and have no gap.
 int lastMessageOf(const JournalFile &file, int run)
 {
     const auto table = MessageTable::open(file.place());
@@ -106,11 +106,11 @@ TEST(Killed, LeavesBothDatabasesWholeWithWhatWasPromised)
         ASSERT_TRUE(account);
         const EepromCount count = account->writes(fraba);
         ASSERT_GE(count.writes, writes);
-        // What it was about to do when it was killed is no secret.
+        // The job under way when it was killed is counted as possible writes.
         if (promised.jobs > 0) {
             ASSERT_GT(count.atMost(), 0);
         }
-        writes = count.writes; // it may have counted more than it said
+        writes = count.writes; // it may have counted more than it printed
     }
     EXPECT_GT(writes, kills / 2);
     EXPECT_EQ(messages.names().filter(QStringLiteral("damaged")), QStringList());

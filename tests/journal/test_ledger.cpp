@@ -60,7 +60,7 @@ TEST_F(LedgerTest, WhatNeverEndedMayHaveBeenWritten)
     EXPECT_TRUE(ledger.count(job, 1));
     EXPECT_EQ(ledger.writes(serial("1")).writes, 1);
     EXPECT_EQ(ledger.writes(serial("1")).perhaps, 3);
-    EXPECT_EQ(ledger.writes(serial("1"), {job}).perhaps, 0); // it runs
+    EXPECT_EQ(ledger.writes(serial("1"), {job}).perhaps, 0); // it is still running
 }
 
 TEST_F(LedgerTest, ForgetsAJobThatWroteNothing)
@@ -81,7 +81,7 @@ TEST_F(LedgerTest, TellsEncodersApart)
     EXPECT_EQ(ledger.accounts().size(), 5U);
 }
 
-// The same address on two lines of a project, and the same number in two rings.
+// The same address on two lines of a project, and the same number on two rings.
 TEST_F(LedgerTest, TellsTheBusesOfAProjectApart)
 {
     const QString from = QStringLiteral("/a.codewheel");

@@ -94,12 +94,12 @@ TEST_F(LedgerKeeperTest, NotesAWordByHandBeforeItIsSent)
     send(0x020000FF);
     EXPECT_EQ(bus.channel(fraba)->out(), 0U);
     EXPECT_EQ(noted().perhaps, 1);
-    EXPECT_EQ(countAt(fraba).perhaps, 0); // it is on its way
+    EXPECT_EQ(countAt(fraba).perhaps, 0); // it is under way
     bus.advance(50);
     send(0x04000002);
     EXPECT_EQ(noted().atMost(), 2);
     bus.advance(50);
-    EXPECT_EQ(noted().writes, 1); // the first one, as it left OUT
+    EXPECT_EQ(noted().writes, 1); // the first one, when it left OUT
     send(0x80000000);
     bus.advance(50);
     send(0);
@@ -162,7 +162,7 @@ TEST_F(LedgerKeeperTest, NotesWhatRestoringWillWriteBeside)
     EXPECT_GE(noted(), 3);
     for (int i = 0; i < 100 && encoder.runningJob(); ++i)
         bus.advance(10);
-    EXPECT_EQ(noted(), 2); // steps, and steps as they were
+    EXPECT_EQ(noted(), 2); // steps, and the previous steps
     EXPECT_EQ(countAt(fraba).perhaps, 0);
 }
 
@@ -194,7 +194,7 @@ TEST_F(LedgerKeeperTest, SaysSoWhereWhatRestoringWillWriteCannotBeNoted)
     EXPECT_EQ(messages.size(), 1U);
 }
 
-// The confirmation is on its way from the bus as the encoder is named.
+// The confirmation is on its way from the bus when the encoder is named.
 TEST_F(LedgerKeeperTest, CountsWhatComesWhileADeviceIsNamed)
 {
     keep(DatabasePlace::memory());
@@ -284,7 +284,7 @@ TEST_F(LedgerKeeperTest, TheFirstFileOfAProjectTakesTheAccountAlong)
     EXPECT_EQ(countAt(baumer).writes, 1);
     EXPECT_FALSE(keeper->ledger()->valuesBefore(keeper->identity(baumer)).empty());
     keeper->setProject({});
-    EXPECT_EQ(countAt(baumer).writes, 0); // it was never that of another one
+    EXPECT_EQ(countAt(baumer).writes, 0); // it never belonged to another one
 }
 
 TEST_F(LedgerKeeperTest, AProjectSavedUnderAnotherNameGoesOnCounting)
@@ -292,7 +292,7 @@ TEST_F(LedgerKeeperTest, AProjectSavedUnderAnotherNameGoesOnCounting)
     keep(file.place());
     keeper->setProject(QStringLiteral("/plant.codewheel"));
     write(baumer, 4'096);
-    keeper.reset(); // what was written another day counts as well
+    keeper.reset(); // writes of other days count as well
     keep(file.place());
     keeper->setProject(QStringLiteral("/plant.codewheel"));
     write(baumer, 8'192);
@@ -342,7 +342,7 @@ TEST_F(LedgerKeeperTest, AWordByHandThatStandsWhileTheProjectIsSavedCountsOnce)
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
 }
 
-// Another project is opened: what was begun in the one before is counted there.
+// Another project is opened: what was begun in the previous one is counted there.
 TEST_F(LedgerKeeperTest, AWordByHandThatStandsWhileAnotherProjectIsOpenedStaysWithTheFirst)
 {
     keep(file.place());
@@ -440,7 +440,7 @@ TEST_F(LedgerKeeperTest, WarnsAsTheBudgetIsUsed)
 
 TEST_F(LedgerKeeperTest, GoesOnInMemoryAndSaysSoWhereTheFileCannotBeUsed)
 {
-    EXPECT_TRUE(MessageTable::open(file.place())); // another kind of database
+    EXPECT_TRUE(MessageTable::open(file.place())); // a different kind of database
     keep(file.place());
     ASSERT_TRUE(keeper->problem());
     EXPECT_EQ(keeper->problem()->id, MessageId::notKept);

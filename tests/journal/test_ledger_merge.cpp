@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts that are carried from one ledger to another one.
+// Counts carried from one ledger to another.
 #include "journal/ledger_json.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
@@ -29,7 +29,7 @@ protected:
                               .before = {{Parameter::steps, 4096, Evidence::read,
                                           QDateTime(QDate(2026, 3, 1), QTime(11, 0), Qt::UTC)}}});
     }
-    // As files.
+    // Its content as files.
     static std::vector<Ledger::Record> carried(const Ledger &ledger)
     {
         const auto records = recordsFromJson(recordsToJson(*ledger.records(), false));
@@ -48,7 +48,7 @@ TEST_F(LedgerMerge, AddsTheWritesToTheSameEncoderOnce)
     const qint64 job = begin(there, seven, 2);
     ASSERT_TRUE(there.count(job, 2));
     ASSERT_TRUE(there.settle(job, {{Parameter::steps, 255}}));
-    ASSERT_TRUE(here.count(begin(here, seven, 1), 1)); // at the same time, and yet another one
+    ASSERT_TRUE(here.count(begin(here, seven, 1), 1)); // at the same time, but a different one
     for (int times = 0; times < 2; ++times)
         ASSERT_TRUE(here.merge(carried(there)));
     EXPECT_EQ(here.writes(seven).writes, 3);
@@ -117,7 +117,7 @@ TEST_F(LedgerMerge, WhatIsWrongWithAFileIsTold)
     }
 }
 
-// As a version before made it, with a write-ahead log.
+// As made by an earlier version, with a write-ahead log.
 TEST(LedgerOfAnEarlierVersion, IsTakenOver)
 {
     const JournalFile file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written to the encoders of a serial line, on the simulated one.
+// Writes to the encoders of a serial line, on the simulated one.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
 #include "esc_line/line_session.h"
@@ -94,7 +94,7 @@ TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
     keep(file.place());
     line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     EXPECT_EQ(onDisk(five).perhaps, 1);
-    EXPECT_EQ(countAt(five).perhaps, 0); // it is on its way
+    EXPECT_EQ(countAt(five).perhaps, 0); // it is under way
     line.advance(1s);
     EXPECT_EQ(onDisk(five).writes, 1);
     EXPECT_EQ(onDisk(five).perhaps, 0);
@@ -143,7 +143,7 @@ TEST_F(LineLedgerTest, AtTheMasterAddressAWriteIsEachEncoders)
     EXPECT_EQ(countAt(five).atMost(), 1);
 }
 
-// Whatever its own address is: an encoder that stands at the master address is the only one.
+// Whatever its own address: an encoder at the master address is the only one.
 TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
 {
     for (const std::uint8_t other : {std::uint8_t{0x03}, std::uint8_t{0x12}})
@@ -177,7 +177,7 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
 }
 
-// Whatever stands at that address on the first one.
+// Whatever is at that address on the first line.
 TEST_F(LineLedgerTest, AWriteToAnAddressOfASecondLineIsOfThatLine)
 {
     LineSession second(
@@ -209,7 +209,7 @@ TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
     keep(DatabasePlace::memory());
     line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     add(three);
-    EXPECT_GE(countAt(three).writes, 1); // the session may have seen it too: rather twice than never
+    EXPECT_GE(countAt(three).writes, 1); // the session may have seen it too: better twice than never
     EXPECT_EQ(countAt(three).perhaps, 0);
 }
 
@@ -251,7 +251,7 @@ TEST_F(LineLedgerTest, AWriteTornByUnpluggingCounts)
     };
     while (!isSent())
         line.advance(100us);
-    simulated->setUnplugged(true); // before the answer is through
+    simulated->setUnplugged(true); // before the answer has passed
     line.advance(50ms);
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->result.error().id, RefusalId::stoppedInWrite);

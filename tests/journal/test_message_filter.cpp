@@ -26,7 +26,7 @@ bool fits(const char *text)
 
 TEST(MessageTextMatcher, FindsWhatIsShownInAnyColumn)
 {
-    EXPECT_TRUE(fits("error 3 (IN 8600")); // over the border of pattern and argument
+    EXPECT_TRUE(fits("error 3 (IN 8600")); // across the border between pattern and argument
     EXPECT_TRUE(fits("ENCODER reports"));
     EXPECT_TRUE(fits("fault"));
     EXPECT_TRUE(fits("2.0"));
@@ -37,7 +37,7 @@ TEST(MessageTextMatcher, FindsWhatIsShownInAnyColumn)
     EXPECT_FALSE(fits("14:03"));
 }
 
-// Over a day and both changes of summer time, wherever this runs.
+// Over a day and both daylight saving changes, in whatever time zone this runs.
 TEST(MessageTextMatcher, SeesTheTimesThatAreShown)
 {
     for (qint64 at = afternoon.toMSecsSinceEpoch(); at < afternoon.addDays(300).toMSecsSinceEpoch();
@@ -45,7 +45,7 @@ TEST(MessageTextMatcher, SeesTheTimesThatAreShown)
         const QString shown = messageTime(at);
         MessageTextMatcher matcher(shown);
         StoredMessage message = fault();
-        message.at = at + 86'400'000; // what it remembers is of another day
+        message.at = at + 86'400'000; // what it has cached is for another day
         matcher.fits(message);
         message.at = at;
         EXPECT_TRUE(matcher.fits(message)) << shown.toStdString();

@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// "d": a day, "1": a message, "3": three that are alike.
+// "d": a day, "1": a message, "3": three similar ones.
 std::string rowsOf(const MessageRows &rows)
 {
     std::string text;

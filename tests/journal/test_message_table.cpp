@@ -107,7 +107,7 @@ TEST(MessageTable, DropsTheOldestAndGivesTheRoomBack)
     EXPECT_LT(table->size(), before / 2);
     ASSERT_TRUE(table->dropUpTo(2'000));
     ASSERT_TRUE(table->append({messageAt(1, "next")}));
-    EXPECT_EQ(table->span()->first, 2'001); // an id never comes again
+    EXPECT_EQ(table->span()->first, 2'001); // ids are never reused
 }
 
 TEST(MessageTable, RefusesTheFileOfANewerVersion)
@@ -184,7 +184,7 @@ TEST(MessageTable, SaysThatAGigabyteOfNothingIsDamaged)
     EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken);
 }
 
-// Cut off at any length, a file is taken or told to be damaged, and reading comes to an end.
+// Truncated at any length, a file is accepted or reported as damaged, and reading ends.
 TEST(MessageTable, SurvivesATruncatedFile)
 {
     const JournalFile whole;
@@ -206,7 +206,7 @@ TEST(MessageTable, SurvivesATruncatedFile)
     }
 }
 
-// Bytes 36 to 39 of the header: how many free pages there are (SQLite's file format, 1.3).
+// Bytes 36 to 39 of the header: the number of free pages (SQLite's file format, 1.3).
 TEST(MessageTable, AListOfFreePagesThatCannotBeIsDamage)
 {
     for (const QByteArray &count : {QByteArray("\x7f\xff\xff\xff", 4), QByteArray("\0\0\0\3", 4)}) {

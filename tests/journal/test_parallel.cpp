@@ -26,7 +26,7 @@ public:
         EXPECT_EQ(m_process.readAllStandardError().toStdString(), "");
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     }
-    // Lets it keep a message: its number.
+    // Lets it keep a message; returns its number.
     int next()
     {
         m_process.write("\n");

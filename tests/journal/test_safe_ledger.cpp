@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ledger whose file fails: nothing is lost, and it is said.
+// A ledger whose file fails: nothing is lost, and the failure is reported.
 #include "encoder/refusal_text.h"
 #include "journal/safe_ledger.h"
 #include "tests/journal/journal_file.h"
@@ -33,7 +33,7 @@ protected:
                 .place = identity.place,
                 .planned = planned};
     }
-    // Other programs keep it from being written, and let it again.
+    // Makes writing fail as other programs could, and lets it succeed again.
     void refuseChanges() const
     {
         for (const char *what : {"INSERT", "UPDATE"})
@@ -71,7 +71,7 @@ TEST_F(SafeLedgerTest, KeepsBesideTheFileWhatThatRefusesUntilTheNextOneOpensIt)
         const auto before = ledger.begin(entryOf(encoder("1"), 3));
         ledger.count(*before, 1);
         refuseChanges();
-        ledger.count(*before, 2); // and the rest of a job that is under way
+        ledger.count(*before, 2); // and the rest of the job under way
         ASSERT_TRUE(ledger.problem());
         EXPECT_EQ(ledger.problem()->id, MessageId::keptBeside);
         EXPECT_EQ(told, 1);
@@ -163,7 +163,7 @@ TEST_F(SafeLedgerTest, ALockIsWaitedForAndThenTold)
     QSqlDatabase::removeDatabase(name);
 }
 
-// The limit of a process stands for the end of a disk.
+// The file size limit of a process stands in for a full disk.
 TEST_F(SafeLedgerTest, AFullDiskIsToldAndLosesNothing)
 {
     (void)Ledger::open(file.place());

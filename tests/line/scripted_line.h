@@ -12,8 +12,7 @@
 
 namespace codewheel {
 
-// A line in virtual time whose answers are written down byte for byte, and which keeps what was sent with its
-// time.
+// A line in virtual time with scripted answers, byte for byte, which records what was sent and when.
 class ScriptedLink final : public ByteLink
 {
 public:
@@ -24,9 +23,9 @@ public:
         QByteArray bytes;
     };
 
-    // Answers come this long after the request was handed over.
+    // The delay of answers after the request was handed over.
     Instant delay{5'000};
-    // By the bytes sent, at any baud rate or at one.
+    // By the bytes sent, at any baud rate or only at one.
     std::map<QByteArray, QByteArray> answers;
     std::optional<int> answersAt; // baud rate
     bool unplugged = false;
@@ -64,7 +63,7 @@ private:
     std::deque<Coming> m_coming;
 };
 
-// Asks the position of its address every `period`, and keeps what it was told.
+// Polls the position of its address every `period`, and keeps what it was told.
 class PollingDriver final : public RequestDriver
 {
 public:
@@ -92,12 +91,12 @@ public:
     void moveTo(LineAddress address) { m_address = address; }
     void say(Message message) { m_messages.push_back(std::move(message)); } // with the next request
     void speakAt(int baudRate) { m_baudRate = baudRate; }
-    std::optional<int> fractionBits() const { return m_fractionBits; } // as it was told
+    std::optional<int> fractionBits() const { return m_fractionBits; } // as told
 
 private:
     LineAddress m_address;
     Instant m_period;
-    std::optional<int> m_baudRate; // nothing: that of the line
+    std::optional<int> m_baudRate; // unset: the line's
     std::optional<int> m_fractionBits;
     Instant m_wakesAt{};
     Reading m_reading;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole of a serial line in virtual time, with one byte of a hundred damaged: the driver, the runner, the
-// exchange and an encoder that keeps the line's time. What was damaged and what was taken are compared
+// A whole serial line in virtual time, with one byte in a hundred damaged: the driver, the runner, the
+// exchange and an encoder that keeps the line's timing. Compares what was damaged and what was accepted,
 // position by position.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
@@ -22,7 +22,7 @@ const QByteArray rightAnswer = "\r\n00001235\r\n";
 struct Course
 {
     int answersRight = 0;   // rows of the line
-    int answersDamaged = 0; // well-formed, and another value
+    int answersDamaged = 0; // well-formed, but with another value
     int takenWrong = 0;     // positions shown without a mark
     EscDriver::Figures guard;
     LineFigures line;
@@ -79,7 +79,7 @@ TEST(DamagedLine, ALineWithoutDamageLosesNothing)
 TEST(DamagedLine, WhatIsNoAnswerIsNeverTakenAndWhatLooksRightIsMostlyCaught)
 {
     const Course damaged = run({.corrupted = 10});
-    // Every request ended in an answer, or was counted as unanswered; every sending beyond the first is a
+    // Every request ended in an answer or was counted as unanswered; every sending beyond the first is a
     // retry.
     EXPECT_EQ(damaged.line.requests, damaged.line.answers + damaged.line.unanswered + damaged.line.retries);
     EXPECT_GT(damaged.line.timeOuts, 0U);

@@ -58,7 +58,7 @@ protected:
     {}
 };
 
-// Without it, one would be computed from the steps, and sent.
+// Without it, one would be computed from the steps and sent.
 TEST_F(EscLine, AFactorThatIsThereGoesAlongWithTheStepsThatAreNot)
 {
     ASSERT_TRUE(encoder().start(ReadParameters{{Parameter::steps, Parameter::scalingFactor}}));
@@ -143,7 +143,7 @@ TEST_F(EscLine, TheWarningBytesOfOneEncoderAreSwapped)
 
     ASSERT_TRUE(line.remove(five));
     EXPECT_FALSE(line.explainOptions().swaps({5})) << "it was a setting of that encoder";
-    line.setSwapsWarningBytes(five, true); // nobody's
+    line.setSwapsWarningBytes(five, true); // no such encoder
 }
 
 TEST_F(EscLine, WhatCannotBeDeterminedIsTold)

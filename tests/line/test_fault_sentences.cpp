@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a serial line has a sentence that says where, and what to do.
+// Every fault of a serial line has a sentence that says where it is and what to do.
 #include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"

@@ -18,7 +18,7 @@ QByteArray wire(const char *text)
     return QByteArray("\x1B") + text + "\r\n";
 }
 
-// A poll that was sent twice, a typed position, a serial number without an answer, a preset.
+// A poll sent twice, a typed position, a serial number without an answer, a preset.
 LineRecord recordToReplay()
 {
     LineRecord record;

@@ -222,11 +222,11 @@ TEST_F(LineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
     }
     EXPECT_EQ(told, (std::vector{MessageId::portLost}));
     const Refusal lost{RefusalKind::link, RefusalId::portLost, {QStringLiteral("scripted line")}};
-    EXPECT_EQ(why, (std::vector{lost})); // of the job
+    EXPECT_EQ(why, (std::vector{lost})); // about the job
     EXPECT_FALSE(runner.takeLatest()->connected);
 
     run(10ms);
-    EXPECT_TRUE(messages().empty()); // it was told
+    EXPECT_TRUE(messages().empty()); // it was reported already
 
     link.unplugged = false;
     link.letPass(1s);
@@ -247,7 +247,7 @@ TEST_F(LineRunnerTest, LooksForThePortOnceASecond)
     link.unplugged = true;
     run(10s);
     EXPECT_EQ(link.now(), 10s + 50ms);
-    EXPECT_NEAR(link.tries, 11, 1); // and the first one
+    EXPECT_NEAR(link.tries, 11, 1); // plus the first one
     EXPECT_EQ(messages().size(), 2U) << "polling began, and the port is gone";
 }
 
@@ -284,7 +284,7 @@ TEST_F(LineRunnerTest, WithoutLowLatencyAnAnswerMayComeLater)
 {
     link.latency = LowLatency::refused;
     ASSERT_TRUE(runner.open({}));
-    link.delay = 115ms; // with the request of 6 characters
+    link.delay = 115ms; // including the request of 6 characters
     add(5, 1s);
     poll();
     run(5s);
@@ -375,7 +375,7 @@ TEST_F(LineRunnerTest, AlarmStopEndsJobsAndDropsWhatWasTyped)
     EXPECT_FALSE(runner.takeLatest()->devices.front().hasJob);
 }
 
-// Nobody takes them: what passed first stays, what came after is counted, and no message is lost by it.
+// Nobody takes them: the first rows stay, later ones are counted, and no message is lost.
 TEST_F(LineRunnerTest, KeepsTenThousandRowsAndCountsTheRest)
 {
     add(5);

@@ -82,7 +82,7 @@ TEST(LineScan, AsksWhoAnswersForDeviceCodeAndVersion)
     EXPECT_EQ(steps.size(), 2U + 3U * 2U) << "each value twice; an undamaged line is asked once";
 }
 
-// 03: the command is not known, so there is an encoder that says so.
+// 03: the command is not known, so there is an encoder to say so.
 TEST(LineScan, TakesARefusalForAnEncoderToo)
 {
     LineScan scan({.baudRates = {19'200}, .first = {1}, .last = {1}});
@@ -111,7 +111,7 @@ TEST(LineScan, AsksAgainWhereOnlyGarbageCame)
     EXPECT_EQ(addresses, (std::vector{1, 1, 1, 2, 2})) << "2 again at the end: the line is damaged";
 }
 
-// No checksum: a digit that became another looks right.
+// No checksum: a digit changed into another one looks right.
 TEST(LineScan, TakesWhatTwoReadsAgreeOn)
 {
     LineScan scan({.baudRates = {19'200}, .first = {5}, .last = {5}});
@@ -177,7 +177,7 @@ TEST(LineScan, OnADamagedLineAsksAgainWhoSaidNothing)
     EXPECT_EQ(scan.total(), 7);
 }
 
-// One byte of a hundred: with one read of each value nearly every scan had something wrong.
+// One byte in a hundred: with one read per value, nearly every scan had an error.
 TEST(LineScan, FindsTheTrainingLineThroughDamage)
 {
     int right = 0;

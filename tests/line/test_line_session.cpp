@@ -129,7 +129,7 @@ TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineAddressTaken);
 }
 
-// Manual, "Masteraddress: 00": for an encoder whose address is not known; all answer to it.
+// Manual, "Masteraddress: 00": for an encoder of unknown address; all encoders answer to it.
 TEST_F(LineSessionTest, TheMasterAddressIsForAnEncoderThatIsAlone)
 {
     link->answers["\x1B"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The speed of a shaft whose encoder is one of three on a line: it is asked when its turn comes.
+// The speed of a shaft whose encoder is one of three on a line, and is polled in turn.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
 #include "esc_line/line_runner.h"

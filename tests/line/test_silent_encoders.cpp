@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an encoder that answers fares beside others that do not, in virtual time on a line that keeps its time.
+// How an encoder that answers fares beside silent ones, in virtual time on a line with real timing.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
 #include "esc_line/line_runner.h"
@@ -27,7 +27,7 @@ protected:
             line_command::AddDevice{std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"), address),
                                     QStringLiteral("encoder")});
     }
-    void addAbsent(int count) // 13h and above: nobody is there
+    void addAbsent(int count) // 13h and above: nobody
     {
         for (int i = 0; i < count; ++i)
             add({m_absent++});
@@ -45,7 +45,7 @@ protected:
         return m_latest;
     }
     const LineSnapshot::Device &shown(std::size_t place) { return latest()->devices.at(place); }
-    // Answers to the first encoder.
+    // Answers of the first encoder.
     std::uint64_t answersIn(Instant duration)
     {
         const auto before = shown(0).figures.answers;
@@ -116,7 +116,7 @@ TEST_F(SilentEncoders, EachIsAskedInItsTurnAndFoundAgain)
     setSilent({0x12}, true);
     run(30s);
     setSilent({0x12}, false);
-    run(20s); // six that are silent, 3 s each
+    run(20s); // six silent ones, 3 s each
     EXPECT_EQ(shown(1).reading.state, EncoderState::silent);
     EXPECT_EQ(shown(2).reading.state, EncoderState::operation);
 }
@@ -138,7 +138,7 @@ TEST_F(SilentEncoders, WhenNobodyAnswersEachIsAskedEverySecond)
         EXPECT_EQ(shown(i).reading.state, EncoderState::operation) << i;
 }
 
-// Two bytes of a hundred are damaged, so that every fourth request or so goes without an answer.
+// Two bytes in a hundred are damaged, so about every fourth request goes unanswered.
 TEST_F(SilentEncoders, ADamagedLineMakesNobodySilent)
 {
     add({3});

@@ -67,7 +67,7 @@ TEST(TypedRequest, AScalingFactorIsLimitedByTheFormatOfTheLine)
     EXPECT_FALSE(typedRequest(QStringLiteral("05GF14F9"), 30));
 }
 
-// What is only explained may hold any value; all else must be right.
+// A request that is only explained may hold any value; everything else must be right.
 TEST(ReadRequest, TakesAnyValueThatItsDigitsHold)
 {
     EXPECT_EQ(readRequest(QStringLiteral("02X21")), (esc::Request{{2}, esc::Command::writeAddress, 0x21}));

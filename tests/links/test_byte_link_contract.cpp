@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every link to a serial line keeps (line/byte_link.h), over a real pseudo terminal as well as
-// simulated. What happens in time waits for its event, with an hour's patience.
+// The contract of every link to a serial line (line/byte_link.h), over a real pseudo terminal and simulated.
+// Anything timed waits for its event, for up to an hour.
 #include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
 #include "tests/support/pty_pair.h"
@@ -24,7 +24,7 @@ RefusalId idOf(const Result<T> &result)
     return result ? RefusalId::nothingToDo : result.error().id;
 }
 
-// The far end: an encoder at 05 which shows 1235h.
+// The far end: an encoder at 05 that shows 1235h.
 struct OverPty
 {
     PtyPair pty{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A handful of exchanges with tests/line/esc_peer.py, which knows nothing of this program, over a real pseudo
-// terminal. What is sent and expected is literal.
+// A few exchanges with tests/line/esc_peer.py, which knows nothing of this program, over a real pseudo
+// terminal. Requests and expected answers are literal.
 #include "links/serial_port_link.h"
 
 #include <QProcess>
@@ -29,7 +29,7 @@ protected:
         m_link = std::make_unique<SerialPortLink>(QString::fromLocal8Bit(m_peer.readLine()).trimmed());
         ASSERT_TRUE(m_link->open({}));
     }
-    // So many bytes in answer.
+    // Returns this many bytes of the answer.
     QByteArray ask(const char *text, qsizetype count)
     {
         EXPECT_TRUE(m_link->write("\x1B" + QByteArray(text) + "\r\n"));
@@ -84,7 +84,7 @@ TEST_F(EscPeer, SilentOnesSayNothing)
 {
     start(QStringLiteral("--silent 05 --delay 1 --byte-time 573"));
     EXPECT_EQ(ask("05P", 0), "");
-    EXPECT_EQ(ask("12D", 8), "\r\n2000\r\n"); // the first that comes
+    EXPECT_EQ(ask("12D", 8), "\r\n2000\r\n"); // the first answer to come
 }
 
 TEST_F(EscPeer, ItsEndIsNoticed)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over real pseudo terminals. What happens in time waits for its event, with an hour's patience.
+// Over real pseudo terminals. Anything timed waits for its event, for up to an hour.
 #include "encoder/refusal_text.h"
 #include "links/serial_port_link.h"
 #include "tests/support/pty_pair.h"
@@ -166,7 +166,7 @@ TEST_F(SerialLink, WhatCameBeforeItWasUnpluggedIsReadFirst)
     m_pty.send("last words");
     m_pty.unplug();
     const auto words = m_link.read(m_link.now() + 1h);
-    // The system may have dropped them with the port; then that is told at once.
+    // The system may have dropped them with the port, in which case the loss is reported at once.
     if (words) {
         EXPECT_EQ(*words, "last words");
     }
@@ -182,7 +182,7 @@ TEST_F(SerialLink, APortThatIsTakenIsRefused)
     EXPECT_TRUE(second.open(usual));
 }
 
-// Other programs mark a port of theirs by a lock alone.
+// Other programs mark their port only with a lock.
 TEST_F(SerialLink, APortThatIsLockedIsRefused)
 {
     const int other =
@@ -205,7 +205,7 @@ TEST_F(SerialLink, WhatIsNoPortIsRefused)
     }
 }
 
-// Without the rights of the user who runs the tests, and of root.
+// Without the rights of the user running the tests, or of root.
 class WithoutRights
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of the main() of the tests without a window: paper needs fonts.
+// Replaces the main() of tests without a window: paper needs fonts.
 #include <QGuiApplication>
 #include <QLocale>
 

@@ -11,10 +11,10 @@ struct PaintedText
 {
     QRectF box;
     QString text;
-    bool isCut = false; // at the border of what may be painted to
+    bool isCut = false; // at the border of the paintable area
 };
 
-// What can be read on a sheet, in pieces of lines.
+// The readable texts on a sheet, in pieces of lines.
 std::vector<PaintedText> paintedTexts(const ReportPages &pages, int page);
 
 } // namespace codewheel::test

@@ -58,7 +58,7 @@ ReportInput withStations(int count, const QString &station)
     return input;
 }
 
-// Nothing beside the paper's margins, nothing cut, nothing over something else.
+// Nothing outside the margins, nothing cut off, nothing overlapping.
 void expectTidy(const Pages &pages)
 {
     const QRectF paper = sheet::body.adjusted(-1, -sheet::mm(10), 1, sheet::mm(12));
@@ -135,7 +135,7 @@ TEST(ReportPages, ARowIsNotCut)
 
 TEST(ReportPages, NoWordIsTooLong)
 {
-    const QString word(5'000, u'W'); // more than a sheet, in a column
+    const QString word(5'000, u'W'); // longer than a sheet, within a column
     const Pages pages = pagesOf(reportOf(withStations(2, word)));
     EXPECT_GE(textOf(pages).count(u'W'), 2 * 5'000);
     expectTidy(pages);

@@ -23,10 +23,10 @@ QByteArray contentOf(const QString &path)
     return file.readAll();
 }
 
-// Of the edges that Qt smooths: what it rounds depends on where the picture lies in memory.
+// Antialiasing at the edges: how Qt rounds depends on the memory address of the picture.
 constexpr int rounding = 8; // of 255
 
-// The largest of all pixels and colours; of pictures that cannot be compared 255.
+// The largest difference over all pixels and colours; 255 if the pictures cannot be compared.
 int difference(const QImage &one, const QImage &other)
 {
     const QImage a = one.convertToFormat(QImage::Format_RGBA8888);
@@ -61,7 +61,7 @@ protected:
     static inline std::unique_ptr<QTemporaryDir> made;
 };
 
-// The pictures of the manual are from the training bus in virtual time: nothing in them is chance.
+// The pictures of the manual are from the training bus in virtual time: nothing in them is random.
 TEST_F(ManualPictures, TwoRunsGiveTheSameFiles)
 {
     const QTemporaryDir &first = *made;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window's program says to somebody who starts it in a terminal.
+// What the window program prints when started in a terminal.
 #include <QProcess>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// Projects with something of everything, as tests and benches want them. Seeded: the same in each run.
+// Projects with something of everything, for tests and benchmarks. Seeded: the same in each run.
 Project madeUpProject(std::mt19937 &random, std::size_t devices);
 inline Project madeUpProject(std::uint32_t seed, std::size_t devices)
 {

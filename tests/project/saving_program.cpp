@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saves two projects to one file, in turns and without end, until it is killed
+// Saves two projects to one file, alternately and endlessly, until it is killed
 // (test_killed_while_saving.cpp):
 //   saving_program projects|bytes FILE FIRST SECOND
-// "projects" saves as the program does; "bytes" does no more than replace the file, so that a kill hits that.
+// "projects" saves as the program does; "bytes" only replaces the file, so that a kill is sure to hit that.
 #include "project/file_access.h"
 #include "project/project_file.h"
 
@@ -24,7 +24,7 @@ T orEnd(Result<T> result)
     return *std::move(result);
 }
 
-// A line for each save, so that the test knows how far it is.
+// Prints a line for each save, so that the test can follow it.
 [[noreturn]] void saveForEver(auto save)
 {
     for (unsigned long round = 0;; ++round) {

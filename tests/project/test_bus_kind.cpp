@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kind of bus that the program does not know of itself, added at run time (project/bus_kind.h).
+// A kind of bus unknown to the program, added at run time (project/bus_kind.h).
 #include "catalog/catalog.h"
 #include "catalog/json_object.h"
 #include "encoder/refusal_text.h"

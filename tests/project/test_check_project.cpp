@@ -68,7 +68,7 @@ TEST(CheckProject, AnOddByteIsWithinAWord)
               QStringList{QStringLiteral("0 attention: OUT begins at the odd byte 13, within a word.")});
 }
 
-// FRABA manual 4: with a Step 5 PLC the encoder stands above P127.
+// FRABA manual 4: with a Step 5 PLC the encoder must be above P127.
 TEST(CheckProject, Step5WantsEncodersAboveP127)
 {
     Project project = encoders(1);

@@ -33,7 +33,7 @@ protected:
         }
     }
 
-    // So many times, each at another point of the second to fourth save. Seeded; how long a save takes is
+    // This many times, at different points of the second to fourth save. Seeded; the duration of a save is
     // measured first.
     void killTimes(int times, const char *how)
     {
@@ -50,7 +50,7 @@ private:
     static constexpr std::array names{"first", "second"};
 
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
-    // 0 or 1; fails where a file is neither.
+    // 0 or 1; fails if the file is neither.
     std::size_t whichIs(const QString &name) const
     {
         QFile file(name);
@@ -102,7 +102,7 @@ private:
     QTemporaryDir m_folder;
     std::array<QByteArray, 2> m_bytes;
     std::array<int, 2> m_seen{};
-    std::chrono::duration<double> m_save{}; // takes so long
+    std::chrono::duration<double> m_save{}; // duration of a save
 };
 
 TEST_F(KilledWhileSaving, OneOfTheTwoFilesIsThereAsAWhole)

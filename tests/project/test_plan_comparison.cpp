@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plan of a serial line beside what is connected, and taken over from it (project/plan_rules.h).
+// The plan of a serial line compared with what is connected, and taken over from it (project/plan_rules.h).
 #include "catalog/catalog.h"
 #include "encoder/line_address.h"
 #include "project/bus_kind.h"

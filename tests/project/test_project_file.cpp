@@ -121,7 +121,7 @@ TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRoom)
 {
     ASSERT_TRUE(saveProject(m_old, path()));
     ASSERT_TRUE(saveProject(m_new, path()));
-    for (const std::size_t devices : {1u, 5u, 100u}) { // buffered, and written at once
+    for (const std::size_t devices : {1u, 5u, 100u}) { // small ones are buffered, large ones written at once
         const Project project = madeUpProject(3, devices);
         const auto saved = [&] {
             const test::NoRoom disk(100);
@@ -137,7 +137,7 @@ TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRoom)
     EXPECT_EQ(files(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
 }
 
-// Nobody may write there; root may, and becomes somebody else for it.
+// A folder in which nobody may write; root may, and so becomes another user.
 class NoRight
 {
 public:

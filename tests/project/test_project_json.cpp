@@ -148,7 +148,7 @@ TEST(ProjectJson, TheOrderInWhichValuesCameToBeIsNotSeen)
     EXPECT_EQ(projectToJson(project), json);
 }
 
-// As somebody may write it by hand.
+// As it may be written by hand.
 TEST(ProjectJson, TheOrderInTheFileIsNotSeen)
 {
     std::mt19937 random(3);
@@ -291,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
                  104, "buses[1].devices[1].place", "above already"},
         Breakage{"\"device\": \"kuebler-esc-rs422\",", "", 103, "buses[1].devices[0].device", "missing"}));
 
-// A value of another kind is taken, or there is a sentence. A list or an object in its place is never taken.
+// A value of another type is accepted or refused with a sentence. A list or an object is always refused.
 void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)
 {
     if (!part.isObject() && !part.isArray()) {
@@ -356,7 +356,7 @@ TEST(ProjectJson, ANewerVersionIsRefusedWhateverItHolds)
               "2). Open it with that one. Nothing was changed.");
 }
 
-// As if titles had once been called names, and cables been told in metres.
+// As if titles had once been called names, and cables been given in metres.
 const MigrationStep nameBecomesTitle = [](Json::Value &root) { root.removeMember("name", &root["title"]); };
 const MigrationStep metresBecomeKilometres = [](Json::Value &root) {
     Json::Value &ring = root["buses"][0];
@@ -398,7 +398,7 @@ QByteArray contentOf(const QString &path)
     return file.readAll();
 }
 
-// Files as earlier versions saved them, whatever becomes of the examples.
+// Files as saved by earlier versions, whatever becomes of the examples.
 TEST(ProjectJson, FilesOfVersion1AreReadAsTheyWouldBeSavedToday)
 {
     const QString folder = QStringLiteral(CODEWHEEL_ROOT "/tests/project/versions/");

@@ -20,7 +20,7 @@ class Recoveries : public testing::Test
 protected:
     QString folder() const { return m_temporary.filePath(QStringLiteral("data/recovery")); }
     QStringList files() const { return QDir(folder()).entryList(QDir::Files | QDir::Hidden); }
-    // A program that ends without asking: nothing is dropped.
+    // A program that ends without asking: nothing is discarded.
     void crash(const Project &project, const QDateTime &at = today) const
     {
         ASSERT_TRUE(Recovery(folder()).keep(project, path, at));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several programs that save the same project.
+// Several programs saving the same project.
 #include "project/file_access.h"
 #include "project/folder_lock.h"
 #include "project/project_file.h"
@@ -46,7 +46,7 @@ TEST_F(SavingTogether, WhatAnotherProgramHasSavedIsNotReplacedUnseen)
     EXPECT_TRUE(saveProjectOver(projectMark(m_second), m_third, m_file));
 }
 
-// Each adds itself to what it has read; refused, it reads again.
+// Each adds itself to what it has read; if refused, it reads again.
 TEST_F(SavingTogether, EachSavesWhatTheOthersHaveSavedAndItsOwn)
 {
     constexpr int times = 30;
@@ -80,7 +80,7 @@ TEST_F(SavingTogether, EachSavesWhatTheOthersHaveSavedAndItsOwn)
     EXPECT_EQ(names(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
 }
 
-// A link with two names is one file, and renaming one into the other does nothing (rename(2)).
+// Hard links are one file, and renaming one to the other does nothing (rename(2)).
 TEST_F(SavingTogether, ABackupThatIsTheFileItselfLeavesNothingBeside)
 {
     ASSERT_TRUE(saveProject(m_first, m_file));
@@ -96,7 +96,7 @@ TEST_F(SavingTogether, WhatAProgramLeftThatWasKilledGoesAndNothingElse)
 {
     ASSERT_TRUE(saveProject(m_first, m_file));
     ASSERT_TRUE(QFile::copy(m_file, m_file + QStringLiteral(".4711~")));
-    ASSERT_TRUE(saveProject(m_second, m_file + QStringLiteral(".4712~"))); // holds something of its own
+    ASSERT_TRUE(saveProject(m_second, m_file + QStringLiteral(".4712~"))); // has content of its own
     ASSERT_TRUE(saveProject(m_third, m_file));
     EXPECT_EQ(names(),
               (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel.4712~"),

@@ -7,15 +7,15 @@
 
 namespace codewheel {
 
-// A project of two encoders and a bus terminal, as somebody would have it at the end of a commissioning day,
-// 1 March 2026, UTC: a FRABA K3 with a value that differs and one that is unknown, and a Baumer K3.
+// A project of two encoders and a bus terminal, as at the end of a day of commissioning, 1 March 2026, UTC: a
+// FRABA K3 with a value that differs and one that is unknown, and a Baumer K3.
 ReportInput exampleInput();
-// For what a test changes: the FRABA at 1.0.
+// The FRABA at 1.0, which tests change.
 ProjectDevice &fraba(ReportInput &input);
 
 const Catalog &catalog();
 
-// Of the report, in English and the C locale.
+// The report in English and the C locale.
 Report reportOf(const ReportInput &input);
 const ReportSection &sectionOf(const Report &report, const char *heading);
 // Cells of a row joined by " | ".

@@ -23,7 +23,7 @@ void expectWellFormed(const QString &html)
     EXPECT_FALSE(reader.hasError()) << reader.lineNumber() << ": " << qPrintable(reader.errorString());
 }
 
-// Names of the elements in it, and their texts put together.
+// The names of its elements, and their texts joined.
 std::pair<QSet<QString>, QString> parsed(const QString &html)
 {
     QXmlStreamReader reader(html);
@@ -96,7 +96,7 @@ TEST(HtmlReport, DrawsCamsAsBars)
                                               "fill=\"white\" stroke=\"black\"/>"));
 }
 
-// Whatever somebody called a station: text stays text.
+// Whatever a station is called: text stays text.
 class HostileReport : public testing::TestWithParam<QString>
 {};
 

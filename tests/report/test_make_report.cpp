@@ -27,7 +27,7 @@ using testing::StartsWith;
 const char *const frabaHeading = "1.0: FRABA OCD-IB K3, Crane 1, hoist";
 const char *const baumerHeading = "2.0: Baumer GXP6W K3, Crane 1, trolley";
 
-// The input keeps its numbers in the C locale; a test that changes it puts it back.
+// The input keeps its numbers in the C locale; this changes the locale for a test and restores it.
 class InLocale
 {
 public:
@@ -137,7 +137,7 @@ TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
                 Contains("1.0: configured K3 37h, found K2 36h"));
 }
 
-// Two rings with the same places, each with something that differs, wanted and noted.
+// Two rings with the same places, each with differences, wanted values and notes.
 ReportInput twoRings()
 {
     ReportInput input = exampleInput();
@@ -243,7 +243,7 @@ TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
                 Contains("2.0 | Crane 1, trolley | unknown |  |  | not stated"));
 }
 
-// Of encoders that are not connected the ledger knows what was written to them.
+// For encoders that are not connected, the ledger knows what was written to them.
 TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
 {
     const Catalog catalog = Catalog::builtIn();
@@ -283,8 +283,8 @@ TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
     planned.stored = {{Parameter::serialNumber, 4711, Evidence::read, {}}};
     EXPECT_EQ(counted().writes, 12);
     EXPECT_EQ(counted().serialNumber, QStringLiteral("4711"));
-    EXPECT_EQ(input.writes.size(), 1u);        // of the others nobody knows
-    input.writes["1.0"_ring] = {.writes = 99}; // the connected encoder says it itself
+    EXPECT_EQ(input.writes.size(), 1u);        // nothing is known of the others
+    input.writes["1.0"_ring] = {.writes = 99}; // the connected encoder reports its own
     addKept(input, *ledger, catalog, file);
     EXPECT_EQ(input.writes.at(encoder).writes, 99);
 }

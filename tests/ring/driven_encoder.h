@@ -11,7 +11,7 @@
 namespace codewheel {
 
 // A driver and the simulated encoder it drives, word for word and without a ring, so that a test can disturb
-// each single cycle and compare what the driver says with what the encoder has.
+// each single cycle and compare what the driver reports with what the encoder has.
 class DrivenEncoder
 {
 public:
@@ -30,13 +30,13 @@ public:
     void begin(const Job &job, Pace pace = Pace::byItself);
     void cycle(); // 1 ms
     void cycles(int count);
-    // Until the job has ended; the number of cycles it took, or nothing if it never ends (10 s).
+    // Runs until the job has ended; returns the number of cycles, or nothing if it does not end within 10 s.
     std::optional<int> finish();
 
     std::int64_t actual(Parameter parameter) const;
     EncoderState state() const;
     std::optional<CamProgram> knownCams(unsigned program) const;
-    // What the outcome tells as written, and what is held as known, is what the encoder has; OUT is 0.
+    // What the outcome reports as written, and what is known, is what the encoder has; OUT is 0.
     void expectTruth() const;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace codewheel::test {
 
-// Rings as one writes them down: "1.0", "2.0 T" a bus terminal, "2.1", "3.0 T 1" on level 1.
+// Rings in short notation: "1.0", "2.0 T" a bus terminal, "2.1", "3.0 T 1" on level 1.
 inline Participant participant(const QString &text)
 {
     const QStringList parts = text.split(u' ');
@@ -45,7 +45,7 @@ inline QStringList texts(const RingStructure &structure)
     return texts;
 }
 
-// A main line with a terminal that has a local bus and a branch, which has a terminal of its own.
+// A main line with a terminal that has a local bus and a branch, which in turn has a terminal.
 inline QStringList plant()
 {
     return {QStringLiteral("1.0"),   QStringLiteral("2.0 T"), QStringLiteral("2.1"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every job of every cyclic driver is cancelled between every two of its cycles. However early that is: it
-// ends, OUT is 0 again, and no word that commands anything goes out that did not stand there already.
+// Every job of every cyclic driver is cancelled between every two of its cycles. However early: the job ends,
+// OUT is 0 again, and no command word goes out that was not there already.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "simulator/simulated_la66.h"
@@ -41,13 +41,13 @@ std::unique_ptr<SimulatedDevice> rod()
     return encoder;
 }
 
-// A parameter number, the preset, or a word of the maker's that does not read (2020....).
+// A parameter number, the preset, or a word of the manufacturer's that is no read (2020....).
 bool commandsK3(Word out)
 {
     return (out & 0x5E00'0000) != 0 || ((out & 0x2000'0000) != 0 && (out & 0x00F0'0000) != 0x0020'0000);
 }
 
-// Write and service bit.
+// The write bit and the service bit.
 bool commandsLa66(Word out)
 {
     return (out & 0xC000'0000) == 0xC000'0000;
@@ -90,7 +90,7 @@ const CancelledEncoder cancelledEncoders[] = {
       {"words", SendWords{{0x4200'1388, 0xC200'1388, 0x4200'1388, 0x0000'0000}}}}},
 };
 
-// A driver at the encoder; the cycles before the job show it where the encoder stands.
+// A driver with its encoder; the cycles before the job show it the encoder's position.
 class CancelBench
 {
 public:

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
             "missing | 3.0: configured BEh is missing"}),
     [](const testing::TestParamInfo<Row> &row) { return std::string(row.param.name); });
 
-// What is before it came behind it, and the other way round.
+// What was before it is now after it, and vice versa.
 TEST(Comparison, AMoveThatKeepsNumberAndLevelIsToldByItsNeighbours)
 {
     const RingStructure configured = writtenRing("K3 K2 K1 DI LA");
@@ -165,7 +165,7 @@ TEST(TakeOver, OfAllLinesGivesTheOtherRingEitherWay)
     }
 }
 
-// One after the other, comparing anew each time, as one does in the window.
+// One after the other, comparing again each time, as in the window.
 TEST(TakeOver, LineByLineComesToTheSameEnd)
 {
     std::mt19937 random(6);
@@ -205,7 +205,7 @@ TEST(TakeOver, OfOneLineLeavesTheOthers)
         {"DI K3 K3 K1", "K3 K3 K1 DI", {0}, "K3 K3 K1 DI"}, // moved
         {"K3 K2 DI", "K3 K1 LA", {1}, "K3 K1 DI"},          // differs
         {"K3 K2 DI", "K3 K1 LA", {2}, "K3 K2 LA"},
-        {"DI K3", "K1 K2 K3", {1}, "DI K2 K3"}, // beside an own one that was not taken over
+        {"DI K3", "K1 K2 K3", {1}, "DI K2 K3"}, // beside an own device that was not taken over
     };
     for (const TakeOverRow &row : rows) {
         const RingStructure configured = writtenRing(row.configured);

@@ -37,7 +37,7 @@ TEST(ACrcHistory, CountsByIntervalAndForgetsWhatIsOld)
     EXPECT_EQ(history.of(2).counts[29], 1U);
     EXPECT_EQ(history.of(2).last, Instant(15s));
     EXPECT_EQ(history.of(1).last, std::nullopt);
-    status.segments[1].crcErrors = 2; // counted from a new start
+    status.segments[1].crcErrors = 2; // counted since a new start
     history.note(status, 25s);
     EXPECT_EQ(history.of(2).counts[29], 2U);
     history.note(status, 20min);

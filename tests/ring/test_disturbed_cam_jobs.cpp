@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cam job is disturbed in each of its cycles in turn. However it ends: it ends, OUT is 0 again, what is
-// held as known is what the encoder has, and no write of its EEPROM goes uncounted.
+// A cam job is disturbed in each of its cycles in turn. However it goes: the job ends, OUT is 0 again, what
+// is known is what the encoder has, and no EEPROM write goes uncounted.
 #include "cams/cam_fields.h"
 #include "tests/ring/driven_encoder.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int camRestart = 200; // cycles
 
-// The words are the manual's, literally; the driver has no part in it.
+// The words are literally the manual's; the driver is not involved.
 class ByHand
 {
 public:
@@ -34,7 +34,7 @@ public:
         send(0x0000'0000);
         return in & 0x01FF'FFFF;
     }
-    // The program the encoder is in, 0: none.
+    // The encoder's present program; 0: none.
     unsigned current()
     {
         const Word startUp = send(0x2021'0009) & 0xF;
@@ -95,7 +95,7 @@ protected:
     struct Ends
     {
         int failed = 0;
-        int cancelled = 0; // of those that failed
+        int cancelled = 0; // among those that failed
         int restored = 0;
         bool areSlow = false; // one took twice as long as undisturbed
     };
@@ -129,7 +129,7 @@ protected:
         return ends;
     }
 
-    // Asks the encoder itself, the one it is in first: to leave a program changes what is saved.
+    // Asks the encoder itself, beginning with its present program: leaving a program saves its changes.
     static void expectTruth(DrivenEncoder &driven)
     {
         EXPECT_GE(driven.countedWrites(), driven.encoder().eepromWrites());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A job is disturbed in each of its cycles in turn. However it ends: it ends, OUT is 0 again, and what the
-// driver says is what the simulated encoder has.
+// A job is disturbed in each of its cycles in turn. However it goes: the job ends, OUT is 0 again, and what
+// the driver reports is what the simulated encoder has.
 #include "tests/ring/driven_encoder.h"
 
 #include <algorithm>
@@ -66,9 +66,9 @@ protected:
     {
         int ok = 0;
         int failed = 0;
-        int cancelled = 0; // of those that failed
+        int cancelled = 0; // among those that failed
         int restored = 0;
-        int longest = 0; // cycles that a job took
+        int longest = 0; // cycles of the longest job
 
         void add(const Outcome &outcome, int cycles)
         {
@@ -78,7 +78,7 @@ protected:
             longest = std::max(longest, cycles);
         }
     };
-    // Disturbs a fresh job in cycle 0, 1, 2, ..., and checks each end.
+    // Disturbs a new job in cycle 0, 1, 2, ..., and checks how each ends.
     static Ends atEachCycle(const Job &job, const Act &disturb, const Act &check)
     {
         const int length = lengthOf(job);
@@ -146,7 +146,7 @@ TEST_P(DisturbedJob, AWriteDuringWhichTheParametersAreLostSaysSo)
             expectWrittenIfOk(driven);
             return;
         }
-        // What was known is forgotten by the session, as the error comes.
+        // The session forgets what was known when the error comes.
         if (const auto &result = driven.outcome()->result; !result) {
             EXPECT_THAT(result.error().id,
                         testing::AnyOf(RefusalId::parametersLost, RefusalId::verificationFailed));
@@ -160,7 +160,7 @@ TEST_P(DisturbedJob, AWriteToAnEncoderSwitchedOffEnds)
     const Ends ends = atEachCycle(
         write(), [](DrivenEncoder &driven) { driven.encoder().setPower(false); },
         [](DrivenEncoder &driven) {
-            if (driven.outcome()->onlyZeroSinceRun) { // nothing more can be said, and it is said
+            if (driven.outcome()->onlyZeroSinceRun) { // nothing more is certain, and the outcome says so
                 EXPECT_TRUE(driven.outcome()->result);
                 EXPECT_EQ(GetParam().key, u"baumer-gxp6w") << "without read-out";
                 return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every fault that a plan can cause has a sentence that says where, and what to do.
+// Every fault that a plan can cause has a sentence that says where it is and what to do.
 #include "bus/bus_faults.h"
 #include "bus/bus_outline.h"
 #include "bus/buses.h"
@@ -19,10 +19,10 @@ struct PlannedFault
 {
     TrainingFault fault;
     Place place;
-    const char *text; // the beginning of it
+    const char *text; // its beginning
     const char *code = "";
     std::vector<FaultAction> actions{};
-    std::vector<Word> words{}; // that bring it to light
+    std::vector<Word> words{}; // that reveal the fault
     int value = 1;
 };
 
@@ -128,7 +128,7 @@ protected:
         }
         frames(planned.fault == TrainingFault::slowConfirmation ? 0 : 700);
     }
-    void frames(int milliseconds) // as the window takes them
+    void frames(int milliseconds) // as taken by the window
     {
         for (int i = 0; i < milliseconds; i += 33)
             bus.advance(33);

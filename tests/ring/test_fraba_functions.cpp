@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of a FRABA encoder beside its parameters, driver and simulated encoder together.
+// The functions of a FRABA encoder besides its parameters, with driver and simulated encoder together.
 #include "driven_encoder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On a ring 60000000 must not be seen twice: the encoder would set its position, and write its EEPROM, in
+// On a ring, 60000000 must not be seen twice: the encoder would set its position, and write its EEPROM, in
 // each cycle (FRABA manual 5.4.1).
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
@@ -124,7 +124,7 @@ TEST_F(FrabaPresetOnTheRing, InWatchAWordOfSomebodyElseIsLeftAlone)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(frabaPreset));
 }
 
-// A gateway that runs the ring by itself
+// A gateway that runs the ring on its own
 TEST_F(FrabaPresetOnTheRing, IsNotOfferedByALinkThatRepeatsWords)
 {
     m_link->repeatWordsByItself();

@@ -103,7 +103,7 @@ TEST_F(JobReport, WhatTheUserStoppedIsNoFault)
     EXPECT_EQ(messages[1].id, MessageId::leftInParameterization);
 }
 
-// Run, which brings an encoder back otherwise, would carry the reset out
+// Run, which otherwise brings an encoder back, would carry out the reset
 TEST_F(JobReport, AResetThatWasConfirmedAndNotRunIsTold)
 {
     refuseWith(RefusalKind::stopped, RefusalId::alarmStop);

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-// The driver at a simulated LA-66: whatever happens to a job, what its outcome tells is what the encoder has.
+// The driver with a simulated LA-66: whatever happens to a job, its outcome reports what the encoder has.
 namespace codewheel {
 namespace {
 
-constexpr int longest = 20'000; // cycles until any job has ended
+constexpr int longest = 20'000; // cycles within which any job has ended
 
 class DrivenRod
 {
@@ -194,7 +194,7 @@ TEST(La66Jobs, AnInvalidWordIsRefusedByTheEncoderItself)
     EXPECT_EQ(rod.outcome->leftIn, EncoderState::operation);
 }
 
-// A service in between says nothing of the magnet.
+// A service in between says nothing about the magnet.
 TEST(La66Jobs, ALostMagnetIsToldOnce)
 {
     const auto reading = [](EncoderState state) {

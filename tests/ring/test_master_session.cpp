@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the session makes of the ring's master, on a simulated ring in virtual time.
+// How the session handles the ring's master, on a simulated ring in virtual time.
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
@@ -72,8 +72,8 @@ protected:
     std::optional<RefusalId> m_failure;
 };
 
-// What waits to be told of the others comes to them; of the encoder that is named, its rows and its EEPROM
-// writes, and nothing that the driver before has learned.
+// Pending events still reach the other encoders; the named encoder gets its rows and its EEPROM writes, but
+// nothing that the previous driver has learned.
 TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
 {
     const auto send = [this](Word word) {
@@ -104,7 +104,7 @@ TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
             EXPECT_EQ(started.error().id, RefusalId::notInRing);
         }
     });
-    m_bus.advance(500); // one picture, and all that has happened
+    m_bus.advance(500); // one frame, with everything that has happened
     EXPECT_TRUE(isNamed);
     EXPECT_GT(rows[first], 0);
     EXPECT_EQ(rows[first], rows[second]);
@@ -187,7 +187,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     m_bus.setRunning(true);
     m_bus.advance(3);
     EXPECT_TRUE(m_bus.isRunning());
-    EXPECT_EQ(m_bus.channel(first)->out(), 0U); // what stood there is not sent again by itself
+    EXPECT_EQ(m_bus.channel(first)->out(), 0U); // what was there is not sent again by itself
     EXPECT_EQ(stateOf(second), EncoderState::operation);
 }
 
@@ -297,7 +297,7 @@ TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
     cause(TrainingFault::wireBreak, "5.0"_ring);
     m_bus.advance(30);
     takeMessages();
-    m_bus.switchSegment(4, false); // it is the segment before
+    m_bus.switchSegment(4, false); // the segment before 5.0
     m_bus.advance(3);
     ASSERT_EQ(m_messages.size(), 2U);
     EXPECT_EQ(m_messages[0].id, MessageId::segmentOff);
@@ -355,7 +355,7 @@ TEST_F(ASessionWithAMaster, CrcErrorsAreToldWhenTheBusIsStoppedWithinTheMinute)
     const std::int64_t all = m_bus.master()->segments[1].crcErrors;
     ASSERT_GT(all, 10);
     m_bus.setRunning(false);
-    m_bus.setRunning(true); // which begins to count anew
+    m_bus.setRunning(true); // which restarts the counts
     m_bus.advance(1);
     ASSERT_GE(m_messages.size(), 2U);
     EXPECT_EQ(m_messages[1].id, MessageId::crcErrors);
@@ -425,8 +425,8 @@ TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
     EXPECT_EQ(gone->known(Parameter::steps)->value, 8'192);
 }
 
-// Whoever has a vanished device at hand as the rings change may still look at it, and sends nothing with it:
-// at its place of the process image may be another.
+// A handler may still look at a vanished device while the rings change, but sends nothing with it: its place
+// in the process image may belong to another device.
 TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
 {
     const QPointer<WordChannel> channel = m_bus.channel(onLocalBus);
@@ -518,7 +518,7 @@ TEST_F(ASessionWithAMaster, TheMasterKeepsWhatItIsGiven)
     EXPECT_EQ(told, mine);
 }
 
-// A smaller configuration than the ring was started with takes its place.
+// A configuration smaller than the one the ring was started with takes its place.
 TEST_F(ASessionWithAMaster, AConfigurationThatIsActivatedAnewIsTakenOver)
 {
     cause(TrainingFault::wireBreak, last);
@@ -589,7 +589,7 @@ TEST(ASessionWithoutAMaster, RefusesItsServicesInWords)
     EXPECT_TRUE(bus.isRunning());
 }
 
-// The bus in a thread of its own, faults by another, and the ring read in again and again.
+// The bus in its own thread, faults from another, and the ring read in again and again.
 TEST(ASessionInThreads, TakesOtherRingsOver)
 {
     const Catalog catalog = Catalog::builtIn();

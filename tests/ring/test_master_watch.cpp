@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a master may say that the simulated one does not.
+// What a master may report that the simulated one does not.
 #include "ring/master_watch.h"
 
 #include <gtest/gtest.h>

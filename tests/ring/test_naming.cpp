@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which make an encoder is, the bus does not tell: the user names it.
+// The bus does not tell the make of an encoder: the user names it.
 #include "catalog/catalog.h"
 #include "ring/ring_session.h"
 #include "tests/support/places.h"
@@ -19,8 +19,8 @@ using testing::ElementsAre;
 const Place encoderPlace = "1.0"_ring;
 const Place inputPlace = "2.0"_ring;
 
-// An encoder whose make nobody has named, and a digital input. The encoder stands at 12345 and answers each
-// parameter at once.
+// An encoder of unnamed make, and a digital input. The encoder is at 12345 and answers each parameter at
+// once.
 class Naming : public testing::Test
 {
 protected:
@@ -60,7 +60,7 @@ TEST_F(Naming, GivesTheEncoderTheDriverOfItsMakeAndSendsNothing)
     EXPECT_TRUE(encoder()->can().reads);
     EXPECT_EQ(m_bus.structure()[0].deviceKey, QStringLiteral("fraba-ocd-ib"));
     EXPECT_THAT(m_named, ElementsAre(encoderPlace));
-    encoder()->tell(Parameter::startUpMode, 1); // K3: only a driver of FRABA's asks for that
+    encoder()->tell(Parameter::startUpMode, 1); // K3: only a FRABA driver asks for that
     m_bus.advance(5);
     EXPECT_EQ(encoder()->latest().position, 12345);
     EXPECT_EQ(m_sent.size(), 1u) << "only 00000000 went out";
@@ -143,7 +143,7 @@ TEST_F(Naming, InTheMidstOfASignalOfTheSessionIsSafe)
     EXPECT_EQ(m_named.size(), 1u);
 }
 
-// What the driver before had told is not taken for what the make says.
+// Knowledge of the previous driver must not be taken for that of the make.
 TEST_F(Naming, EventsOfTheDriverBeforeAreDropped)
 {
     int changes = 0;

@@ -135,7 +135,7 @@ TEST(RingEdit, WhatIsOverALimitAlreadyMayBeMadeSmaller)
     EXPECT_FALSE(insertDevice(before, test::participant(QStringLiteral("1.0 T")), {{}, false, 0}));
 }
 
-// Whatever is done: nothing is lost, nothing breaks a rule, and what does not change keeps its place.
+// Whatever is done: nothing is lost, no rule is broken, and what does not change keeps its place.
 TEST(RingEdit, RandomEditsNeverBreakARule)
 {
     std::mt19937 random(4);

@@ -12,7 +12,7 @@ Participant device(DeviceNumber number, int level, unsigned idCode, int words)
     return {number.node(), idCode, 0x0100 | idCode, words, words, {}, level};
 }
 
-// A terminal with so many devices on its local bus, one word each.
+// A terminal with this many devices on its local bus, one word each.
 RingStructure localBus(int count)
 {
     RingStructure structure{device({1, 0}, 0, busTerminalIdCode, 0)};
@@ -29,7 +29,7 @@ RingStructure mainLine(int count, unsigned idCode, int words)
     return structure;
 }
 
-// Each level a terminal deeper than the one before.
+// Each level is one terminal deeper than the previous one.
 RingStructure levels(int count)
 {
     RingStructure structure;
@@ -38,7 +38,7 @@ RingStructure levels(int count)
     return structure;
 }
 
-// 512 devices and more, at no other limit: terminals with full local buses of devices without data.
+// 512 devices and more, within all other limits: terminals with full local buses of devices without data.
 RingStructure many(int count)
 {
     RingStructure structure;
@@ -56,7 +56,7 @@ struct Case
     RingStructure within;
     RingStructure beyond;
     RingRule rule;
-    std::size_t device; // the first that breaks it
+    std::size_t device; // the first that breaks the rule
     int count;
     int limit;
 };

@@ -31,7 +31,7 @@ RingStructure mixedRing()
             {thirdPlace.node, 0xBE, 0x81BE, 1, 0, {}}};
 }
 
-// Two encoders, one of them of an unknown make, and a digital input.
+// Two encoders, one of unknown make, and a digital input.
 class BusSessionTest : public testing::Test
 {
 protected:
@@ -283,7 +283,7 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     EXPECT_EQ(m_link->tries(), 4);
     EXPECT_EQ(m_bus->state(), BusState::lost);
     m_link->comeBack();
-    m_link->setPeerOut({0, wordB, 0}); // by somebody else
+    m_link->setPeerOut({0, wordB, 0}); // by another program
     m_messages.clear();
     m_bus->advance(1'000);
     EXPECT_THAT(messages(), ElementsAre(MessageId::linkBack, MessageId::busStarted));
@@ -325,14 +325,14 @@ TEST_F(BusSessionTest, AnotherRingAfterALostLinkIsTakenOver)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA, 0u)) << "at its new place";
 }
 
-// The bus thread has found the other ring already when it is started with the one of before.
+// The bus thread has already found the other ring when it is started with the previous one.
 TEST_F(BusSessionTest, AJobForARingThatIsNoMoreEndsOnce)
 {
     open(RingSession::Start::operating);
     m_bus->advance(1);
     RingStructure other = mixedRing();
     other.pop_back();
-    m_link->comeBackAs(other); // what is exchanged does not match it: refused
+    m_link->comeBackAs(other); // the exchanged data does not match it: refused
     m_bus->startThread(std::chrono::microseconds(200));
     std::this_thread::sleep_for(std::chrono::milliseconds(1'300));
     ASSERT_TRUE(encoder()->start(SendWords{{wordA}}));
@@ -394,7 +394,7 @@ TEST_F(BusSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
     ASSERT_TRUE(m_bus->channel(secondPlace)->write());
     m_bus->advance(1);
     m_bus->alarmStop();
-    m_link->interrupt(); // of the next call, as a thread that ends leaves it
+    m_link->interrupt(); // for the next call, as left by a thread that ends
     m_bus->close();
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
 }
@@ -402,7 +402,7 @@ TEST_F(BusSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
 TEST_F(BusSessionTest, TimeIsThatOfTheLinksClock)
 {
     open(RingSession::Start::watching);
-    m_link->wait(std::chrono::seconds(5)); // it goes by itself
+    m_link->wait(std::chrono::seconds(5)); // expires by itself
     m_bus->advance(std::chrono::milliseconds(10));
     EXPECT_EQ(m_link->exchanges(), 10);
     EXPECT_EQ(m_bus->now(), std::chrono::milliseconds(5'010));

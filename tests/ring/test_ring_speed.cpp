@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The speed of a shaft on the training ring, on a machine that is too busy for every cycle.
+// The speed of a shaft on the training ring, on a machine too busy for every cycle.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "simulator/training_bus.h"

@@ -35,7 +35,7 @@ TEST(SegmentReach, OfASegmentThatIsNotThereNothing)
     EXPECT_THAT(placesBehindSegment({}, 1), IsEmpty());
 }
 
-// What is said before a segment is switched off has to be what happens then.
+// What is announced before a segment is switched off has to be what happens.
 TEST(SegmentReach, IsWhatTheSimulatedMasterTakesOut)
 {
     const Catalog catalog = Catalog::builtIn();

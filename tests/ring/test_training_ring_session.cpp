@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way of the main job below the window: session, runner, driver, simulated encoder.
+// The main job below the window: session, runner, driver, simulated encoder.
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/ring_session.h"
@@ -15,7 +15,7 @@ namespace {
 
 const Place fraba = "1.0"_ring;
 
-// A computer that sleeps once, right after somebody began to watch it.
+// A computer that sleeps once, right after somebody has begun to watch it.
 SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
 {
     return [duration, isWatched = false]() mutable {
@@ -144,7 +144,7 @@ TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
     EXPECT_TRUE(devicesWithOut(m_bus).empty());
 }
 
-// Closing the lid in the midst of a handshake.
+// The lid is closed during a handshake.
 TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
 {
     std::vector<Message> messages;

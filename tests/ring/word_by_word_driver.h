@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// A driver for tests of the runner: does SendWords with one word a cycle, then 00000000 and an outcome; takes
-// no other job. Shows D31 D30 = 10 as an error.
+// A driver for tests of the runner: sends the words of SendWords one per cycle, then 00000000 and an outcome;
+// takes no other job. Treats D31 D30 = 10 as an error.
 class WordByWordDriver : public CyclicDriver
 {
 public:

@@ -15,7 +15,7 @@ inline constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
 inline constexpr Word pos = 0x0000'3039;    // 12345
 inline constexpr Word pos255 = 0x0000'0180; // floor(12345 x 255 / 8192) = 384
 
-// A row of a manual's table: what stands in OUT and IN, for so many cycles.
+// A row of a manual's table: the OUT and IN words, for this many cycles.
 struct HandshakeRow
 {
     Word out;
@@ -30,7 +30,7 @@ inline std::string hex8(Word word)
     return text;
 }
 
-// Plays the rows cycle by cycle and expects every IN.
+// Plays the rows cycle by cycle and checks every IN.
 inline void play(SimulatedDevice &encoder, std::initializer_list<HandshakeRow> rows)
 {
     int number = 0;
@@ -43,8 +43,8 @@ inline void play(SimulatedDevice &encoder, std::initializer_list<HandshakeRow> r
     }
 }
 
-// Holds each word for as many cycles as any answer of an encoder with usual timing takes. Answers the IN that
-// stands then.
+// Holds each word for as many cycles as any answer of an encoder with normal timing takes. Returns the final
+// IN.
 inline Word send(SimulatedDevice &encoder, std::initializer_list<Word> words)
 {
     Word in = 0;

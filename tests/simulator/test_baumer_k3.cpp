@@ -59,7 +59,7 @@ TEST_F(BaumerHandshake, TheNumberConfirmedLastMustNotComeAgain)
                         {0x0200'0100, 0xC200'00FF, 6}, // ignored
                         {0x0000'0000, 0xC200'00FF, 3},
                         {0x0200'0100, 0xC200'00FF, 6},
-                        {0x0400'0001, 0xC200'00FF, 2}, // another one, and then again
+                        {0x0400'0001, 0xC200'00FF, 2}, // another one, then the first again
                         {0x0400'0001, 0xC200'0001, 2},
                         {0x0400'0001, 0xC400'0001},
                         {0x0200'0100, 0xC400'0001, 2},
@@ -139,7 +139,7 @@ TEST_F(BaumerHandshake, Chapter5Codings)
     for (const CodingRow &row : rows)
         EXPECT_EQ(hex8(send(m_encoder, {row.word, 0x8000'0000, 0x0000'0000})), hex8(row.position))
             << hex8(row.word);
-    m_encoder.turnTo(5 * 8192 + 12'345); // one range further
+    m_encoder.turnTo(5 * 8192 + 12'345); // one range further on
     EXPECT_EQ(send(m_encoder, {0x0600'0003, 0x8000'0000, 0x0000'0000}), 0x0000'012D);
 }
 
@@ -152,7 +152,7 @@ TEST_F(BaumerHandshake, Chapter5PresetAndOffset)
     EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x0C00'0007, 0x8000'0000}), 0x0000'006B);
     m_encoder.turnBy(4096); // half a turn, 100 steps
     EXPECT_EQ(send(m_encoder, {0x0000'0000}), 0x0000'00CF);
-    EXPECT_EQ(send(m_encoder, {0x4000'0000}), 0x0000'006B); // PW + O, as often as wanted
+    EXPECT_EQ(send(m_encoder, {0x4000'0000}), 0x0000'006B); // PW + O, any number of times
     EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x0C00'03E8, 0x8000'0000}), 0x8200'0000); // O = total
 }
 
@@ -164,7 +164,7 @@ TEST_F(BaumerHandshake, ResetGivesTheFactorySettings)
     EXPECT_EQ(send(m_encoder, {0x8000'0000}), pos);
 }
 
-// Baumer 7: disturbance 13, told by the run that is to store
+// Baumer 7: disturbance 13, reported by the run that is to store
 TEST_F(BaumerHandshake, Chapter7AWornOutEepromFailsTheRunThatStores)
 {
     m_encoder.setEepromWornOut(true);

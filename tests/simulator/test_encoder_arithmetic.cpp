@@ -73,7 +73,7 @@ TEST(EncoderArithmetic, SplitsAnOddTotalRangeInTheMiddle)
         EXPECT_EQ(arithmetic.codedValue(raw), expected[raw]) << raw;
 }
 
-// Steps 1000 and revolutions 3 are 333.33 steps per turn.
+// 1000 steps and 3 revolutions give 333.33 steps per turn.
 TEST(EncoderArithmetic, ScalesByAFraction)
 {
     const ParameterSet set{.steps = 1000, .revolutions = 3};
@@ -94,7 +94,7 @@ TEST(EncoderArithmetic, IsTheFloorOfTheExactQuotient)
         set.steps = 1 + static_cast<std::int64_t>(random() % (1U << (1 + random() % 25)));
         if (!isAdmissible(set, thirteenPlusTwelve))
             continue;
-        // multiples of the divisor are where rounding would show
+        // Rounding would show at multiples of the divisor.
         const std::int64_t edge = static_cast<std::int64_t>(random() % 4096) * 8192;
         for (const std::int64_t raw : {edge, edge + 8191, static_cast<std::int64_t>(random() % (1U << 25))}) {
             const std::int64_t exact = raw * set.steps / (set.revolutions * 8192) % totalRange(set);
@@ -104,7 +104,7 @@ TEST(EncoderArithmetic, IsTheFloorOfTheExactQuotient)
     }
 }
 
-// What the encoder codes, the driver decodes: the process value in each coding, over all admissible totals.
+// The driver decodes what the encoder codes: the process value in each coding, over all admissible totals.
 TEST(EncoderArithmetic, ACodedPositionDecodesToTheProcessValue)
 {
     std::mt19937_64 random(71);
@@ -153,14 +153,14 @@ TEST(ParameterSet, IsAdmissibleWithinTheLimitsOfTheEncoder)
         {{.coding = 7}, false},
         {{.measuringRange = 0}, false},
         {{.measuringRange = 4097}, false},
-        {{.steps = 1, .revolutions = 2, .measuringRange = 1}, false}, // nothing left of it
+        {{.steps = 1, .revolutions = 2, .measuringRange = 1}, false}, // leaves nothing
         {{.steps = 200, .preset = 999, .measuringRange = 5}, true},
         {{.steps = 200, .preset = 1000, .measuringRange = 5}, false},
         {{.steps = 200, .offset = 1000, .measuringRange = 5}, false},
     };
     for (std::size_t i = 0; i < std::size(rows); ++i)
         EXPECT_EQ(isAdmissible(rows[i].set, thirteenPlusTwelve), rows[i].admissible) << "row " << i;
-    EXPECT_FALSE(isAdmissible({.steps = 16'384, .revolutions = 1}, {65'536, 4096})); // above 25 bit
+    EXPECT_FALSE(isAdmissible({.steps = 16'384, .revolutions = 1}, {65'536, 4096})); // above 25 bits
 }
 
 } // namespace

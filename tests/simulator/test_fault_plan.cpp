@@ -27,7 +27,7 @@ protected:
     {
         return faultPlanFromJson(json, QStringLiteral("lesson.json"), m_training.controls->places());
     }
-    // Line and key of what is wrong.
+    // The line and key of the error.
     std::pair<std::int64_t, QString> fault(const QByteArray &json) const
     {
         const auto refused = read(json);
@@ -98,7 +98,7 @@ TEST_F(AFaultPlan, OfTheExamplesIsSound)
     EXPECT_TRUE(plan) << refusalText(plan.error()).toStdString();
 }
 
-// In the very cycle of its time, whether the ring runs or not.
+// In exactly the cycle of its time, whether the ring runs or not.
 TEST(ARunningFaultPlan, IsCarriedOutByTheClockOfTheRing)
 {
     FaultyRing faulty;
@@ -158,7 +158,7 @@ TEST(AFaultThatFits, IsToldByPlace)
                      TrainingFault::parametersLost, TrainingFault::camOutOfRange}));
 }
 
-// FRABA manual 10.4: manufacturer error, cam start or stop above the largest position
+// FRABA manual 10.4: manufacturer error, a cam's start or stop above the largest position
 TEST(ACamOutOfRange, ShowsByItselfUntilRunAfterItIsGone)
 {
     FrabaK3 encoder({}, 12'345, {});

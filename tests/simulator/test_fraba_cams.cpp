@@ -77,7 +77,7 @@ struct ErrorRow
     Word in;
 };
 
-// FRABA manual 10.6, in place of the acknowledgement; the old value is kept
+// FRABA manual 10.6, instead of the acknowledgement; the old value is kept
 TEST_F(CamMode, Manual106Errors)
 {
     send(m_encoder, {0x0200'0100, 0x8000'0000, 0x0000'0000}); // 256 x 4096 = 100000h
@@ -114,7 +114,7 @@ TEST_F(CamMode, ReadOutWorksInsideTheCamParameterization)
                      {0x0000'0000, 0xC600'0015}});
 }
 
-// The word before stands in IN until the cam word is acknowledged: the cams, or the last acknowledgement.
+// The previous content stays in IN until the cam word is acknowledged: the cams, or the last acknowledgement.
 TEST_F(CamMode, ASlowEncoderTakesItsTimeToAcknowledge)
 {
     send(m_encoder, {0x2080'0001});
@@ -140,7 +140,7 @@ TEST_F(CamMode, ASlowEncoderGoesOnWithAWordThatHasLeftOut)
     EXPECT_EQ(readOut(0x2020'0013), 0xA000'0015);
 }
 
-// The same words mean something else in position mode.
+// The same words have other meanings in position mode.
 TEST_F(CamMode, PresetAndVelocityWordsMeanCams)
 {
     send(m_encoder, {0x0800'0064, 0x8000'0000, 0x0000'0000, 0x2080'0001});

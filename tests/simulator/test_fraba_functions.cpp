@@ -48,7 +48,7 @@ TEST_F(FrabaFunctions, APresetNeverProgrammedIsNotActivated)
 TEST_F(FrabaFunctions, ThePresetIsNotInitialisedOutsideOperation)
 {
     EXPECT_EQ(send(m_encoder, {0x0800'0064, 0x0000'0000, 0x4000'0000}), 0xC800'0064);
-    // run, while D30 goes on standing: no new edge
+    // Run while D30 stays set: no new edge.
     EXPECT_EQ(send(m_encoder, {0xC000'0000, 0x4000'0000}), pos);
     EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x4000'0000}), 0x0000'0064);
 }

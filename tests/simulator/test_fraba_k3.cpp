@@ -39,7 +39,7 @@ TEST_F(FrabaHandshake, AnswersBeforeTheValuesAreCheckedAndTakesTheNextWordAfterP
     play(m_encoder, {
                         {0x0200'00FF, pos, 2},
                         {0x0200'00FF, 0xC200'00FF},
-                        {0x0400'0001, 0xC200'00FF, 2}, // stands while 1 is still processed
+                        {0x0400'0001, 0xC200'00FF, 2}, // stays while 1 is still being processed
                         {0x0400'0001, 0xC400'0001, 3},
                     });
 }
@@ -54,7 +54,7 @@ TEST_F(FrabaHandshake, DataWithD24SetAreConfirmedWithTheFirstByteC3)
     play(m_encoder, {{0x0300'0000, pos, 2}, {0x0300'0000, 0xC300'0000, 5}});
 }
 
-// Values outside their own range: Cp while it processes, then 82000000
+// Values outside their own range: Cp while it is processing, then 82000000
 TEST_F(FrabaHandshake, WrongDataAreRefusedAfterProcessing)
 {
     for (const Word word :
@@ -113,7 +113,7 @@ TEST_F(FrabaHandshake, AnErrorIsLeftByParameterWordsAndRun)
                     });
 }
 
-// 9000 steps a turn are within the range of the parameter, but more than the disc has.
+// 9000 steps per turn are within the parameter's range, but more than the disc has.
 TEST_F(FrabaHandshake, RunFailsUntilThePendingSetIsCorrected)
 {
     play(m_encoder, {

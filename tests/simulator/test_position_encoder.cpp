@@ -18,7 +18,7 @@ struct Row
     const char *in;
 };
 
-// FRABA manual 2.1.1 and 2.1.2: binary, right justified, 0 above
+// FRABA manual 2.1.1 and 2.1.2: binary, right-aligned, zeros above
 TEST(PositionEncoder, ShowsItsRawPosition)
 {
     const Row rows[] = {
@@ -74,7 +74,7 @@ TEST(PositionEncoder, ShowsZeroWithoutPower)
     encoder.setPower(false);
     EXPECT_EQ(hex8(encoder.cycle(0)), "00000000");
     EXPECT_FALSE(encoder.shaftState()->powered);
-    encoder.turnBy(1); // an absolute encoder sees it all the same
+    encoder.turnBy(1); // an absolute encoder notices all the same
     encoder.setPower(true);
     EXPECT_EQ(hex8(encoder.cycle(0)), "00000065");
 
@@ -85,7 +85,7 @@ TEST(PositionEncoder, ShowsZeroWithoutPower)
     EXPECT_TRUE(encoder.shaftState()->powered);
 }
 
-// At a K4 OUT goes out and no source tells what it does.
+// A K4 has an OUT word, and no source says what it does.
 TEST(PositionEncoder, TakesNoNoticeOfAMillionWords)
 {
     SimulatedPositionEncoder encoder(twelvePlusTwelveBit, 76'367);

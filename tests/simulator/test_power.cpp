@@ -176,7 +176,7 @@ TEST_F(Power, AnUnknownNumberIsForgottenAtPowerOff)
                     {0x8000'0000, pos}});
 }
 
-// Power comes back while OUT is not 0.
+// Power returns while OUT is not 0.
 TEST_F(Power, RunNeedsAnEdgeThatTheEncoderHasSeen)
 {
     m_fraba.loseParameters();

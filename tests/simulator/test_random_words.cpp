@@ -8,8 +8,8 @@
 #include <memory>
 #include <set>
 
-// A million words nobody in his senses would send, to each kind of device of the training bus. Whatever
-// comes: IN is of a form the manuals tell, each of these forms comes, and valid words bring the device back.
+// A million words nobody in their right mind would send, to each kind of device of the training bus. Whatever
+// comes: IN has one of the manuals' forms, each of these forms occurs, and valid words bring the device back.
 namespace codewheel {
 namespace {
 
@@ -70,7 +70,7 @@ void bringBackBaumer(SimulatedDevice &encoder)
     EXPECT_EQ(hex8(send(encoder, {0x0200'00FF, 0x8000'0000, 0x0000'0000})), "00000180");
 }
 
-// 12 bit a turn
+// 12 bits per turn
 template <int turns>
 std::unique_ptr<SimulatedDevice> makePositionEncoder()
 {
@@ -82,7 +82,7 @@ struct RandomRow
     const char *name;
     std::unique_ptr<SimulatedDevice> (*make)();
     bool (*isDocumented)(Word in);
-    std::set<Word> firstBytes; // that are seen of it, at least
+    std::set<Word> firstBytes; // that occur at least
     void (*bringBack)(SimulatedDevice &device);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests and answers are literal: the manual's bytes, or counted by hand.
+// Requests and answers are literal: the manual's bytes, or worked out by hand.
 #include "simulator/simulated_esc_encoder.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ protected:
     void make(const EscEncoderPlan &plan) { m_encoder.emplace(plan); }
     SimulatedEscEncoder &encoder() { return *m_encoder; }
 
-    // What comes back for these bytes; "-" for nothing.
+    // The answer to these bytes; "-" for none.
     std::string hear(const std::string &bytes)
     {
         std::string heard = "-";
@@ -29,7 +29,7 @@ protected:
             }
         return heard;
     }
-    // The same for what stands between ESC and CR LF, and without the answer's line ends.
+    // The same with only the text between ESC and CR LF, and without the answer's line ends.
     std::string ask(const std::string &text)
     {
         std::string answer = hear("\x1B" + text + "\r\n");
@@ -96,7 +96,7 @@ TEST_F(EscEncoder, AnswersAcceptedUnknownAndOutOfRangeAsTheManualDoes)
           "05GF20000001", "05GF00000000", "05GF000014F7", "05GFFFFFFFFF", "05GD2",         "05GS2",
           "05GD",         "05X00",        "05X20",        "05X1",         "05Y3",          "05Y"})
         EXPECT_EQ(hear("\x1B" + std::string(refused) + "\r\n"), "05\r\n") << refused;
-    EXPECT_EQ(ask("05P"), "00005200"); // what was refused changed nothing
+    EXPECT_EQ(ask("05P"), "00005200"); // the refused ones changed nothing
     EXPECT_EQ(ask("05O"), "2000");
 }
 
@@ -151,10 +151,10 @@ TEST_F(EscEncoder, CountsDownCounterClockwiseAndWithVrHigh)
     EXPECT_EQ(ask("05P"), "00001237");
     encoder().condition().vrHigh = true;
     EXPECT_EQ(ask("05P"), "01FFEDC8");
-    EXPECT_EQ(ask("05O"), "2000"); // what was set, not what is wired
+    EXPECT_EQ(ask("05O"), "2000"); // the set value, not the wired one
 }
 
-// 864 steps a turn: 360h x 2^29 / 8192 = 3600000h.
+// 864 steps per turn: 360h x 2^29 / 8192 = 3600000h.
 TEST_F(EscEncoder, AResolutionCountsOnceItsFactorWasSent)
 {
     make({.address = {5}, .raw = 8192});
@@ -177,7 +177,7 @@ TEST_F(EscEncoder, AResolutionCountsOnceItsFactorWasSent)
     EXPECT_EQ(ask("05P"), "01FFFFFF");
 }
 
-// 100000h over 4096 turns: 256 steps a turn, 100000h x 2^29 / 2^25 = 1000000h.
+// 100000h over 4096 turns: 256 steps per turn, 100000h x 2^29 / 2^25 = 1000000h.
 TEST_F(EscEncoder, ATotalRangeCountsOnceItsFactorWasSent)
 {
     make({.address = {5}, .raw = 33'554'431});
@@ -244,7 +244,7 @@ TEST_F(EscEncoder, TellsHowItsShaftMoves)
     EXPECT_EQ(ask("05P"), "00002500"); // a turn of 2000h
 }
 
-// Manual, "Alarm Parameters": 4000 battery flat, 5000 that and a general fault.
+// Manual, "Alarm Parameters": 4000 battery flat, 5000 battery flat and a general fault.
 TEST_F(EscEncoder, TellsAlarmsAndWarningsBitByBit)
 {
     EscCondition &condition = encoder().condition();

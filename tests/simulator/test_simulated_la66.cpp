@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-// LA-66 manual: the words are the literal ones of chapters 2 to 4. At usual timing the answer stands in IN in
+// LA-66 manual: the words are literally those of chapters 2 to 4. With normal timing the answer is in IN in
 // the third cycle of the service bit.
 namespace codewheel {
 namespace {
@@ -19,7 +19,7 @@ protected:
 
     void moveTo(double millimetres) { m_rod.moveMagnetTo(millimetres); }
     std::string shown() { return hex8(m_rod.cycle(0)); }
-    // OUT without the service bit, with it until the answer stands, and back.
+    // OUT without the service bit, with it until the answer comes, and back.
     Word answer(Word out)
     {
         const Word in = send(m_rod, {out & 0x7FFF'FFFF, out});

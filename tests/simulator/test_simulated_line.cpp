@@ -19,7 +19,7 @@ protected:
 
     void send(const QByteArray &bytes) { ASSERT_TRUE(m_link.write(bytes)); }
     void request(const char *text) { send("\x1B" + QByteArray(text) + "\r\n"); }
-    // All that comes within this time.
+    // Everything that comes within this time.
     QByteArray heard(Instant time = 100ms)
     {
         const Instant until = m_link.now() + time;
@@ -54,7 +54,7 @@ TEST_F(SimulatedLineTest, HasTheThreeEncodersOfTheTrainingBus)
     EXPECT_EQ(answer("04P"), "");
 }
 
-// 6 characters there, 200 us, 12 back; 11 bits each at 19200 Bd.
+// 6 characters out, 200 us, 12 back; 11 bits each at 19200 Bd.
 TEST_F(SimulatedLineTest, KeepsTheTimeOfTheLine)
 {
     request("05P");
@@ -70,7 +70,7 @@ TEST_F(SimulatedLineTest, KeepsTheTimeOfTheLine)
     EXPECT_EQ(m_arrivals.front(), 100ms + 3438us + 5ms + 573us);
 }
 
-// Who waits in real time is woken by these two, and not by each character.
+// A reader waiting in real time is woken at these two times, not for each character.
 TEST_F(SimulatedLineTest, TellsWhenTheRequestAndWhenTheWholeAnswerHasPassed)
 {
     SimulatedLine line;
@@ -270,7 +270,7 @@ TEST_F(SimulatedLineTest, InterruptEndsTheNextRead)
     EXPECT_EQ(heard(), "\r\n00001235\r\n");
 }
 
-// With a clock, the line waits for it. This one goes on by 1 ms whenever somebody looks.
+// A line with a clock waits for it. This clock advances by 1 ms at each look.
 TEST(SimulatedLineInRealTime, KeepsTheTimeOfItsClock)
 {
     Instant time = 1h;
@@ -287,7 +287,7 @@ TEST(SimulatedLineInRealTime, KeepsTheTimeOfItsClock)
 TEST(SimulatedLineInRealTime, InterruptAndUnpluggingEndTheReadUnderWay)
 {
     const auto line = std::make_shared<SimulatedLine>();
-    SimulatedLineLink link(line, [] { return Instant{}; }); // it never gets late
+    SimulatedLineLink link(line, [] { return Instant{}; }); // its time never advances
     ASSERT_TRUE(link.open(usual));
     {
         const std::jthread other([&] { link.interrupt(); });

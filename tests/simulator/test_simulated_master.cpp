@@ -21,7 +21,7 @@ protected:
         cycles(3);
     }
     const MasterStatus &status() const { return m_master.status(); }
-    // As the runner does: data while the ring runs, else none.
+    // As the runner does: data while the ring runs, otherwise none.
     void cycles(int count)
     {
         for (int i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ protected:
     {
         m_ring.ring->setFault(fault, place, value);
     }
-    // Places in the ring that are not in it.
+    // Places that are out of the ring.
     std::vector<int> outOfRing() const
     {
         std::vector<int> out;
@@ -176,14 +176,14 @@ TEST_P(ALocatedFault, IsLookedForFoundAndGone)
 INSTANTIATE_TEST_SUITE_P(
     OfTheRing, ALocatedFault,
     testing::Values(
-        // The outgoing remote bus of 1.0; all that is behind on the main line
+        // The outgoing remote bus of 1.0; everything after it on the main line.
         Broken{TrainingFault::wireBreak, NodeId("2.0"), 0x0D10, 0x0180, {1, 2, 3, 4, 5, 6, 7}},
         // Before the first device there is only the master
         Broken{TrainingFault::wireBreak, NodeId("1.0"), 0x0D10, 0x0100, {0, 1, 2, 3, 4, 5, 6, 7}},
         // The branch of the terminal, and within it
         Broken{TrainingFault::wireBreak, NodeId("4.0"), 0x0D10, 0x0381, {5, 6}},
         Broken{TrainingFault::wireBreak, NodeId("5.0"), 0x0D10, 0x0480, {6}},
-        // Behind the branch the main line goes on from the terminal
+        // After the branch, the main line continues from the terminal.
         Broken{TrainingFault::wireBreak, NodeId("6.0"), 0x0D10, 0x0380, {7}},
         // The local bus
         Broken{TrainingFault::wireBreak, NodeId("3.1"), 0x0D50, 0x0381, {3, 4}},
@@ -203,7 +203,7 @@ TEST_F(ASimulatedMaster, FindsNothingWhereTheFaultIsGoneAtTheCheck)
     EXPECT_EQ(status().errorCode, 0x0BE1);
     EXPECT_EQ(status().parameter, 0x0080);
     cycles(100);
-    EXPECT_EQ(status().errorCode, 0x0BE1); // until somebody starts or confirms
+    EXPECT_EQ(status().errorCode, 0x0BE1); // until a start or a confirmation
     start();
     EXPECT_EQ(status().statusBits, 0x00E0);
 }
@@ -233,7 +233,7 @@ TEST_F(ASimulatedMaster, RunsOnWithoutTheSegmentOfTheFault)
     EXPECT_THAT(outOfRing(), ElementsAre(5, 6));
     EXPECT_EQ(m_in[7], 6'000U);
     EXPECT_EQ(m_in[5], 0U);
-    ASSERT_TRUE(m_master.switchSegment(4, true)); // broken still
+    ASSERT_TRUE(m_master.switchSegment(4, true)); // still broken
     cycles(1);
     EXPECT_EQ(status().state, MasterState::busFail);
 }
@@ -259,7 +259,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
     EXPECT_TRUE(status().devices[3].peripheralFault);
     ASSERT_TRUE(m_master.confirmDiagnostics());
     EXPECT_EQ(status().statusBits, 0x00E0);
-    cycles(1); // the cause is there
+    cycles(1); // the cause is still there
     EXPECT_EQ(status().errorCode, 0x0BB1);
     cause(TrainingFault::peripheralFault, NodeId("3.1"), 0);
     cycles(5);
@@ -270,7 +270,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
     EXPECT_EQ(status().parameter, 0x0000);
 }
 
-// Only 0760 takes a report back, whatever else is done with the configuration.
+// Only 0760 clears a report, whatever else is done with the configuration.
 TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
 {
     cause(TrainingFault::peripheralFault, NodeId("6.0"));
@@ -283,7 +283,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
     m_master.alarmStop();
     start();
     EXPECT_EQ(status().statusBits, 0x00E2);
-    cause(TrainingFault::wireBreak, NodeId("4.0")); // the segments behind it move up
+    cause(TrainingFault::wireBreak, NodeId("4.0")); // the segments after it move up
     readIn();
     EXPECT_EQ(status().parameter, 0x0400);
     ASSERT_TRUE(m_master.confirmDiagnostics());
@@ -377,7 +377,7 @@ TEST_F(ASimulatedMaster, DoesNotActivateWhatTheRingIsNot)
     other.structure[1].deviceCode = 0x0236;
     other.structure[1].idCode = 0x36;
     ASSERT_TRUE(m_master.keepConfiguration(other));
-    EXPECT_EQ(status().statusBits, 0x00E0); // what is active is not touched
+    EXPECT_EQ(status().statusBits, 0x00E0); // the active part is left alone
     m_master.alarmStop();
     const auto refused = m_master.activateConfiguration();
     ASSERT_FALSE(refused);
@@ -388,8 +388,8 @@ TEST_F(ASimulatedMaster, DoesNotActivateWhatTheRingIsNot)
     EXPECT_EQ(readIn().size(), FaultyRing::devices);
 }
 
-// Whatever happens to the ring and whatever is asked for: the state is one of four, with the bits that belong
-// to it, and READY, 0711, 0701 leads to RUN once all is mended.
+// Whatever happens to the ring and whatever is requested: the state is one of four, with the bits that belong
+// to it, and READY, 0711, 0701 leads to RUN once everything is repaired.
 TEST_F(ASimulatedMaster, RandomFaultsAndServicesLeaveNoStateThatIsNotDocumented)
 {
     std::mt19937 random{4}; // NOLINT: the same in each run

@@ -11,7 +11,7 @@ namespace {
 class TheTrainingBus : public testing::Test
 {
 protected:
-    // What goes to 1.0 and 2.0; all others are sent 0. What comes from all.
+    // Sends these to 1.0 and 2.0, and 0 to all others. Returns the words from all.
     std::array<Word, 7> exchange(Word first, Word second, int cycles = 1)
     {
         const std::array<Word, 7> out{first, second};
@@ -44,7 +44,7 @@ TEST_F(TheTrainingBus, IsThePlantOfItsFile)
     EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(7));
 }
 
-// 3.0 at 3 rpm of 4096 steps, 4.0 at -6 rpm. 5.0 and 6.1 stand; 6.0 has no data.
+// 3.0 at 3 rpm with 4096 steps, 4.0 at -6 rpm. 5.0 and 6.1 stand still; 6.0 has no data.
 TEST_F(TheTrainingBus, WhatOnlyTellsItsPositionTurnsByItself)
 {
     ASSERT_TRUE(m_bus.link->open());
@@ -114,7 +114,7 @@ TEST_F(TheTrainingBus, TheTrainerSeesAndMovesTheShafts)
     EXPECT_EQ(exchange(0, 0)[0], 100U);
     m_bus.controls->turnBy(m_fraba, -30);
     EXPECT_EQ(exchange(0, 0)[0], 70U);
-    m_bus.controls->setSpeed(m_fraba, 60'000.0 / 8192 * 8); // 8 steps a cycle, nearly
+    m_bus.controls->setSpeed(m_fraba, 60'000.0 / 8192 * 8); // almost 8 steps per cycle
     exchange(0, 0, 10);
     EXPECT_NEAR(static_cast<double>(m_bus.controls->shafts().at(0).raw), 150, 1);
     m_bus.controls->turnTo(NodeId("9.0"), 5); // no such place

@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-// A plan that is sound; each test breaks one place of it.
+// A valid plan; each test breaks one part of it.
 const QByteArray sound = R"({
   "participants": [
     {"place": "1.0", "device": "fraba-ocd-ib", "position": 12345, "serialNumber": 7, "operatingTime": 60,

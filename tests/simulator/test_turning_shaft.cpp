@@ -40,7 +40,7 @@ TEST(TurningShaft, TurnsBackToWhereItCameFrom)
 TEST(TurningShaft, WrapsAtThePhysicalRangeInBothDirections)
 {
     TurningShaft shaft({4096, 1}, 4095);
-    shaft.setSpeed(60'000.0 / 4096); // a step per cycle, nearly
+    shaft.setSpeed(60'000.0 / 4096); // almost one step per cycle
     advance(shaft, 2);
     EXPECT_LE(shaft.raw(), 1);
     shaft.turnTo(0);
@@ -69,7 +69,7 @@ TEST(TurningShaft, LimitsTheSpeedAndIgnoresWhatIsNoNumber)
     EXPECT_EQ(shaft.speed(), -TurningShaft::fastest);
 }
 
-// 800 kHz are 5859 rpm at 13 bit
+// 800 kHz are 5859 rpm at 13 bits
 TEST(TurningShaft, KnowsTheRateOfItsCode)
 {
     TurningShaft shaft(thirteenPlusTwelve);

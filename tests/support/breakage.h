@@ -10,14 +10,14 @@
 
 namespace codewheel {
 
-// One place of a sound file that is put out of order, and what has to be said about it.
+// A damaged place in a valid file, and what has to be reported about it.
 struct Breakage
 {
     const char *from;
     const char *to;
     int line;
     const char *key;
-    const char *reason; // a part of it
+    const char *reason; // part of it
 };
 
 inline void PrintTo(const Breakage &breakage, std::ostream *out)
@@ -37,7 +37,7 @@ inline QByteArray brokenBy(const Breakage &breakage, QByteArray sound, Occurs oc
     return at < 0 ? sound : sound.replace(at, static_cast<qsizetype>(qstrlen(breakage.from)), breakage.to);
 }
 
-// What was said: file, line, key and reason, as in Catalog::Fault.
+// What was reported: file, line, key and reason, as in Catalog::Fault.
 template <typename Fault>
 void expectNamed(const Breakage &breakage, const Fault &said, const QString &file)
 {
@@ -47,7 +47,7 @@ void expectNamed(const Breakage &breakage, const Fault &said, const QString &fil
     EXPECT_TRUE(said.reason.contains(QLatin1String(breakage.reason))) << said.reason.toStdString();
 }
 
-// The same four as the arguments of a refusal.
+// The same four, as arguments of a refusal.
 inline void expectNamed(const Breakage &breakage, const Refusal &refusal, RefusalId id, const QString &file)
 {
     struct Said

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// QProcess starts a program by clone(CLONE_VM | CLONE_VFORK): the child shares the memory of the test until
-// it becomes the program. ThreadSanitizer of clang 14 takes the child for a second thread in the same place
-// and ends the test. A fork does the same for Qt, and ThreadSanitizer knows it.
+// QProcess starts a program by clone(CLONE_VM | CLONE_VFORK): the child shares the test's memory until it
+// becomes the program. The ThreadSanitizer of clang 14 takes the child for a second thread in the same place
+// and ends the test. A fork serves Qt just as well, and ThreadSanitizer can handle it.
 #include <csignal>
 #include <cstdarg>
 #include <sched.h>

@@ -8,7 +8,7 @@
 
 namespace codewheel::test {
 
-// As WCAG 2.1 computes it.
+// As computed by WCAG 2.1.
 inline double luminance(QRgb color)
 {
     const auto linear = [](int channel) {
@@ -18,7 +18,7 @@ inline double luminance(QRgb color)
     return 0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
 }
 
-// 1 to 21.
+// From 1 to 21.
 inline double contrast(QRgb a, QRgb b)
 {
     const auto [dark, light] = std::minmax({luminance(a), luminance(b)});

@@ -21,10 +21,10 @@
 namespace codewheel::test {
 namespace {
 
-constexpr qreal hair = 1.5; // pixels by which a text may be wider in parts than it was measured as a whole
+constexpr qreal hair = 1.5; // px by which the parts of a text may be wider than the whole
 const QChar dots(0x2026);
 
-// Which ways what is in a viewport can be scrolled.
+// The directions in which the content of a viewport can be scrolled.
 struct Scrolled
 {
     bool across = false;
@@ -56,7 +56,7 @@ bool isWithin(const QRectF &ink, const QRectF &room, const Scrolled &by)
     return across && along;
 }
 
-// By what `widget` stands in, up to where it can be scrolled to.
+// By the ancestors of `widget`, up to one that scrolls.
 bool isClippedFromOutside(const QWidget &widget, const QRectF &ink)
 {
     Scrolled by = scrolled(widget);
@@ -88,7 +88,7 @@ bool mayBeElided(const QWidget &widget, const QRectF &ink)
     return false;
 }
 
-// A delegate may paint beyond its cell.
+// A delegate may paint outside its cell.
 bool isOutsideOfItsCell(const QWidget &widget, const QRectF &ink)
 {
     const auto *view = qobject_cast<const QAbstractItemView *>(widget.parentWidget());
@@ -144,7 +144,7 @@ private:
         }
     }
 
-    // Those of Qt ask for room that they do not paint in.
+    // Qt's own widgets ask for room they do not paint in.
     void lookAtSize(const QWidget &widget)
     {
         const bool isPaintedByUs = QByteArrayView(widget.metaObject()->className()).startsWith("codewheel::");
@@ -192,7 +192,7 @@ private:
     }
 };
 
-// A dock behind another one is visible, and lies beside the window.
+// A dock behind another one counts as visible, but lies outside the window.
 bool isBehind(const QWidget &widget)
 {
     for (const QWidget *in = &widget; !in->isWindow(); in = in->parentWidget())

@@ -7,7 +7,7 @@
 
 namespace codewheel::test {
 
-// Who got events of one type from now on: of a widget, or of all objects of the program.
+// Who gets events of one type from now on: from a widget, or from all objects of the program.
 class EventsSeen : public QObject
 {
 public:
@@ -17,7 +17,7 @@ public:
         watched.installEventFilter(this);
     }
 
-    QString text() const { return m_seen.join(u' '); } // by class and name, as they came
+    QString text() const { return m_seen.join(u' '); } // by class and name, in the order in which they came
     qsizetype count() const { return m_seen.size(); }
 
 private:

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// A ring of FRABA K3 with a branch and a local bus, for what happens to rings:
+// A ring of FRABA K3 with a branch and a local bus, for testing faults:
 // 1.0, 2.0 on the main line; terminal 3.0 with 3.1 and 3.2 on its local bus and the branch 4.0, 5.0; 6.0.
 struct FaultyRing
 {

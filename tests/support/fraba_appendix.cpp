@@ -11,10 +11,10 @@ using enum WordDirection;
 constexpr Mode cam = Mode::cam;
 constexpr Meaning at12345{position, {12345}};
 
-// FRABA manual 5.4.4: cam 3 of program 1 is on from 15h to 213h; and the position beside it shifted by 8
+// FRABA manual 5.4.4: cam 3 of program 1 is on from 15h to 213h; beside it the position shifted by 8
 const std::vector<Word> cam3{0x2080'0001, 0x4600'0015, 0x6600'0213, 0x2040'0008, 0x2010'0008, 0x8000'0000};
 const std::vector<Word> camMode1{0x2080'0001};
-// 1 step a turn: the largest position is 4095
+// 1 step per turn: the largest position is 4095
 const std::vector<Word> camMode4096{0x0200'0001, 0x8000'0000, 0x2080'0001};
 const std::vector<Word> preset100{0x0800'0064, 0x8000'0000, 0x0000'0000};
 
@@ -123,7 +123,7 @@ const AppendixRow appendixRows[] = {
     {"10.3", "unknown parameter (in read out)", "A4xxxxxx", in, Mode::position, nothing, {},
      0x2021'000B, 0xA400'000B, {readOutRequest, {11}}, {readOutUnknown, {11}},
      "Read out code 11, which is not defined", "The encoder does not know the read-out code 11"},
-    // The manual names one such code only, that of 10.6.
+    // The manual gives only one such code, that of 10.6.
     {"10.3", "manufacturer specific error code", "980000xx", in, cam, nothing, camMode4096,
      0x4000'1000, 0x9800'0004, {camStart, {0, 4096}}, {manufacturerError, {4}},
      "Start of cam 0 = 4096", "Manufacturer's error 4: cam start or stop above the largest position"},
@@ -171,7 +171,7 @@ const AppendixRow appendixRows[] = {
     {"10.5", "read out end value for a cam", "2020002x", out, cam, nothing, cam3,
      0x2020'0023, 0xA000'0213, {camStopRequest, {3}}, {camStopValue, {3, 0x213}},
      "Read out the stop of cam 3", "Read-out: stop of cam 3 = 531"},
-    // The hexadecimal column has 20200030; the bits of the row, and 5.4.4, have 20200040.
+    // The hexadecimal column has 20200030; the row's bits, and 5.4.4, have 20200040.
     {"10.5", "readout shift_iw-value", "20200040", out, cam, nothing, cam3,
      0x2020'0040, 0xA000'0008, {camShiftRequest}, {camShiftValue, {8}},
      "Read out the shift of the position beside the cams",

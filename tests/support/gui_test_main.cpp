@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// main() of the test programs that have widgets: our light look on the offscreen platform.
+// main() of the test programs with widgets: our light palette on the offscreen platform.
 #include "widgets/look/appearance.h"
 
 #include <QApplication>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// A program under test may have chosen another language: each test begins with none.
+// A program under test may have chosen another language: each test starts without one.
 class NoLanguage final : public testing::EmptyTestEventListener
 {
     void OnTestStart(const testing::TestInfo &) override { QLocale::setDefault(QLocale::c()); }
@@ -22,6 +22,6 @@ int main(int argc, char **argv)
     QApplication application(argc, argv);
     codewheel::applyAppearance(application, {.scheme = codewheel::Scheme::light});
     testing::InitGoogleTest(&argc, argv);
-    testing::UnitTest::GetInstance()->listeners().Append(new NoLanguage); // owns it
+    testing::UnitTest::GetInstance()->listeners().Append(new NoLanguage); // takes ownership
     return RUN_ALL_TESTS();
 }

@@ -7,8 +7,8 @@
 
 namespace codewheel::test {
 
-// Puts a model under QAbstractItemModelTester for as long as it lives, so that what the tester finds fails
-// the test. (In its own default mode the tester's findings pass GoogleTest silently.)
+// Keeps a model under QAbstractItemModelTester during its lifetime, so that the tester's findings fail the
+// test. (In its default mode, GoogleTest does not see them.)
 class ModelTester
 {
 public:

@@ -8,7 +8,7 @@
 
 namespace codewheel::test {
 
-// As on a full disk, as long as it lives: no file of this process may grow beyond so many bytes.
+// Acts like a full disk during its lifetime: no file of this process may grow beyond this many bytes.
 class NoRoom
 {
 public:

@@ -11,7 +11,7 @@
 
 namespace codewheel::test {
 
-// A file that a view is told to replace on a full disk, alone in its folder.
+// A file, alone in its folder, that a view is to replace on a full disk.
 class OldFile
 {
 public:
@@ -28,7 +28,7 @@ public:
         const NoRoom disk(10);
         return save(m_path);
     }
-    // As it was, with nothing beside it.
+    // Unchanged, with no other file beside it.
     bool isThere() const
     {
         QFile file(m_path);

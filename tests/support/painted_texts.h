@@ -14,12 +14,12 @@ namespace codewheel::test {
 struct PaintedText
 {
     QString text;
-    QRectF ink;  // of its letters
-    QRectF room; // outside of this they are not seen
+    QRectF ink;  // of its characters
+    QRectF room; // beyond which they are not visible
 };
 
-// What a widget paints without its children, whatever kind of widget it is: it is painted on something that
-// keeps the texts and draws nothing.
+// What a widget, whatever its kind, paints without its children: it is painted on a device that records the
+// texts and draws nothing.
 std::vector<PaintedText> paintedTexts(QWidget &widget);
 
 } // namespace codewheel::test

@@ -12,7 +12,7 @@ constexpr Place operator""_ring(const char *text, std::size_t size)
     return {firstRing, NodeId({text, size})};
 }
 
-// The same position in the segment behind.
+// The same position in the next segment.
 inline NodeId nextSegment(NodeId node)
 {
     DeviceNumber number = DeviceNumber::of(node);

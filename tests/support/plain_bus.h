@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kind of bus that the program does not know: three nodes, of which one is no encoder, and positions only.
+// A kind of bus unknown to the program: three nodes, one of which is no encoder, and only positions.
 #pragma once
 
 #include "bus/bus_outline.h"
@@ -144,7 +144,7 @@ public:
     bool isOperating() const override { return false; }
     Instant now() const override { return m_now; }
     void pump() override {}
-    // Each encoder goes on by a step in a millisecond.
+    // Each encoder advances by one step per millisecond.
     void advance(Instant duration) override
     {
         m_now += duration;

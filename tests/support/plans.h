@@ -16,7 +16,7 @@ void changeRing(Project &project, Change change)
     setRingPlan(project, firstRing, std::move(plan));
 }
 
-// Plans the line, if there is none.
+// Plans the line if there is none.
 template <typename Change>
 void changeLine(Project &project, Change change)
 {

@@ -10,11 +10,11 @@
 
 namespace codewheel {
 
-// A kind of link that has to keep the contract of ProcessDataLink.
+// A kind of link that must fulfil the contract of ProcessDataLink.
 struct LinkUnderTest
 {
     const char *name;
-    std::function<std::unique_ptr<ProcessDataLink>()> make; // closed, at least one device with OUT
+    std::function<std::unique_ptr<ProcessDataLink>()> make; // closed, with at least one OUT device
     int exchangesThatFail = 0;                              // of the first four
     bool neverBlocks = false;                               // and ignores interrupt()
 };
@@ -38,7 +38,7 @@ protected:
             out[i] = m_structure[i].outWords > 0 ? first + static_cast<Word>(i) : 0;
         return out;
     }
-    // Repeats what failed as often in a test as the link under test may fail.
+    // Retries failed exchanges as often as the link under test may fail.
     Result<void> exchangeOnce(const std::vector<Word> &out)
     {
         std::vector<Word> in(m_structure.size());

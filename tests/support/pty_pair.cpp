@@ -52,8 +52,8 @@ QByteArray PtyPair::receive(qsizetype count)
     return received;
 }
 
-// The near end stays open: so the number of the terminal is not given to a test beside this one, which would
-// plug another adapter in there.
+// The near end stays open, so that the number of the terminal is not reused by a concurrent test, which would
+// plug in another adapter there.
 void PtyPair::unplug()
 {
     if (m_far >= 0)

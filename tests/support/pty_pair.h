@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-// A pseudo terminal that stands in for a serial port: the program under test opens path(), the test has the
+// A pseudo terminal that stands in for a serial port: the program under test opens path(), the test uses the
 // other end.
 class PtyPair
 {
@@ -19,14 +19,14 @@ public:
     QString path() const { return m_path; }
     int descriptor() const { return m_far; } // of the far end
     void send(const QByteArray &bytes);
-    // So many bytes that the program sent; fewer where they do not come within 20 s.
+    // This many bytes sent by the program; fewer if they do not come within 20 s.
     QByteArray receive(qsizetype count);
-    // The far end goes, as when an adapter is unplugged.
+    // The far end disappears, as when an adapter is unplugged.
     void unplug();
 
 private:
     int m_far = -1;
-    int m_near = -1; // kept, so that what is sent before the program opens it is there
+    int m_near = -1; // open, so that what is sent before the program opens it is kept
     QString m_path;
 };
 

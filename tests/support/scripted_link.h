@@ -11,12 +11,12 @@
 
 namespace codewheel {
 
-// A link for tests: a peer of any number of K3 that remembers its OUT words, answers what the test says,
-// fails when the test says so, and blocks until it is let go or interrupted.
+// A link for tests: a peer with any number of K3 that records their OUT words, answers as scripted, fails on
+// request, and blocks until it is released or interrupted.
 class ScriptedLink : public ProcessDataLink
 {
 public:
-    // IN of a device, from its OUT; an encoder that stands at 0 if nothing else is said.
+    // IN of a device, from its OUT; by default that of an encoder standing at 0.
     using Answer = std::function<Word(std::size_t device, Word out)>;
 
     explicit ScriptedLink(std::size_t devices)
@@ -39,7 +39,7 @@ public:
     void setPeerOut(std::vector<Word> out) { m_peerOut = std::move(out); }
     const std::vector<Word> &peerOut() const { return m_peerOut; }
     int exchanges() const { return m_exchanges; }
-    // The n-th exchange from now on fails, 1 being the next.
+    // Makes the n-th exchange from now on fail; 1 is the next.
     void failAt(int n) { m_failAt = m_exchanges + n; }
 
     // From now on each exchange takes this long.
@@ -71,7 +71,7 @@ public:
         m_open = true;
         return m_structure;
     }
-    // The peer is gone, and there again: the same ring, or another.
+    // The peer disappears and returns: with the same ring, or another.
     void lose() { m_isLost = true; }
     void comeBack() { m_isLost = false; }
     void comeBackAs(RingStructure structure)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// main() of the test programs that need no window.
+// main() of the test programs without a window.
 #include <QCoreApplication>
 #include <QLocale>
 

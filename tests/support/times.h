@@ -5,9 +5,9 @@
 
 namespace codewheel::test {
 
-// How often something is tried that has to hold each time. A sanitizer looks at what the program does, not at
-// how often it survives, and each try takes ten times as long: a fifth of them tells it as much, and a dozen
-// at least.
+// How often to try something that must hold each time. A sanitizer examines what the program does, not how
+// often it survives, and each try takes ten times as long: a fifth of the tries is enough for it, but at
+// least a dozen.
 constexpr int times(int wanted)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// Words of the manuals, at the ends of their ranges and just beyond: of the K3 profile, of FRABA, of its
+// Words from the manuals, at the ends of their ranges and just beyond: of the K3 profile, of FRABA and its
 // cams, of the LA-66.
 inline constexpr std::array manualWords{
     Word{0x0000'0000}, Word{0x8000'0000}, Word{0x4000'0000}, Word{0x6000'0000}, Word{0xC000'0000},
@@ -25,7 +25,7 @@ inline constexpr std::array manualWords{
     Word{0xE040'0008}, Word{0x4200'C350}, Word{0xC200'C350}, Word{0xC600'0000}, Word{0x8800'0000},
 };
 
-// Every first byte with a word's worth of rests that mean something to somebody.
+// Every first byte with a number of remainders that mean something to some device.
 inline std::vector<Word> cornerWords()
 {
     std::vector<Word> words(manualWords.begin(), manualWords.end());
@@ -36,7 +36,7 @@ inline std::vector<Word> cornerWords()
     return words;
 }
 
-// Words as a test wants them: from any at all to those that get through. Seeded: the same in each run.
+// Words for tests: from arbitrary ones to those that get through. Seeded: the same in each run.
 class WordSource
 {
 public:

@@ -67,7 +67,7 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
 
     training.controls->setFault(TrainingFault::powerOff, fraba.node,
-                                1); // it dies, and later another one is there
+                                1); // it dies, and is replaced later
     pass(3000);
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
     training.controls->turnBy(fraba.node, 100);
@@ -76,7 +76,7 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position,
               encoder(fraba).latest().position);
 
-    project.devices[0].participant.deviceCode = 0x0236; // another kind is planned there
+    project.devices[0].participant.deviceCode = 0x0236; // another kind is now planned there
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, 1);
 }
 

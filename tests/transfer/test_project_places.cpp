@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the encoder at a place is the one the project has there, and what follows for transfers.
+// Whether the encoder at a place is the project's, and what that means for transfers.
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
 #include "report/live_encoders.h"
@@ -19,7 +19,7 @@ using test::singleTurn;
 class PlacesOfAProject : public test::TransferBus
 {
 protected:
-    // One device more in front of all others, which have another number because of it.
+    // One more device in front of all others, which changes their numbers.
     Project shiftedBy(const Participant &front) const
     {
         Project shifted = projectOf(bus.structure());
@@ -49,7 +49,7 @@ TEST_F(PlacesOfAProject, AllStandAtTheirPlacesWhereTheBusIsAsConfigured)
         EXPECT_FALSE(places.hindrance(device.place()));
         EXPECT_TRUE(places.isAtItsPlace(device.place()));
     }
-    EXPECT_FALSE(places.hindrance("9.0"_ring)); // not of the project
+    EXPECT_FALSE(places.hindrance("9.0"_ring)); // not in the project
     EXPECT_FALSE(places.isAtItsPlace("9.0"_ring));
 }
 

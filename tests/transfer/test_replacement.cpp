@@ -33,7 +33,7 @@ protected:
         return {catalog.find(QString::fromLatin1(key)), 0, 0, QStringLiteral("4711")};
     }
 
-    const ProjectPlaces anywhere{{}, buses}; // of a project without devices
+    const ProjectPlaces anywhere{{}, buses}; // a project without devices
 };
 
 TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
@@ -123,12 +123,12 @@ TEST_F(Replacing, TheProjectKnowsTheNewOneByItsLabel)
                                              {Parameter::revolutions, 1},
                                              {Parameter::coding, 4}, // stored as the direction of a FRABA
                                              {Parameter::preset, 100}}));
-    EXPECT_EQ(after.lastPosition, before.lastPosition); // for as long as it is not set
+    EXPECT_EQ(after.lastPosition, before.lastPosition); // until it is set
     EXPECT_EQ(messageText(encoderReplacedMessage(before, with("baumer-gxp6w"))),
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
 }
 
-// What breaks off can be repeated: nothing that was for the encoder is lost.
+// What was interrupted can be repeated: nothing meant for the encoder is lost.
 TEST_F(Replacing, TheProjectWantsOfTheNewOneAllThatIsWritten)
 {
     ProjectDevice before = planned(fraba, "fraba-ocd-ib");

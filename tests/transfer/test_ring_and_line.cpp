@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jobs, places, positions and the report of encoders on more than one bus.
+// Jobs, places, positions and the report for encoders on several buses.
 #include "drivers/make_driver.h"
 #include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
@@ -62,7 +62,7 @@ protected:
                                    [&](const SimulatedEscEncoder &encoder) { its = encoder.registers(); }));
         return its;
     }
-    // Of the connected ring, and of these encoders of the line.
+    // With the connected ring, and these encoders of the line.
     Project projectWith(std::initializer_list<Place> places) const
     {
         Project project = projectOf(bus.structure());
@@ -101,7 +101,7 @@ TEST_F(RingAndLine, OneRoundWritesToEncodersOfBoth)
     EXPECT_EQ(registers(standing).stepsPerTurn, 864u);
 }
 
-// It would have to be looked for amid the round.
+// It would have to be searched for in the middle of the round.
 TEST_F(RingAndLine, WhereAnEncoderStandsIsNotTransferred)
 {
     Project project = projectWith({standing});
@@ -118,7 +118,7 @@ TEST_F(RingAndLine, WhatAnEncoderOfALineCannotDoIsSaid)
 {
     const TransferPlan plan = planTransfer(buses, {{.place = standing, .cams = {CamProgram{}}}});
     EXPECT_EQ(plan[0].hindrance->id, RefusalId::camsNotSupported);
-    EXPECT_EQ(jobsToStore(onLine(standing), true).jobs.size(), 1u); // nothing of cams
+    EXPECT_EQ(jobsToStore(onLine(standing), true).jobs.size(), 1u); // no cams
     EXPECT_EQ(planTransfer(buses, {{.place = placeOnLine({9})}})[0].hindrance->id, RefusalId::notConnected);
 }
 

@@ -11,7 +11,7 @@ using test::rod;
 
 using Transfer = test::TransferBus;
 
-// A position of the encoder, of 255 steps a turn.
+// A parameter set for 255 steps per turn.
 const ParameterValues setOf255 = {
     {Parameter::steps, 255}, {Parameter::revolutions, 1}, {Parameter::direction, 4}, {Parameter::preset, 7}};
 
@@ -61,7 +61,7 @@ TEST_F(Transfer, NothingIsWrittenThatIsAlreadyThere)
 
 TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
 {
-    encoder(rod).tell(Parameter::measuringLength, 50'000); // as it is
+    encoder(rod).tell(Parameter::measuringLength, 50'000); // unchanged
     const TransferPlan plan = planTransfer(
         buses, {{.place = rod, .values = {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}}});
     EXPECT_TRUE(plan[0].write.job.onlyWhatDiffers);
@@ -278,7 +278,7 @@ TEST_F(Transfer, TellsWhichEncoderRunsAndHowFarItIs)
     EXPECT_EQ(round.progress().encoder, 1);
 }
 
-// Named, it gets another session: what came of the round stands.
+// Naming it replaces its session: the outcome of the round stays.
 TEST_F(Transfer, AnEncoderIsNamedAfterItsRound)
 {
     int finished = 0;

@@ -15,7 +15,7 @@ using test::singleTurn;
 class TransferPlanning : public test::TransferBus
 {
 protected:
-    // Why nothing is written to the only encoder of the plan.
+    // Why nothing is written to the plan's only encoder.
     std::string hindrance(const TransferWish &wish)
     {
         const TransferPlan plan = planTransfer(buses, {wish});
@@ -36,7 +36,7 @@ TEST_F(TransferPlanning, ShowsEachValueWithItsWordInTheOrderOfTheDevice)
     EXPECT_EQ(plan[0].write.rows[0].wanted.parameter, Parameter::steps);
     EXPECT_EQ(sentText(plan[0].write.rows[0].step.value()), QStringLiteral("02001000"));
     EXPECT_FALSE(plan[0].write.rows[0].known);
-    EXPECT_TRUE(plan[0].write.rows[1].isThere); // nobody can ask it: what is told counts
+    EXPECT_TRUE(plan[0].write.rows[1].isThere); // it cannot be read: what was told counts
     EXPECT_EQ(plan[0].eepromWrites, 1);
     EXPECT_FALSE(plan[0].write.job.onlyWhatDiffers);
 }

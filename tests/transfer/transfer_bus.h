@@ -26,11 +26,11 @@ protected:
     explicit TransferBus(RingSession::Start start = RingSession::Start::operating);
 
     EncoderSession &encoder(Place number) { return *bus.encoder(number); }
-    // Until it is at its end, or `milliseconds` have passed.
+    // Until the round ends, or `milliseconds` have passed.
     void advance(int milliseconds = 20'000);
     TransferAccount carryOut(const TransferPlan &plan,
                              JobRound::AfterRefusal afterRefusal = JobRound::AfterRefusal::goOn);
-    // What was sent to the encoder so far: "02000FA0 80000000"; 00000000 left out.
+    // The words sent to the encoder so far, without 00000000: "02000FA0 80000000".
     QString words(Place number) const;
 
     const Catalog catalog = Catalog::builtIn();

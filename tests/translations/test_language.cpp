@@ -123,7 +123,7 @@ TEST_F(LanguageTest, QtsOwnTextsAreInTheSameLanguage)
     const auto cancel = [] { return QCoreApplication::translate("QPlatformTheme", "Cancel").toStdString(); };
     use("de");
     EXPECT_EQ(cancel(), "Abbrechen");
-    use("nl"); // Qt would know it, but ours are English
+    use("nl"); // Qt would have it, but our texts are English
     EXPECT_EQ(cancel(), "Cancel");
 }
 

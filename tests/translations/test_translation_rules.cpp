@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules find what they are there to find.
+// The rules find what they are meant to find.
 #include "tests/translations/translation_rules.h"
 
 #include <QBuffer>

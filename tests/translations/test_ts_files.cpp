@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The .ts files are complete: for what the sources say, nothing more, nothing less. Where one of these fails
-// after a text was changed, docs/translating.md tells what to do.
+// The .ts files are complete: they match the sources, no more, no less. If a test fails after a text was
+// changed, docs/translating.md says what to do.
 #include "tests/translations/translation_rules.h"
 
 #include <QProcess>
@@ -15,7 +15,7 @@ const QString sourceFolder = QStringLiteral(CODEWHEEL_SOURCE_FOLDER);
 const QString germanFile = sourceFolder + QStringLiteral("/translations/codewheel_de.ts");
 const QString englishFile = sourceFolder + QStringLiteral("/translations/codewheel_en.ts");
 
-// What engineers call by the same word in German. Add to it only what a German manual prints so.
+// Words that engineers also use in German. Add only what a German manual prints like that.
 const QStringList sameInGerman{
     QStringLiteral("2 MBd"),
     QStringLiteral("Alarm"),
@@ -105,7 +105,7 @@ void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInB
             ADD_FAILURE() << qPrintable(text.name()) << "\n  " << qPrintable(fault);
 }
 
-// The texts that lupdate finds in the sources. A text that it cannot put into a context makes it complain.
+// The texts that lupdate finds in the sources. It complains about a text without a context.
 std::vector<TsText> textsOfSources(const QStringList &options)
 {
     const QTemporaryDir folder;

@@ -26,7 +26,7 @@ bool hasWords(QString text)
     return text.remove(placePattern).contains(wordPattern);
 }
 
-// A space at an end is where two texts are put together.
+// A space at the start or end is where two texts are joined.
 bool sameEnds(const QString &a, const QString &b)
 {
     return a.startsWith(u' ') == b.startsWith(u' ') && a.endsWith(u' ') == b.endsWith(u' ');

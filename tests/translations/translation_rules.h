@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// What is wrong with the translation of a text, as short sentences; empty if nothing is. `sameInBoth` are the
+// What is wrong with the translation of a text, as short sentences; empty if nothing is. `sameInBoth`: the
 // texts that read the same in both languages; a text without words, such as "%1 = %2", always may.
 QStringList faultsOf(const TsText &text, const QStringList &sameInBoth);
 

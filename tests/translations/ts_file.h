@@ -15,16 +15,16 @@ struct TsText
 {
     QString context;
     QString source;
-    QString comment; // tells apart what reads the same in English
+    QString comment; // distinguishes texts that read the same in English
     bool hasNumber = false;
     bool isFinished = true;
     QStringList translations;
 
-    // "codewheel::CodeDisc: turn", what a failing test names it
+    // "codewheel::CodeDisc: turn", its name in a failing test
     QString name() const;
 };
 
-// In the order of the file. A file that is not there or not well-formed fails the test that reads it.
+// In file order. A file that is missing or not well-formed fails the test that reads it.
 std::vector<TsText> readTs(QIODevice &device);
 std::vector<TsText> readTs(const QString &path);
 

@@ -12,7 +12,7 @@ namespace codewheel::test {
 inline constexpr Place rodPlace = "5.0"_ring;
 inline constexpr double rodMillimetres = 500;
 
-// A FRABA encoder at 1.0 and a TR LA-66 as it is delivered at 5.0, its magnet standing at the head.
+// A FRABA encoder at 1.0, and at 5.0 a TR LA-66 as delivered, with its magnet at the head.
 inline TrainingBus makeRodBus(const Catalog &)
 {
     const auto participant = [](Place number, unsigned idCode, const char *key) {

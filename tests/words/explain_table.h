@@ -35,7 +35,7 @@ inline Explanation meanings(std::initializer_list<Meaning> all)
 
 namespace codewheel::k3 {
 
-// One cycle of a manual's handshake table and what each side says.
+// One cycle of a manual's handshake table, and its meaning in either direction.
 struct HandshakeRow
 {
     Word out;

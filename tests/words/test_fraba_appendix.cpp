@@ -62,7 +62,7 @@ TEST(FrabaAppendix, WhereTheModeIsNotKnownTheMeaningIsAmongThePossibleOnes)
     for (const AppendixRow &row : frabaAppendix()) {
         const Explanation out = explained(row, WordDirection::out, {});
         const Explanation in = explained(row, WordDirection::in, {});
-        // a parameter that cam mode refuses is a parameter to all other modes
+        // A parameter that cam mode refuses is a parameter in all other modes.
         const bool refused = row.outMeans.id == MeaningId::parameterRequestInCamMode;
         EXPECT_EQ(std::ranges::find(out, row.outMeans) == out.end(), refused)
             << row.section << ' ' << row.name;

@@ -7,7 +7,7 @@
 #include <bit>
 #include <gtest/gtest.h>
 
-// What is built is taken apart to what it was built of, and the other way round.
+// Built words are taken apart into their parts, and vice versa.
 namespace codewheel::k3 {
 namespace {
 
@@ -25,7 +25,7 @@ void forCornerAndRandomWords(Check check)
         check(source.next());
 }
 
-// The OUT word of which a meaning is told: no bit may be lost in it.
+// The OUT word of a meaning: no bit may be lost.
 Word outWord(const Meaning &meaning)
 {
     const auto first = static_cast<Word>(meaning.number[0]);
@@ -84,7 +84,7 @@ Word outWord(const Meaning &meaning)
 TEST(Inverse, AnExplainedOutWordIsTheOneItsMeaningsAreBuiltTo)
 {
     forCornerAndRandomWords([](Word word) {
-        if (word == readOutCams(camShiftCodeOfTable)) // the other code of the same thing
+        if (word == readOutCams(camShiftCodeOfTable)) // the other code for the same thing
             return;
         for (const Dialect dialect : {Dialect::generic, Dialect::fraba, Dialect::baumer})
             for (const Meaning &meaning : explain(word, {WordDirection::out, dialect, {}, {}, {}}))

@@ -32,7 +32,7 @@ void expectEach(std::span<const Row> rows, const ExplainContext &context)
         EXPECT_EQ(explain(row.word, context), row.meaning) << std::hex << row.word;
 }
 
-// The rows of the appendix themselves are in test_fraba_appendix.cpp; here is what stands between them.
+// The rows of the appendix are in test_fraba_appendix.cpp; these are the cases in between.
 TEST(K3Explain, ProfileFunctionsAreThoseOfEveryMake)
 {
     constexpr Row rows[] = {
@@ -127,9 +127,9 @@ TEST(K3Explain, UnknownModeGivesBothMeaningsPositionFirst)
     EXPECT_EQ(explain(0xC200'00FF, from),
               meanings({{confirmed, {1, 255}}, {camConfirmation, {0x4200'00FF}}}));
     EXPECT_EQ(explain(0x8400'0000, from), meanings({{deviceError, {2, 0}}, {wrongCamCommand, {0}}}));
-    from.counterpart = 0x0200'00FF; // a parameter word that is acknowledged: not cam mode
+    from.counterpart = 0x0200'00FF; // an acknowledged parameter word: not cam mode
     EXPECT_EQ(explain(0xC200'00FF, from), (Meaning{confirmed, {1, 255}}));
-    from.counterpart = 0x4600'0015; // and so with cam words
+    from.counterpart = 0x4600'0015; // likewise for cam words
     EXPECT_EQ(explain(0xC600'0015, from), (Meaning{camConfirmation, {0x4600'0015}}));
 }
 
@@ -160,7 +160,7 @@ TEST(K3Explain, PositionsFollowTheCoding)
     EXPECT_EQ(explain(0x0100'0000, context), (Meaning{grayPosition, {33'554'431, 0x0100'0000}}));
 }
 
-// Baumer manual 2.2 and 2.3: D29 is specific to the manufacturer, who says no more of it.
+// Baumer manual 2.2 and 2.3: D29 is manufacturer-specific, and the manufacturer says nothing about it.
 TEST(K3Explain, BaumerIgnoresD29)
 {
     const ExplainContext out{WordDirection::out, Dialect::baumer, {}, {}, {}};
@@ -187,7 +187,7 @@ TEST(K3Explain, GenericLeavesD29ToTheManufacturer)
     EXPECT_EQ(explain(0x0000'0005, in), (Meaning{rawPosition, {5}}));
 }
 
-// Whose make is not known may be FRABA, in any mode.
+// An encoder of unknown make may be a FRABA, in any mode.
 TEST(K3Explain, GenericOutWordsMayBeThoseOfFrabaInAnyMode)
 {
     const auto both = [](Word word, std::initializer_list<Meaning> ofFraba) {
@@ -209,7 +209,7 @@ TEST(K3Explain, GenericOutWordsMayBeThoseOfFrabaInAnyMode)
     out.mode = Mode::position;
     EXPECT_EQ(explain(0x4000'0000, out), (Meaning{initialisePreset}));
     EXPECT_EQ(explain(0x6000'0000, out), both(0x6000'0000, {{frabaPreset}}));
-    out.mode = Mode::cam; // then it is a FRABA
+    out.mode = Mode::cam; // so it is a FRABA
     EXPECT_EQ(explain(0x4000'0000, out), (Meaning{camStart, {0, 0}}));
     EXPECT_EQ(explain(0x6000'0000, out), (Meaning{camStop, {0, 0}}));
     EXPECT_EQ(explain(0x0200'00FF, out), (Meaning{parameterRequestInCamMode, {1, 255}}));
@@ -229,7 +229,7 @@ TEST(K3Explain, GenericInWordsMayBeThoseOfFrabaInAnyMode)
     EXPECT_EQ(explain(0x0001'2345, in), (Meaning{cams, {0x45, 0x123}}));
 }
 
-// Every dialect, direction and mode, with each coding and many words the other way, told and untold.
+// Every dialect, direction and mode, with any coding and many words of the other direction, known or unknown.
 template <typename Check>
 void forAllContexts(int randomWords, Check check)
 {
@@ -265,7 +265,7 @@ TEST(K3Explain, EveryWordHasAMeaningOfItsDirectionInEveryContext)
     });
 }
 
-// IN has lost D30 of the cam word it acknowledges; beside another OUT word nothing gives it back.
+// IN lacks D30 of the cam word it acknowledges; beside a different OUT word it cannot be recovered.
 bool mayAcknowledgeTwoCamWords(const Explanation &explanation)
 {
     return explanation.size() == 2 && std::ranges::all_of(explanation, [](const Meaning &meaning) {
@@ -292,7 +292,7 @@ TEST(K3Explain, KnowingTheModeOnlyTakesMeaningsAway)
                meaning.id == parameterRequestInCamMode;
     };
     forAllContexts(20'000, [&](Word word, ExplainContext context) {
-        context.counterpart.reset(); // it can tell the mode as well
+        context.counterpart.reset(); // it may also tell the mode
         const Explanation all = explain(word, withMode(context, {}));
         for (const Meaning &meaning : explain(word, context)) {
             ASSERT_TRUE(saysNothing(meaning) || std::ranges::find(all, meaning) != all.end())

@@ -7,8 +7,8 @@
 namespace codewheel::position_word {
 namespace {
 
-constexpr PositionWord k1{.positionBits = 12}; // FRABA manual 2.1.1: 12 bit singleturn encoder
-constexpr PositionWord k2{.positionBits = 24}; // FRABA manual 2.1.2: 24 bit multiturn encoder
+constexpr PositionWord k1{.positionBits = 12}; // FRABA manual 2.1.1: 12-bit single-turn encoder
+constexpr PositionWord k2{.positionBits = 24}; // FRABA manual 2.1.2: 24-bit multi-turn encoder
 constexpr PositionWord k4{.hasStatusBits = true, .hasOut = true};
 
 struct Row
@@ -68,7 +68,7 @@ TEST(PositionWord, OutIsSaidToBeMissingOrUndescribed)
               (Meaning{MeaningId::undescribedOut, {0x4000'0000}}));
 }
 
-// Whatever the word: the position lies in the range the bits have, or there is none.
+// Whatever the word: the position is within the range of its bits, or there is none.
 TEST(PositionWord, StaysInItsRange)
 {
     std::mt19937 random(71); // seeded: the same words in each run

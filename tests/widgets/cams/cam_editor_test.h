@@ -35,7 +35,7 @@ protected:
     const CamProgram &program(unsigned number) { return sheet().document().program(number); }
     void setManualCam() { sheet().setCam(manualCam, manualValue, {}); }
 
-    // 8192 steps a turn, in position mode: told, so that nothing was sent.
+    // 8192 steps per turn, in position mode: told, so that nothing is sent.
     void tellAll()
     {
         encoder().tell(Parameter::startUpMode, 1);

@@ -7,7 +7,7 @@
 
 namespace codewheel::test {
 
-// The vector of FRABA manual 5.4.4: cam 3 from 15h to 213h in program 1.
+// The example of FRABA manual 5.4.4: cam 3 from 15h to 213h in program 1.
 inline constexpr std::size_t manualCam = 3;
 inline constexpr Cam manualValue{0x15, 0x213, true};
 

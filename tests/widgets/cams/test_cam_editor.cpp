@@ -165,7 +165,7 @@ TEST_F(CamEditorView, AShiftThatDoesNotExistIsSaidAndNotTaken)
     EXPECT_EQ(message(), QStringLiteral("The shift cannot be 26. Give a value from 0 to 25."));
     EXPECT_EQ(sheet().program().shift, 0U);
     trigger("Read");
-    EXPECT_FALSE(encoder().runningJob()); // first that
+    EXPECT_FALSE(encoder().runningJob()); // that comes first
     EXPECT_EQ(out(), 0U);
     shift().selectAll();
     QTest::keyClicks(&shift(), QStringLiteral("7"));
@@ -201,7 +201,7 @@ TEST_F(CamEditorView, InPositionModeItTellsWhatTheCamsWouldBe)
     EXPECT_EQ(sheet().isOn(manualCam), true);
     EXPECT_FALSE(sheet().live().isTold);
     EXPECT_EQ(sheet().live().position, (CamLive::Position{300, 300}));
-    ring.controls->turnTo(fraba.node, 0x214); // one behind the stop
+    ring.controls->turnTo(fraba.node, 0x214); // one past the stop
     advance(60);
     EXPECT_EQ(sheet().isOn(manualCam), false);
     sheet().setCam(manualCam, {33'554'000, 0x214, true}, {}); // through zero

@@ -36,7 +36,7 @@ protected:
     }
 };
 
-// The program the encoder is in is stored when it is left, if it was changed.
+// Leaving a program stores it if it was changed.
 TEST_F(CamEditorJobs, ReadingAnEepromThatIsUsedUpIsAskedFor)
 {
     tellAll();

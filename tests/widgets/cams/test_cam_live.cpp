@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the cam editor says of cams while another program with a shifted position runs.
+// What the cam editor shows for cams while another program with a shifted position is running.
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_table_model.h"
 

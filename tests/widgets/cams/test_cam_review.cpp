@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The review of the cam editor: the words it shows are those that are sent.
+// The review of the cam editor shows the words that are sent.
 #include "encoder/hex.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "words/k3_cam_word.h"
@@ -50,7 +50,7 @@ protected:
             all += label->text() + u'\n';
         return all.toStdString();
     }
-    // What a cycle of OUT held when it changed, without the read-outs and the 00000000 behind each.
+    // The OUT words as they changed, without the read-outs and the 00000000 after each.
     std::string wordsSentByTheJob()
     {
         std::vector<Word> sent{out()};
@@ -94,7 +94,7 @@ TEST_F(CamReviewWords, AreThoseOfTheManualInTheOrderInWhichTheyAreSent)
     EXPECT_EQ(out(), 0U);
 }
 
-// Outside cam mode 20400001 would switch to velocity mode.
+// Outside cam mode, 20400001 would switch to velocity mode.
 TEST_F(CamReviewWords, ShowTheWordThatGoesBeforeOneWithAnotherMeaning)
 {
     readPrograms("Read");
@@ -141,7 +141,7 @@ TEST_F(CamReviewWords, OfAProgramThatIsStayedInLeaveItOnceSoThatItIsStored)
     expectWhatIsShownIsSent();
 }
 
-// The program it is in comes first, and OUT is cleared before.
+// The encoder's present program comes first, and before it OUT is cleared.
 TEST_F(CamReviewWords, BeginWhereTheEncoderIs)
 {
     readPrograms("Read all programs");

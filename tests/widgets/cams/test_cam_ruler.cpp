@@ -20,7 +20,7 @@ namespace {
 using test::manualCam;
 using test::manualValue;
 
-// 1000 positions on 1000 columns: a pixel is a position.
+// 1000 positions on 1000 columns: one pixel per position.
 class CamRulerTest : public test::CamSheetTest
 {
 protected:
@@ -82,7 +82,7 @@ TEST_F(CamRulerTest, DraggingAnEdgeMovesItAlone)
     EXPECT_EQ(steps(), 2);
 }
 
-// A finger in a glove does not hit the pixel.
+// A gloved finger does not hit a single pixel.
 TEST_F(CamRulerTest, AnEdgeIsGraspedFromBesideIt)
 {
     drag(manualCam, 15, 25);
@@ -95,7 +95,7 @@ TEST_F(CamRulerTest, ABarPassesTheEndAndGoesThroughZero)
 {
     drag(manualCam, 300, 900);
     EXPECT_EQ(sheet.cam(manualCam), (Cam{621, 131, true}));
-    drag(manualCam, 60, 70); // by the part at the left end
+    drag(manualCam, 60, 70); // the part at the left end
     EXPECT_EQ(sheet.cam(manualCam), (Cam{631, 141, true}));
     drag(manualCam, 142, 100); // its stop is there
     EXPECT_EQ(sheet.cam(manualCam), (Cam{631, 99, true}));
@@ -114,7 +114,7 @@ TEST_F(CamRulerTest, DraggingInAnEmptyRowDrawsACam)
 {
     drag(0, 700, 800);
     EXPECT_EQ(sheet.cam(0), (Cam{700, 800, true}));
-    drag(1, 500, 450); // to the left as well
+    drag(1, 500, 450); // also to the left
     EXPECT_EQ(sheet.cam(1), (Cam{450, 500, true}));
     EXPECT_EQ(steps(), 2);
     undo();
@@ -153,7 +153,7 @@ TEST_F(CamRulerTest, APixelOfManyPositionsMovesByRoundNumbers)
     EXPECT_EQ(sheet.cam(0).start % 50'000, 0);
     EXPECT_EQ(sheet.cam(0).stop % 50'000, 0);
     drag(0, static_cast<double>(sheet.cam(0).stop), 33'554'432);
-    EXPECT_EQ(sheet.cam(0).stop, 33'554'431); // the end is held on to
+    EXPECT_EQ(sheet.cam(0).stop, 33'554'431); // snaps to the end
 }
 
 TEST_F(CamRulerTest, KeysMoveBarAndEdges)
@@ -165,7 +165,7 @@ TEST_F(CamRulerTest, KeysMoveBarAndEdges)
     key(Qt::Key_Right);
     key(Qt::Key_Right);
     EXPECT_EQ(sheet.cam(manualCam), (Cam{23, 533, true}));
-    EXPECT_EQ(steps(), 1); // one step, as it was one movement
+    EXPECT_EQ(steps(), 1); // a single step, since it was a single movement
     key(Qt::Key_Home);
     key(Qt::Key_Left);
     EXPECT_EQ(sheet.cam(manualCam), (Cam{22, 533, true}));

@@ -94,7 +94,7 @@ TEST_F(CamTableTest, PositionsBeyondTheRangeAreNotCutOff)
     EXPECT_TRUE(showsAll(CamTableModel::startColumn));
     EXPECT_TRUE(showsAll(CamTableModel::stopColumn));
     undo();
-    sheet.setCam(2, {8191, 3'400'000, true}, {}); // as a file or the encoder has it
+    sheet.setCam(2, {8191, 3'400'000, true}, {}); // as from a file or the encoder
     EXPECT_TRUE(showsAll(CamTableModel::stopColumn));
 }
 

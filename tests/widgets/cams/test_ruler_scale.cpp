@@ -58,7 +58,7 @@ TEST(RulerScaleTest, ARangeOfOtherSizeIsShownAsAWhole)
     EXPECT_TRUE(ruler.showsAll());
 }
 
-// start, stop, what is moved by how much, start, stop; of 1000 positions
+// start and stop, the part to be moved and by how much, start and stop afterwards; of 1000 positions
 struct Move
 {
     const char *what;

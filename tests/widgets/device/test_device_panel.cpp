@@ -93,7 +93,7 @@ TEST(DeviceHtml, IsWrittenForEveryDeviceOfTheCatalog)
     }
 }
 
-// Manual of Kübler, read command F; which bits that are follows from the format of the line.
+// Kübler manual, read command F; which bits these are depends on the line's format.
 TEST(DeviceHtml, TheScalingFactorHasTheRangeOfTheManual)
 {
     const Catalog catalog = Catalog::builtIn();
@@ -108,7 +108,7 @@ TEST_F(DevicePanelTest, ATypedLabelKeyShowsItsDevice)
     EXPECT_FALSE(showsPage());
 }
 
-// A 12 bit single-turn of a family that is described with 13 + 12 bit.
+// A 12-bit single-turn encoder from a family described with 13 + 12 bits.
 TEST_F(DevicePanelTest, ATypedLabelKeyShowsItsDeviceWithItsTurnsAndSteps)
 {
     const auto row = [this](const char *name) {
@@ -193,7 +193,7 @@ TEST_F(DevicePanelTest, TheTreeAsksForTheMakeUntilItIsNamed)
     EXPECT_TRUE(question->isHidden());
 }
 
-// The code of the LA-66 is also that of analog modules: without a name there is no driver for it.
+// Analog modules have the same code as the LA-66: without a name there is no driver for it.
 TEST_F(DevicePanelTest, TheTreeAsksWhatAnUnnamedRodIsAndNeverABusTerminal)
 {
     constexpr Place la66 = "5.0"_ring;

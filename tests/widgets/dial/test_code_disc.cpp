@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// The dial as painted, without what stands below it.
+// The dial as painted, without the texts below it.
 QImage dialOf(CodeDisc &disc)
 {
     return disc.grab(QRect(0, 0, disc.width(), disc.width())).toImage();
@@ -65,7 +65,7 @@ TEST_F(Dial, TheDiscTurnsWithTheShaft)
     const QImage atZero = dialOf(disc);
     disc.setState({.turnFraction = 0.5, .position = 0});
     const QImage atHalf = dialOf(disc);
-    // The innermost track is dark on one half of the disc only.
+    // The innermost track is dark on only one half of the disc.
     const auto rightIsDark = [&](const QImage &dial) {
         return qGray(dial.pixel(towards(disc, 0.25, 0.35))) < qGray(dial.pixel(towards(disc, 0.75, 0.35)));
     };

@@ -27,7 +27,7 @@ protected:
     }
 
     const DialState &shown() { return panel.findChild<CodeDisc *>()->state(); }
-    QPushButton &readButton() // of the shaft: the rod has one, too
+    QPushButton &readButton() // the shaft's: the rod has one, too
     {
         QCoreApplication::processEvents(); // laid out, to be clicked
         return *panel.findChild<CodeDisc *>()->parentWidget()->findChild<QPushButton *>(
@@ -114,7 +114,7 @@ TEST_F(DialPanelTest, ReadingOnRequestMakesItTurn)
     panel.setEncoder(&ring.encoder(fraba));
     advance(66);
     ASSERT_TRUE(readButton().isVisible());
-    QCoreApplication::processEvents(); // so that it has its place
+    QCoreApplication::processEvents(); // for the layout
     QTest::mouseClick(&readButton(), Qt::LeftButton);
     advance(1000);
     EXPECT_FALSE(readButton().isVisible());

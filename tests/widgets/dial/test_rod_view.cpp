@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-// LA-66 manual 3.2: a rod of 500 mm at 0.01 mm.
+// LA-66 manual 3.2: a 500 mm rod at 0.01 mm.
 RodState manualRod(qint64 position)
 {
     RodState state;
@@ -41,7 +41,7 @@ protected:
     {
         return QAccessible::queryAccessibleInterface(&rod)->text(QAccessible::Description);
     }
-    // Whether the magnet is seen at this place; a little beside its line, above the rod.
+    // Whether the magnet is visible at this place; looks beside its line, above the rod.
     bool isMagnetAt(double place) const
     {
         const QPoint at = (rod.picture().magnetAt(place) + QPointF(3, -8)).toPoint();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A FRABA of the training bus whose ledger says that it was written to often: every place that starts a job.
+// A FRABA of the training bus whose ledger says that it was written too often: every place that starts a job.
 #include "tests/app/question.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
@@ -92,7 +92,7 @@ TEST_F(EepromGateTest, HasToBeTickedBeyondTheBudget)
     gate.setWrites(ring.encoder(fraba), 2);
     EXPECT_TRUE(gate.isOpen()); // the same concern
     count(500);
-    EXPECT_FALSE(gate.isOpen()); // another one
+    EXPECT_FALSE(gate.isOpen()); // a different one
 }
 
 TEST_F(EepromGateTest, WhatWasAgreedToIsNotHeldForAnotherEncoderAtTheSamePlace)
@@ -206,7 +206,7 @@ TEST_F(EepromGateTest, HoldsBackAWordByHandThatIsStored)
     EXPECT_TRUE(send(0x020000FF));
 }
 
-// A job that has taken a value, in the wizard, a transfer or on quitting: restoring it is one more write.
+// A job that has taken a value, in the wizard, a transfer or on quitting: restoring is one more write.
 TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
 {
     QWidget window;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Modes, FRABA preset and reset as they are asked for in the parameter panel's menu, with the mouse.
+// Modes, FRABA preset and reset through the parameter panel's menu, with the mouse.
 #include "tests/app/question.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"

@@ -34,7 +34,7 @@ protected:
     QListWidget &hits() { return *help.findChild<QListWidget *>(QStringLiteral("helpHits")); }
     QTreeWidget &contents() { return *help.findChild<QTreeWidget *>(QStringLiteral("helpContents")); }
     QString result() { return help.findChild<QLabel *>(QStringLiteral("helpFindResult"))->text(); }
-    // Where the page is scrolled to begins with this, or nearly so.
+    // The text at the top of the visible part, or close to it.
     QString atTop() { return page().cursorForPosition({20, 20}).block().text(); }
     void type(const char *text) { QTest::keyClicks(QApplication::focusWidget(), QLatin1String(text)); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
@@ -141,7 +141,7 @@ TEST_F(HelpWindowTest, NoPageIsWiderThanItsWindow)
     help.resize(640, 480);
     for (const ManualPage &each : help.manual().pages()) {
         help.showTopic(each.url.toString());
-        QCoreApplication::processEvents(); // pictures are fitted
+        QCoreApplication::processEvents(); // for fitting the pictures
         EXPECT_LE(page().document()->size().width(), page().viewport()->width() + 1)
             << each.url.fileName().toStdString();
     }

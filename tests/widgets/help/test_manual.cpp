@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual as the program has it: whatever a page leads to or shows is there.
+// The manual as built into the program: everything a page links to or shows exists.
 #include "widgets/help/manual.h"
 #include "widgets/help/manual_search.h"
 
@@ -15,7 +15,7 @@ namespace {
 class ManualTest : public testing::Test
 {
 protected:
-    // Each link of a page, and each picture.
+    // Visits each link of a page, and each picture.
     template <class Link, class Picture>
     void walk(const ManualPage &page, Link link, Picture picture)
     {

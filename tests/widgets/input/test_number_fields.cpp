@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mouse, keys and wheel at the fields for numbers.
+// Mouse, keys and wheel on the fields for numbers.
 #include "widgets/input/number_fields.h"
 #include "widgets/input/wheel_rule.h"
 
@@ -61,13 +61,13 @@ protected:
         QTest::keyClicks(&field, QString::fromLatin1(text));
     }
 
-    // A notch, as a mouse gives it.
+    // One notch, as sent by a mouse.
     void turnWheelOver(QWidget &field)
     {
         const QPoint local = field.rect().center();
         QWheelEvent event(local, field.mapToGlobal(local), {}, QPoint(0, -120), Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
-        QSpontaneKeyEvent::setSpontaneous(&event); // else it would not be handed on
+        QSpontaneKeyEvent::setSpontaneous(&event); // otherwise it would not be passed on
         qApp->notify(&field, &event);
     }
     int scrolled() const { return area.verticalScrollBar()->value(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys at the fields for texts, and what a form takes before it uses its fields.
+// Keys in the fields for texts, and what a form takes before it uses its fields.
 #include "widgets/input/form_fields.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"

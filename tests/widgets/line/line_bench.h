@@ -18,7 +18,7 @@ inline QByteArray wire(const char *text)
     return QByteArray("\x1B") + text + "\r\n";
 }
 
-// A line in virtual time with an encoder at 05 that answers a position, a serial number and a preset.
+// A line in virtual time with an encoder at 05 that answers requests for position, serial number and preset.
 struct LineBench
 {
     LineBench()
@@ -41,7 +41,7 @@ struct LineBench
         ASSERT_TRUE(line->open({}, {}, start, LineSession::Drive::byHand));
     }
     void addEncoder() { ASSERT_TRUE(line->add({5}, QStringLiteral("kuebler-esc-rs485"))); }
-    // Pumped as the window does it.
+    // Pumps the line as the window does.
     void pass(int milliseconds)
     {
         constexpr int step = 20;
@@ -54,7 +54,7 @@ struct LineBench
     std::unique_ptr<LineSession> line;
 };
 
-// As the user finds it: by the text on it, without its mnemonic.
+// As the user finds it: by its text, without the mnemonic.
 inline QPushButton *button(const QWidget &in, const QString &text)
 {
     for (auto *found : in.findChildren<QPushButton *>())
@@ -71,7 +71,7 @@ inline QAction *action(const QWidget &in, const QString &text)
     return nullptr;
 }
 
-// Every control has a name, a tooltip, and can be reached by key.
+// Every control has a name and a tooltip, and can be reached by keyboard.
 inline void expectAccessible(const QWidget &view)
 {
     int checked = 0;

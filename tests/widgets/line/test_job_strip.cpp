@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-// What the strip tells of the first step of this job.
+// What the strip shows for the first step of this job.
 QString told(EncoderSession &encoder, const Step &step)
 {
     JobStrip strip;

@@ -45,7 +45,7 @@ TEST_F(LineRowModelTest, ARowSaysTimeDirectionTextBytesAndMeaning)
 {
     add(Kind::sent, wire("05A"));
     add(Kind::answer, "\r\n4000\r\n");
-    EXPECT_EQ(model.rowCount(), 0); // until they are shown together
+    EXPECT_EQ(model.rowCount(), 0); // until the waiting rows are shown
     model.showWaiting();
     EXPECT_EQ(cell(0, TrafficColumn::time), QStringLiteral("12:00:00.005"));
     EXPECT_EQ(cell(0, TrafficColumn::direction), QStringLiteral("sent"));
@@ -124,7 +124,7 @@ TEST_F(LineRowModelTest, AnExchangeThatWasTypedIsShownAlthoughItLooksLikeAPoll)
     poll();
     poll();
     model.showWaiting();
-    model.markTyped(wire("05P")); // shown already
+    model.markTyped(wire("05P")); // already shown
     EXPECT_EQ(filter.rowCount(), 2);
     EXPECT_EQ(cell(0, TrafficColumn::direction), QStringLiteral("sent, typed"));
     poll();

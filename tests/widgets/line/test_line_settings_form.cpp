@@ -61,7 +61,7 @@ TEST_F(LineSettingsFormTest, BeginsWithTheSettingsOfTheFactory)
               QStringLiteral("/dev/ttyUSB0, USB Serial, serial number FT12345"));
 }
 
-// Pressed by its key, the button leaves the focus where it is.
+// Pressing the button by its key leaves the focus where it is.
 TEST_F(LineSettingsFormTest, WhatIsTypedIsTakenOrRefusedBeforeTheLineIsOpened)
 {
     form.setPorts(ports);
@@ -181,7 +181,7 @@ TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
     EXPECT_EQ(form.settings(), settings);
 }
 
-// What the command line and the project's file take, the form shows and gives back.
+// The form shows and returns everything the command line and the project's file accept.
 TEST_F(LineSettingsFormTest, GoesAsFarAsTheCommandLine)
 {
     LineSettings settings;

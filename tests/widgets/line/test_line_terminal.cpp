@@ -137,7 +137,7 @@ TEST_F(LineTerminalTest, WhatPassedWhileNobodyLookedIsThereWhenSomebodyDoes)
 TEST_F(LineTerminalTest, RowsThatComeLayNothingOutAnew)
 {
     bench.open();
-    bench.line->send(*typedRequest(QStringLiteral("05P"), 0)); // the page of rows comes
+    bench.line->send(*typedRequest(QStringLiteral("05P"), 0)); // brings up the page of rows
     bench.pass(300);
     QTest::qWait(50);
     const test::EventsSeen layouts(QEvent::LayoutRequest);

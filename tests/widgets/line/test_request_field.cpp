@@ -86,7 +86,7 @@ TEST_F(RequestFieldTest, CtrlSpaceListsAllCommands)
     field.completer()->popup()->hide();
 }
 
-// As write and the terminal have them.
+// The same as for write and the terminal.
 TEST(CommandList, SaysTheLimitsOfTheScalingFactorInTheFormatOfTheLine)
 {
     CommandList list;

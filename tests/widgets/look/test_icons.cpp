@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-// Colours of all pixels that are fully covered; drawn large, as a thin diagonal line covers none.
+// The colours of all fully covered pixels; drawn large, since a thin diagonal line covers none.
 QSet<QRgb> inks(const QIcon &icon, QIcon::Mode mode = QIcon::Normal)
 {
     const QImage image =
@@ -73,7 +73,7 @@ TEST_F(Icons, AreCrispOnADenseScreen)
     EXPECT_EQ(pixmap.devicePixelRatio(), 2.0);
 }
 
-// Those that a question, a file dialog and their buttons show.
+// The icons of a question, a file dialog and their buttons.
 TEST_F(Icons, QtsDialogsShowThoseOfTheSet)
 {
     applyAppearance(*qApp, {.scheme = Scheme::dark});

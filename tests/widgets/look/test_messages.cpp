@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences that stand in place: inline messages and empty states.
+// Sentences shown in place: inline messages and empty states.
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contrast from pixels that were really painted, in light and dark.
+// Contrast, measured on painted pixels, in light and dark.
 #include "tests/support/contrast.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/palettes.h"
@@ -28,7 +28,7 @@ namespace {
 
 using test::contrast;
 
-// The pixel that stands out most from the ground: the inside of a stroke, not its soft edge.
+// The pixel that stands out most from the background: the inside of a stroke, not its soft edge.
 double strongestContrast(const QImage &image, QRgb ground)
 {
     double strongest = 1;
@@ -48,7 +48,7 @@ protected:
     }
     ~Contrast() override { applyAppearance(*qApp, {.scheme = Scheme::light}); }
 
-    // At twice the size, so that a stroke has an inside.
+    // At twice the size, so that strokes have an inside.
     QImage grab(QWidget &widget, QRect rect)
     {
         QImage image(rect.size() * 2, QImage::Format_RGB32);
@@ -128,7 +128,7 @@ TEST_P(Contrast, TextCanBeReadOnEveryGround)
 INSTANTIATE_TEST_SUITE_P(Schemes, Contrast, testing::Values(Scheme::light, Scheme::dark),
                          [](const auto &scheme) { return scheme.param == Scheme::light ? "light" : "dark"; });
 
-// As eyes without red cones (protanopia) and without green cones (deuteranopia) see a colour: Viénot,
+// How eyes without red cones (protanopia) and without green cones (deuteranopia) see a colour: Viénot,
 // Brettel, Mollon 1999, on linear light.
 std::array<double, 3> seenWithout(char cone, QRgb color)
 {

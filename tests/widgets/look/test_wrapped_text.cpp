@@ -23,7 +23,7 @@ int heightOf(const QString &text, int width)
     return WrappedText(text, QGuiApplication::font(), width, Qt::AlignLeft).height();
 }
 
-// The columns of the picture that have ink.
+// The columns of the picture with ink.
 QRect inkOf(const QImage &picture)
 {
     QRect ink;

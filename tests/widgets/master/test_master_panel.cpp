@@ -272,7 +272,7 @@ TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
 TEST_F(MasterPanelTest, NothingIsCutOffInANarrowDock)
 {
     panel.resize(200, 400);
-    QCoreApplication::processEvents(); // the bits find their new places
+    QCoreApplication::processEvents(); // rearranges the bits
     EXPECT_EQ(panel.horizontalScrollBar()->maximum(), 0);
     const auto labels = panel.findChildren<QLabel *>();
     EXPECT_GE(labels.size(), 10);

@@ -33,7 +33,7 @@ QString shown(const QAbstractItemModel &model, int row, int column)
     return model.index(row, column).data().toString();
 }
 
-// Without the rows of days.
+// Without the rows for days.
 QStringList texts(const MessageModel &messages)
 {
     QStringList all;

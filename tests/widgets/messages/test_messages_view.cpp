@@ -366,7 +366,7 @@ TEST_F(MessagesViewTest, TheMenuComesByKeyToo)
     add("device", fraba);
     choose(1);
     bool isShown = false;
-    QTimer::singleShot(0, &view, [&] { // the menu has an event loop of its own
+    QTimer::singleShot(0, &view, [&] { // the menu runs its own event loop
         QWidget *menu = QApplication::activePopupWidget();
         isShown = menu != nullptr && menu->actions().contains(table().actions().front());
         if (menu != nullptr)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is live looks alive, what is old looks old, in every view.
+// Live values look live and old ones look old, in every view.
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "tests/widgets/rod_bus.h"
 #include "tests/widgets/training_bus_session.h"
@@ -28,7 +28,7 @@ namespace {
 
 using test::fraba;
 
-// The shaft of 1.0 turns with 60 rpm, and all is known.
+// The shaft of 1.0 turns at 60 rpm, and everything is known.
 class FreshnessTest : public testing::Test
 {
 protected:
@@ -47,7 +47,7 @@ protected:
         for (; milliseconds > 0; milliseconds -= 20)
             ring.bus.advance(20);
     }
-    // As it is told: more than a day ago, by the date and time.
+    // As displayed: more than a day ago, with date and time.
     QString lastSeen() const
     {
         const QDateTime seen = ring.bus.dateTime(ring.encoder(fraba).freshness().seen());
@@ -87,7 +87,7 @@ TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
     EXPECT_TRUE(shown.age.isEmpty());
 }
 
-// Nothing is asked of the bus for that.
+// This needs nothing from the bus.
 TEST_F(FreshnessTest, TheAgeGoesOnByItself)
 {
     RingSession bus(makeTrainingBus(ring.catalog).link, ring.catalog,

@@ -93,7 +93,7 @@ TEST_F(TableModel, RowsHaveNoChildren)
     EXPECT_EQ(lines.columnCount(lines.index(0, 0)), 0);
 }
 
-// A model that tells too late, to see that the tester's findings fail a test.
+// A model that notifies too late, to check that the tester's findings fail a test.
 class Liar : public QAbstractListModel
 {
 public:

@@ -202,7 +202,7 @@ TEST_F(MonitorAreaTest, WhatIsPinnedAndShownIsKept)
             << field->accessibleName().toStdString();
 }
 
-// A monitor for each word, some of devices that are not there, and what was none even then.
+// An older state: one monitor per word, some of devices that are gone, and an invalid one.
 TEST_F(MonitorAreaTest, AStateOfBeforeIsRead)
 {
     const auto json = QJsonDocument::fromJson(

@@ -265,7 +265,7 @@ TEST_F(WordCardTest, AtOnceIsOffAndSendsHarmlessWordsOnly)
     EXPECT_TRUE(message(card).isEmpty());
 }
 
-// TR manual 2.2: without the service bit OUT has no effect.
+// TR manual 2.2: OUT has no effect without the service bit.
 TEST_F(WordCardTest, OfALinearEncoderOnlyTheServiceBitIsAsked)
 {
     test::TrainingBusSession bus{RingSession::Start::operating, test::makeRodBus};
@@ -365,7 +365,7 @@ TEST_F(WordCardTest, NumbersAreShownWhenTheyAreAskedFor)
     EXPECT_TRUE(find<NumberField>(in, "IN 1.0 signed").isVisible());
 }
 
-// So that two fit into a window of 1280 x 800, one into 1024 x 640, and Write is always in sight.
+// So that two cards fit into a window of 1280 x 800, one into 1024 x 640, and Write is always in sight.
 TEST_F(WordCardTest, IsAsLowAsItCanBe)
 {
     const auto &bits = *card.findChild<WordView *>();
@@ -399,7 +399,7 @@ TEST_F(WordCardTest, TheWordOfTheBitChosenLastIsCopied)
 
 TEST_F(WordCardTest, OnlyWhatChangedIsLaidOutAndPainted)
 {
-    QTest::qWait(20); // what showing it asked for
+    QTest::qWait(20); // paints requested by showing it
     class Counter : public QObject
     {
     public:

@@ -17,7 +17,7 @@ struct NumberRow
     const char *gray;
 };
 
-// Gray: 1, 3, 2, 6 are 1, 2, 3, 4.
+// Gray code: 1, 3, 2, 6 are 1, 2, 3, 4.
 constexpr NumberRow numberRows[] = {
     {0x00000000, 25, "0", "0", "0"},
     {0x020000FF, 25, "255", "255", "170"},

@@ -152,7 +152,7 @@ TEST_F(WordViewTest, UpAndDownGoToTheBitAboveAndBelow)
     EXPECT_EQ(both.focusedBit(), (WordBit{0, 0}));
 }
 
-// The echo of a handshake is seen as a column.
+// The echo of a handshake shows as columns.
 TEST_F(WordViewTest, WordsStandBitUnderBitAndAreShownEachForItself)
 {
     WordView both(wordForm(32, &k3), {outLine(), inLine()}, &window);

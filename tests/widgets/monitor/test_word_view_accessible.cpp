@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What assistive technology can do with a word, through QAccessible interfaces alone.
+// What assistive technology can do with a word, using only QAccessible interfaces.
 #include "widgets/monitor/word_view.h"
 
 #include <QAccessible>

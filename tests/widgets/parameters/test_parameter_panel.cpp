@@ -73,7 +73,7 @@ protected:
                 return model().index(row, column);
         return {};
     }
-    // A field is closed by an event of its own, and deleted by another.
+    // One event closes a field, another deletes it.
     static void settle()
     {
         QCoreApplication::processEvents();
@@ -164,7 +164,7 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
     EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
 }
 
-// Words sent elsewhere are echoed; nothing reads them back.
+// Words sent elsewhere are echoed, but not read back.
 TEST_F(Parameters, WhatASequenceWroteIsNotSaidToBeReadBack)
 {
     bus.encoder(fraba)->tell(Parameter::multiTurnAndStepsMinusOne, 2);
@@ -179,7 +179,7 @@ TEST_F(Parameters, TheRegistersOfTheBusChipAreFoldedAwayUntilOpened)
     const test::ModelTester tester(model());
     const QString closed = QStringLiteral("Registers of the bus chip, folded away");
     const int rows = model().rowCount();
-    const auto head = [this] { // the last row but the registers
+    const auto head = [this] { // the last row apart from the registers
         for (int row = model().rowCount() - 1; row >= 0; --row)
             if (model()
                     .index(row, 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameter panel for an encoder that is planned and not connected.
+// The parameter panel for an encoder that is planned but not connected.
 #include "project/planned_device.h"
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buses of the project, on its page: by keys and mouse, as everybody has them.
+// The buses of the project, on its page, edited by keys and mouse.
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "tests/support/model_tester.h"
@@ -62,7 +62,7 @@ protected:
     }
     QLineEdit *field() const { return table().viewport()->findChild<QLineEdit *>(); }
 
-    // By the keys: the menu opens on its first kind.
+    // By keyboard: the menu opens on its first kind.
     void add(int kind)
     {
         QTest::keyClick(&table(), Qt::Key_Insert);
@@ -71,12 +71,12 @@ protected:
         for (int i = 0; i < kind; ++i)
             QTest::keyClick(menu, Qt::Key_Down);
         QTest::keyClick(menu, Qt::Key_Return);
-        page.activateWindow(); // without a desktop nobody else gives it back what the menu took
+        page.activateWindow(); // without a desktop, nothing returns the activation that the menu took
         EXPECT_TRUE(QTest::qWaitForWindowActive(&page));
     }
     void addRing() { add(0); }
     void addLine() { add(1); }
-    // The view takes it once it comes to its events.
+    // The view takes it in its event loop.
     void pressReturn()
     {
         QTest::keyClick(field(), Qt::Key_Return);

@@ -114,7 +114,7 @@ TEST_F(Document, IsNotSavedWhileValuesAreInNoFile)
     EXPECT_TRUE(document.notPlanned().empty());
     undo.redo();
 
-    // Planned at last, the device brings its values along.
+    // Once planned, the device gets its values.
     Project after = document.project();
     after.devices.emplace_back().participant = encoder(5);
     document.edit(after, QStringLiteral("take over"));
@@ -185,7 +185,7 @@ TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
     EXPECT_TRUE(document.device(stranger).wanted.empty());
 }
 
-// Whatever is done is taken back, step by step, and done again.
+// Every edit is undone step by step, and redone.
 TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
 {
     constexpr Place place = placeOnLine({0x12});

@@ -180,7 +180,7 @@ TEST_F(SequenceViewTest, StoppedItSaysHowFarItCame)
     ring.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
     paste("020000FF\n04000001\n80000000");
     QTest::mouseClick(&send(), Qt::LeftButton);
-    ring.bus.advance(20); // a FRABA echoes the first word at once, the second only when that is processed
+    ring.bus.advance(20); // a FRABA echoes the first word at once, the second only once that is processed
     stopBy(1);
     ring.bus.advance(3000);
     EXPECT_TRUE(message().startsWith(QLatin1String("The job was cancelled."))) << message().toStdString();

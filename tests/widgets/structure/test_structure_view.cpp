@@ -226,7 +226,7 @@ TEST_F(StructureTest, StationsOfDevicesThatFitComeFirst)
         << "another device is planned there";
 }
 
-// A model that is made anew loses what is chosen, and the question which make it is.
+// A rebuilt model loses the selection, and the question about the make.
 TEST_F(StructureTest, NamingADeviceKeepsItChosenAndItsMakeAskedFor)
 {
     ProjectDocument project;

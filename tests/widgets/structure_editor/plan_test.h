@@ -34,7 +34,7 @@ class PlanTest : public testing::Test
 protected:
     PlanTest() { document.setProject(projectOf(writtenRing("K3 BT .K3L .K3L /K1 /K3 K2 BT LA")), {}); }
 
-    // "1.0 2.0 2.1 ...", each with the ID of the device that stands there: 1 for the first at the start.
+    // "1.0 2.0 2.1 ...", each with the ID of the device there; at the start, the first one has 1.
     QString order() const
     {
         QStringList texts;

@@ -67,7 +67,7 @@ TEST_F(PlanEditsTest, KeysHangADeviceBelowATerminalAndTakeItOut)
 
 TEST_F(PlanEditsTest, WhatCannotBeIsRefusedAndIsNoStep)
 {
-    const auto into = edits.move(id(QStringLiteral("2.0")), PlanStep::in); // behind 1.0, no terminal
+    const auto into = edits.move(id(QStringLiteral("2.0")), PlanStep::in); // after 1.0, which is no terminal
     ASSERT_FALSE(into);
     EXPECT_EQ(
         refusalText(into.error()),

@@ -23,7 +23,7 @@ protected:
     {
         return model.indexOf(id(number), column).data().toString();
     }
-    // The tree as one sees it: "1.0 2.0(2.1 2.2 3.0) 4.0".
+    // The visible tree: "1.0 2.0(2.1 2.2 3.0) 4.0".
     static QString tree(const QAbstractItemModel &of, const QModelIndex &parent = {})
     {
         QStringList texts;
@@ -193,7 +193,7 @@ TEST_F(PlanModelTest, ADropThatCannotBeIsRefused)
     EXPECT_EQ(document.undoStack().count(), 0);
 }
 
-// However it comes about: the rows show the project, and undo brings them back.
+// Whatever the edits: the rows show the project, and undo restores them.
 TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
 {
     std::mt19937 random(5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Buses that are planned by address: a serial line, and a kind that is added at run time.
+// Buses planned by address: a serial line, and a kind added at run time.
 #include "catalog/catalog.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
@@ -70,7 +70,7 @@ protected:
         input->selectAll();
         QTest::keyClicks(input, text);
         QTest::keyClick(input, Qt::Key_Return);
-        QCoreApplication::processEvents(); // it is taken afterwards
+        QCoreApplication::processEvents(); // the input is taken afterwards
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     template <typename Widget>

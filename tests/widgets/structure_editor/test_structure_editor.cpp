@@ -69,7 +69,7 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
-        QCoreApplication::processEvents(); // it is taken afterwards
+        QCoreApplication::processEvents(); // the input is taken afterwards
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     template <typename Widget>
@@ -84,7 +84,7 @@ protected:
         const auto *shown = editor.findChild<InlineMessage *>();
         return shown->isVisible() ? shown->sentence() : QString();
     }
-    // As the mouse does it, without the drag's own event loop.
+    // Like the mouse, but without the drag's own event loop.
     void drop(const QString &number, const QPoint &at)
     {
         const std::unique_ptr<QMimeData> data(tree.model()->mimeData({indexOf(number)}));

@@ -98,7 +98,7 @@ TEST_F(TraceViewTest, AHandshakeIsARowForEachChange)
     EXPECT_EQ(time.data(Qt::ToolTipRole).toString(), model().dateTimeText(model().rowAt(last)));
 }
 
-// Until the encoder has taken the next read-out, IN holds the value of the one before.
+// Until the encoder has taken the next read-out, IN holds the value of the previous one.
 TEST_F(TraceViewTest, AnOldReadOutIsNotTakenForTheAnswerToTheNewWord)
 {
     write(fraba, 0x2021'0001);
@@ -278,7 +278,7 @@ TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)
 
 TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
 {
-    model().bringBack(); // of the beginning
+    model().bringBack(); // the initial rows
     const int before = model().rowCount();
     write(fraba, 0x0200'00FF);
     const int rows = model().rowCount();
@@ -288,7 +288,7 @@ TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
     EXPECT_EQ(model().rowCount(), 0);
     write(fraba, 0);
     const int since = model().rowCount();
-    key(Qt::Key_Delete); // twice
+    key(Qt::Key_Delete); // a second time
     write(fraba, 0x0200'0100);
     const int last = model().rowCount();
     key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
@@ -311,7 +311,7 @@ TEST_F(TraceViewTest, WhatIsHeldBackIsClearedAndBroughtBackToo)
     key(Qt::Key_H);
 }
 
-// As many as a table holds, the newest.
+// As many as a table holds: the newest.
 TEST_F(TraceViewTest, WhatIsClearedIsBounded)
 {
     const auto fill = [this](std::uint64_t from) {
@@ -328,7 +328,7 @@ TEST_F(TraceViewTest, WhatIsClearedIsBounded)
     EXPECT_EQ(model().rowAt(0).what.cycle, 100'000U);
 }
 
-// A kind of bus that nobody knew when the view was written.
+// A kind of bus unknown when the view was written.
 TEST_F(TraceViewTest, AnyBusShowsWhatItTellsOfItsTraffic)
 {
     test::PlainBus plain(ring.catalog);

@@ -58,7 +58,7 @@ TEST_F(HandWheelTest, KeysTurnALittle)
 TEST_F(HandWheelTest, ShowingTheShaftTurnsNothing)
 {
     wheel.showRaw(8192 + 2048);
-    EXPECT_EQ(dial().value(), 768); // a quarter behind the top, which is 512
+    EXPECT_EQ(dial().value(), 768); // a quarter past the top, which is 512
     EXPECT_TRUE(turned.empty());
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr Place k1 = "3.0"_ring;
 using test::rodPlace;
 
-// A ring of a single-turn encoder without parameters and a rod, that does at once what it is told.
+// A ring with a single-turn encoder without parameters and a rod, which obeys at once.
 class RodRing final : public TrainingControls
 {
 public:

@@ -113,7 +113,7 @@ TEST_F(TrainingPanelTest, OtherDeviceOtherFields)
     EXPECT_TRUE(button<QCheckBox>("Battery low").isVisible());
     EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 10);
     EXPECT_TRUE(acts.empty());
-    panel.setDevice("7.0"_ring); // no such device: stays
+    panel.setDevice("7.0"_ring); // no such device: nothing changes
     EXPECT_EQ(devices.currentText(), QStringLiteral("2.0"));
 }
 

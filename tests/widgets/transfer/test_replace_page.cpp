@@ -32,7 +32,7 @@ protected:
         for (int i = 0; i < milliseconds / 33 + 1; ++i)
             session.bus.advance(33);
     }
-    // The encoder goes, and another one is there, whose shaft stands elsewhere.
+    // Swaps the encoder for another one, whose shaft is in a different position.
     void exchange()
     {
         session.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
@@ -77,7 +77,7 @@ TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
 {
     page.replace(fraba);
     click("replaceNext");
-    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked()); // it has not been away
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked()); // it was never away
     click("replaceNext");
     EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4"));
     type("positionValue", "3000");
@@ -101,7 +101,7 @@ TEST_F(ReplacePageTest, APositionWithDecimalsOrOfTwoMeaningsIsRefused)
     }
 }
 
-// The encoder died before the program was started.
+// The encoder died before the program started.
 TEST_F(ReplacePageTest, ThePositionOfTheProjectIsOffered)
 {
     page.replace(fraba);
@@ -117,7 +117,7 @@ TEST_F(ReplacePageTest, ThePositionOfTheProjectIsOffered)
                 kept->text().contains(QStringLiteral("4711")))
         << kept->text().toStdString();
     EXPECT_TRUE(kept->text().contains(QStringLiteral("28"))) << kept->text().toStdString();
-    EXPECT_FALSE(kept->isChecked()); // somebody has to say that the shaft still stands there
+    EXPECT_FALSE(kept->isChecked()); // somebody has to confirm that the shaft has not moved
     kept->click();
     click("replaceNext");
     click("replaceNext");
@@ -164,7 +164,7 @@ TEST_F(ReplacePageTest, LongLinesBreakInANarrowWindow)
     page.resize(420, 520);
     page.replace(fraba);
     click("replaceNext");
-    QCoreApplication::processEvents(); // it is laid out
+    QCoreApplication::processEvents(); // for the layout
     const auto *last = find<QRadioButton>("positionLast");
     EXPECT_GT(last->height(), find<QRadioButton>("positionTyped")->height());
     const auto areas = page.findChildren<QScrollArea *>();
@@ -173,7 +173,7 @@ TEST_F(ReplacePageTest, LongLinesBreakInANarrowWindow)
         EXPECT_FALSE(area->horizontalScrollBar()->isVisible());
 }
 
-// What is edited beside the page is what is written.
+// Edits made beside the page are written.
 TEST_F(ReplacePageTest, ThePlanFollowsTheProject)
 {
     page.replace(fraba);
@@ -191,7 +191,7 @@ TEST_F(ReplacePageTest, ThePlanFollowsTheProject)
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: )."));
 }
 
-// One project's values must not go into an encoder of another.
+// Values of one project must not be written to an encoder of another.
 TEST_F(ReplacePageTest, AnotherProjectEndsIt)
 {
     int closed = 0;
@@ -230,7 +230,7 @@ TEST_F(ReplacePageTest, TheAccountIsOfTheProjectThatWasWritten)
     EXPECT_FALSE(account().contains(QStringLiteral("Other")));
 }
 
-// After a first replacement, and after one that broke off, there is as much to write again.
+// After a first replacement, even an interrupted one, there is just as much to write again.
 TEST_F(ReplacePageTest, WhatWasStoredCanBeWrittenAgain)
 {
     project.editDevice(fraba, QStringLiteral("store"), [](ProjectDevice &device) {

@@ -68,7 +68,7 @@ protected:
                 return row;
         return -1;
     }
-    // Space on the check box of the encoder.
+    // Presses Space on the check box of the encoder.
     void toggle(const char *place)
     {
         auto *table = find<QTableView>("transferTable");
@@ -116,7 +116,7 @@ TEST_F(TransferPageTest, WritesToTheChosenEncodersOnlyAndAccountsForIt)
     EXPECT_EQ(text("transferResult"), messages.front());
     EXPECT_TRUE(account().contains(QStringLiteral("Written, confirmed by the handshake")));
     click("transferBack");
-    EXPECT_EQ(model().index(rowOf("2.0"), 0).data(Qt::CheckStateRole), QVariant()); // all is there
+    EXPECT_EQ(model().index(rowOf("2.0"), 0).data(Qt::CheckStateRole), QVariant()); // nothing to write
 }
 
 TEST_F(TransferPageTest, NoneAndAllAreOneClick)
@@ -191,7 +191,7 @@ TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
     EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
 }
 
-// A question that nobody answered is no longer asked when the encoder is done; the others stay cancelled.
+// An unanswered question lapses when the encoder is done; the others stay cancelled.
 TEST_F(TransferPageTest, AfterCancelNoOtherEncoderIsBegunWhateverBecomesOfTheQuestion)
 {
     want(onLoop, {{Parameter::steps, 100}});
@@ -233,7 +233,7 @@ TEST_F(TransferPageTest, GoingOnAfterCancelFinishesTheEncoderAndBeginsNoOther)
     EXPECT_FALSE(session.encoder(baumer).known(Parameter::steps));
 }
 
-// The picture is up to one refresh old: the first word is in OUT, and the window has not heard of it.
+// The frame is up to one refresh old: the first word is in OUT, but the window has not heard of it.
 TEST_F(TransferPageTest, WhetherTheEncoderHasTakenSomethingIsNotDecidedByAnOldFrame)
 {
     toggle("1.0");
@@ -273,7 +273,7 @@ TEST_F(TransferPageTest, AnEncoderLeftInParameterizationIsAccountedForWithWhatIt
     EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
 }
 
-// One encoder more in front: the numbers of all others are not what they were.
+// One more encoder in front: the numbers of all others have changed.
 TEST_F(TransferPageTest, NeitherWritesToNorStoresOfAnEncoderThatIsNotTheProjectsOne)
 {
     Project shifted = project.project();

@@ -13,7 +13,7 @@
 
 namespace codewheel::test {
 
-// A page about transfer over the training bus in virtual time, used with mouse and keys as a person would.
+// A transfer page on the training bus in virtual time, used with mouse and keys as by a person.
 class TransferTest : public testing::Test
 {
 protected:

@@ -10,7 +10,7 @@ constexpr std::int64_t stepsBefore = 8192;
 class WizardHandshake : public test::WizardTest
 {
 protected:
-    // To the handshake page: steps 255 and revolutions 2 at 1.0, all values read before.
+    // Goes to the handshake page: steps 255 and revolutions 2 at 1.0, all values read first.
     void begin(const char *steps = "255", const char *revolutions = "2")
     {
         wizard.setEncoder(&fraba());
@@ -110,7 +110,7 @@ TEST_F(WizardHandshake, AValueOnItsWayIsRestoredToo)
 {
     begin();
     click("nextStep");
-    bus.advance(8); // confirmed, and not settled yet
+    bus.advance(8); // confirmed, but not settled yet
     ASSERT_EQ(fraba().latest().state, EncoderState::parameterization);
     const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("wizardCancel");
@@ -163,7 +163,7 @@ TEST_F(WizardHandshake, ClosingLeavesItToGoOn)
     EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
 }
 
-// Baumer manual, example 2, with a value of today's range: run fails with error 1.
+// Baumer manual, example 2, with a value within the present range: run fails with error 1.
 TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
 {
     begin("9000", "1"); // finer than the disc

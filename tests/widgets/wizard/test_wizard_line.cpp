@@ -7,7 +7,7 @@
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"
 
-// The wizard with a Kübler encoder on the simulated line: requests of its manual, chapter 2.
+// The wizard with a Kübler encoder on the simulated line: requests from chapter 2 of its manual.
 namespace codewheel {
 namespace {
 
@@ -145,7 +145,7 @@ TEST_F(WizardLine, DirectionAndRangeAreThoseOfItsManual)
     EXPECT_TRUE(scale->clockwise);
 }
 
-// Its project may have one from a description that knew it.
+// The project may contain a direction from a description that knew it.
 TEST_F(WizardLine, ADirectionThatItsDescriptionDoesNotKnowTellsNoScale)
 {
     DeviceDescription device = encoder().device();

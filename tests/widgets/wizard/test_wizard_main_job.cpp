@@ -82,7 +82,7 @@ TEST_F(WizardMainJob, UnreadValuesAreReadFirstAndWhatIsThereIsNotWritten)
     EXPECT_EQ(fraba().eepromWrites(), 3); // steps, preset programmed again, preset activated
 }
 
-// A mnemonic presses its button visibly, and the click comes a little later.
+// A mnemonic shows its button pressed first, so the click comes a little later.
 class WizardByKeys : public WizardMainJob
 {
 protected:

@@ -231,7 +231,7 @@ TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
     EXPECT_EQ(out(), 0u);
 }
 
-// The job sends 00000000 first where something else stands in OUT.
+// The job first sends 00000000 if OUT holds another word.
 TEST_F(WizardPages, TheWordThatClearsOutIsReviewedToo)
 {
     bus.channel("2.0"_ring)->stage(0x8000'0000);
@@ -264,7 +264,7 @@ TEST_F(WizardPages, ThePositionIsNotSetWhileTheModeIsUnknown)
 class WizardPagesInMode : public WizardPages, public testing::WithParamInterface<Mode>
 {};
 
-// In cam mode the word that sets the position sets a cam; in velocity mode it is what it is in position mode.
+// In cam mode the word that sets the position sets a cam; in velocity mode it works as in position mode.
 TEST_P(WizardPagesInMode, ThePositionIsSetOutsideCamModeOnly)
 {
     const bool inCamMode = GetParam() == Mode::cam;
@@ -285,7 +285,7 @@ TEST_P(WizardPagesInMode, ThePositionIsSetOutsideCamModeOnly)
 
 INSTANTIATE_TEST_SUITE_P(, WizardPagesInMode, testing::Values(Mode::cam, Mode::velocity));
 
-// A FRABA carries out 40000000 once for each preset that is programmed.
+// A FRABA carries out 40000000 only once per programmed preset.
 TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
 {
     wizard.setEncoder(&fraba());

@@ -6,7 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 
-// The wizard with a TR LA-66: words of its manual, chapter 3 and 4.
+// The wizard with a TR LA-66: words from chapters 3 and 4 of its manual.
 namespace codewheel {
 namespace {
 

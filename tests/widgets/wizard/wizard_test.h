@@ -30,7 +30,7 @@
 
 namespace codewheel::test {
 
-// The wizard over the training bus in virtual time, used with mouse and keys as a person would.
+// The wizard on the training bus in virtual time, used with mouse and keys as by a person.
 class WizardTest : public testing::Test
 {
 protected:
@@ -77,7 +77,7 @@ protected:
     QString text(const char *label) const { return find<QLabel>(label)->text(); }
     bool isEnabled(const char *button) const { return find<QAbstractButton>(button)->isEnabled(); }
 
-    // Presses Next step while the encoder answers, until the job ends or `steps` were pressed.
+    // Presses Next step while the encoder answers, until the job ends or it was pressed `steps` times.
     int stepByHand(int steps = 100)
     {
         int pressed = 0;
@@ -90,7 +90,7 @@ protected:
         bus.advance(60);
         return pressed;
     }
-    // Of the steps on the handshake page.
+    // The states shown on the handshake page.
     QStringList states() const
     {
         const QAbstractItemModel &model = *find<QTableView>("steps")->model();
