@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A disk without room: every saver says so, and the old file is there."""
+"""A full disk: everything that saves reports it, and the old file is still there."""
 
 import json
 import os
@@ -14,7 +14,7 @@ OLD = b"the old file\n"
 
 
 class SmallDisk:
-    """A tmpfs in a mount namespace of its own, where one may be made; else each file has a limit."""
+    """A tmpfs in a mount namespace of its own, if one may be made; otherwise each file has a limit."""
 
     SIZE = 512 * 1024
 
@@ -55,7 +55,7 @@ class SmallDisk:
             one.unlink() if not one.is_dir() else shutil.rmtree(one)
 
     def leave(self, free):
-        """How the next call has to be made so that this many bytes are left."""
+        """How to make the next call so that this many bytes are left."""
         if not self._holder:
             return {"prepare": at_most(max(free, PAGE))}  # what it says goes to a file as well
         used = os.statvfs(self.seen(self.folder))
@@ -80,7 +80,7 @@ def is_json(saved):
 
 
 def savers(bench, disk):
-    """Name, arguments, file, and what tells a file that is complete."""
+    """Name, arguments, file, and how to tell that a file is complete."""
     example = bench.example("training.codewheel")
     cams, page, paper = (disk.folder / name for name in ("cams.json", "report.html", "report.pdf"))
     plant, account, table = (disk.folder / name for name in ("plant.codewheel", "account.html", "messages.csv"))
@@ -146,7 +146,7 @@ def counted(bench, disk, ledger):
 
 
 def full(bench, random, until, findings):
-    """A sentence each time, never a signal; what is told as saved is saved."""
+    """A sentence each time, never a signal; what is reported as saved is saved."""
     bench.path("messages.sqlite").write_bytes(bench.seed_of_fuzzer("journal/messages"))
     with SmallDisk(bench) as disk:
         print(f"  the full disk is {disk.name()}", flush=True)

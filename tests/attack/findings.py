@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an attack has tried, and what was lost by it."""
+"""What an attack has tried, and what was lost."""
 
 import collections
 

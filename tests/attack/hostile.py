@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that somebody has damaged, or made to do damage."""
+"""Files that were damaged, or made to do damage."""
 
 import json
 import re
@@ -9,7 +9,7 @@ import time
 from program import with_memory
 
 MOST_MEMORY = 2 * 1024 ** 3
-# Whatever moves the cursor, or turns the direction of a text.
+# Anything that moves the cursor or reverses the direction of a text.
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]")
 TEXTS = (b"\x1b]0;hello\x07", b"\x1b[2J", "\u202ecod".encode(), b"\x00", b"\xef\xbb\xbf", b"\\u0000", b"\\ud800", b"\\u001b[31m",
          b"\xff\xfe", b"\r", b"A" * 70_000, b"[" * 5_000, b"{\"a\":" * 2_000, b"1e999", b"-1", b"99999999999999999999",
@@ -17,7 +17,7 @@ TEXTS = (b"\x1b]0;hello\x07", b"\x1b[2J", "\u202ecod".encode(), b"\x00", b"\xef\
 
 
 def damaged(random, data):
-    """One to three changes, each of another kind."""
+    """One to three changes, each of a different kind."""
     data = bytearray(data)
     for _ in range(random.randint(1, 3)):
         at = random.randrange(len(data) + 1)
@@ -79,7 +79,7 @@ def kinds(bench):
 
 
 def files(bench, random, until, findings):
-    """Refused in a sentence, or read; never a signal, a hang, much memory, or an escape sequence."""
+    """Refused with a sentence, or read; never a signal, a hang, much memory, or an escape sequence."""
     number = 0
     while time.monotonic() < until:
         for name, begins, file, calls in kinds(bench):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One file of messages: several programs write it, readers look at it, and writers are killed."""
+"""One file of messages: several programs write to it, others read it, and writers are killed."""
 
 import subprocess
 import time
 
 
 class Writer:
-    """tests/journal/journal_writer.cpp: says what it was promised to be on disk."""
+    """tests/journal/journal_writer.cpp: prints what it was promised to be on disk."""
 
     def __init__(self, bench, messages, ledger, number):
         self.number = number
@@ -22,7 +22,7 @@ class Writer:
 
 
 def kept(bench, messages, findings):
-    """The numbers of the messages of each writer."""
+    """The message numbers of each writer."""
     run = bench.run("messages", "--file", messages, "--last", "0", "--json")
     if run.code != 0:
         findings.loses(f"the messages cannot be read: {run}")
@@ -36,7 +36,7 @@ def kept(bench, messages, findings):
 
 
 def killed(bench, random, until, findings):
-    """What was promised is there, without a gap and once, whoever reads meanwhile."""
+    """What was promised is there, without a gap and only once, whoever is reading meanwhile."""
     number = 0
     file = 0
     while time.monotonic() < until:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One account of EEPROM writes: many processes at once, and killed at random instants."""
+"""One account of EEPROM writes: many processes use it at once, and are killed at random moments."""
 
 import time
 
@@ -11,7 +11,7 @@ def write(random, ledger):
 
 
 def counts(bench, ledger, findings):
-    """Writes, and what may have been written beside; nothing where the account cannot be read."""
+    """Writes, and possible writes besides; nothing if the account cannot be read."""
     run = bench.run("ledger", "--ledger", ledger, "--json")
     if run.code != 0:
         findings.loses(f"the account cannot be read: {run}")
@@ -31,7 +31,7 @@ def look_for_damage(bench, findings):
 
 
 def parallel(bench, random, until, findings):
-    """Every write that was told is counted once, however many write."""
+    """Every reported write is counted once, however many processes write."""
     ledger = bench.path("parallel.sqlite")
     written = 0
     while time.monotonic() < until:
@@ -51,7 +51,7 @@ def parallel(bench, random, until, findings):
 
 
 def killed(bench, random, until, findings):
-    """What was told is counted, and what was under way is counted as perhaps written at most."""
+    """What was reported is counted, and what was under way counts at most as possibly written."""
     ledger = bench.path("killed.sqlite")
     usual = bench.run(*write(random, ledger))
     least = most = told(usual)

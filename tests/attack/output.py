@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Output that cannot be written: what was done at the encoder is told all the same."""
+"""Output that cannot be written: what was done to the encoder is still reported."""
 
 import os
 import shutil
@@ -24,14 +24,14 @@ def commands(bench):
 
 
 def to_nobody():
-    """The end of a pipe that nobody reads."""
+    """The write end of a pipe that nobody reads."""
     reading, writing = os.pipe()
     os.close(reading)
     return writing
 
 
 def unwritable(bench, random, until, findings):
-    """Exit code 1 with a sentence; a signal only where a pipe was left; no file gets what was meant for the terminal."""
+    """Exit code 1 with a sentence; a signal only if a pipe lost its reader; no file gets the terminal's output."""
     plant = bench.path("plant.codewheel")
     shutil.copy(bench.example("training.codewheel"), plant)
     refused = [run for run in (bench.run(*command) for command in commands(bench)) if run.code != 0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the real codewheel-cli: at its leisure, many at once, killed, with little room, and without output."""
+"""Runs the real codewheel-cli: undisturbed, many at once, killed, with little room, and without output."""
 
 import json
 import os
@@ -11,15 +11,15 @@ import tempfile
 import threading
 import time
 
-PATIENCE = 60  # s, for any one call: more is a call that hangs
+PATIENCE = 60  # s, for any single call: one that takes longer hangs
 
 
 class Run:
-    """What became of one call."""
+    """The outcome of one call."""
 
     def __init__(self, arguments, code, out, err, seconds, peak_kilobytes):
         self.arguments = arguments
-        self.code = code  # as of a shell; negative: the signal that ended it; None: it hung
+        self.code = code  # as in a shell; negative: the signal that ended it; None: it hung
         self.out = out
         self.err = err
         self.seconds = seconds
@@ -29,7 +29,7 @@ class Run:
         return self.code is not None and self.code >= 0
 
     def answer(self):
-        """What --json has told; {} where it told nothing, or something else."""
+        """The output of --json; {} if there was none, or something else."""
         try:
             told = json.loads(self.out)
         except ValueError:
@@ -45,7 +45,7 @@ class Run:
 
 
 class Call:
-    """A call that is under way. Its output goes to files, so that it never waits for who reads it."""
+    """A running call. Its output goes to files, so that it never waits for a reader."""
 
     def __init__(self, bench, arguments, *, stdout=None, stderr=None, prepare=None, prefix=()):
         self.arguments = [str(argument) for argument in arguments]
@@ -58,7 +58,7 @@ class Call:
             preexec_fn=prepare, env=bench.environment, cwd=bench.folder)
 
     def kill(self):
-        os.kill(self._process.pid, signal.SIGKILL)  # it is not waited for by anybody else
+        os.kill(self._process.pid, signal.SIGKILL)  # nothing else waits for this process
 
     def wait(self):
         hung = threading.Timer(PATIENCE, self.kill)
@@ -67,7 +67,7 @@ class Call:
         seconds = time.monotonic() - self._begin
         hung.cancel()
         code = os.waitstatus_to_exitcode(status)
-        self._process.returncode = code  # subprocess need not wait again
+        self._process.returncode = code  # so that subprocess does not wait again
         if code == -signal.SIGKILL and seconds >= PATIENCE:
             code = None
         return Run(self.arguments, code, self._read(self._out), self._read(self._err), seconds, usage.ru_maxrss)
@@ -80,7 +80,7 @@ class Call:
 
 
 class Bench:
-    """A folder of its own, with a user of its own, for one attack."""
+    """A folder and a user for one attack."""
 
     def __init__(self, cli, writer, root, folder):
         self.cli = pathlib.Path(cli)
@@ -102,7 +102,7 @@ class Bench:
         return self.root / "docs" / "examples" / name
 
     def seed_of_fuzzer(self, name):
-        """A file of a fuzz target; of the journal without the letter that tells the target which it is."""
+        """A file of a fuzz target; one of the journal without the letter that selects the kind."""
         data = (self.root / "tests" / "fuzz" / "corpus" / name).read_bytes()
         return data[1:] if name.startswith("journal/") else data
 
@@ -111,7 +111,7 @@ class Bench:
 
 
 def at_most(file_bytes):
-    """For `prepare`: no file grows beyond this; what goes on writing is told so, as on a full disk."""
+    """For `prepare`: no file grows beyond this; further writes fail, as on a full disk."""
 
     def prepare():
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
@@ -121,7 +121,7 @@ def at_most(file_bytes):
 
 
 def with_memory(most_bytes):
-    """For `prepare`: more memory than this is not given."""
+    """For `prepare`: limits the memory to this."""
 
     def prepare():
         resource.setrlimit(resource.RLIMIT_AS, (most_bytes, most_bytes))
@@ -130,7 +130,7 @@ def with_memory(most_bytes):
 
 
 def closed(*descriptors):
-    """For `prepare`: begins without these."""
+    """For `prepare`: starts without these."""
 
     def prepare():
         for descriptor in descriptors:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One project: several processes replace encoders in it at once, and are killed at random instants."""
+"""One project: several processes replace encoders in it at once, and are killed at random moments."""
 
 import json
 import re
@@ -11,7 +11,7 @@ PLACES = ("1.0", "2.0")
 
 
 def serial_numbers(project):
-    """By place; nothing where the file is no project."""
+    """By place; nothing if the file is no project."""
     try:
         devices = [device for bus in json.loads(project.read_bytes())["buses"] for device in bus["devices"]]
         return {one["place"]: one.get("label", {}).get("serialNumber") for one in devices}
@@ -32,12 +32,12 @@ def copy_of_example(bench, folder):
 
 
 def is_new_file_of_killed(one, project):
-    """What a program leaves that is killed as it puts the new file in place (docs/project-files.md, Saving)."""
+    """What a program leaves if it is killed while replacing the file (docs/project-files.md, Saving)."""
     return re.fullmatch(re.escape(project.name) + r"\.[A-Za-z]{6}", one.name) is not None
 
 
 def look_for_leftovers(project, findings, was_killed=False):
-    """Nothing stays beside the project but the file before, and a lock that holds nothing."""
+    """Nothing stays beside the project but the previous file, and a lock that is not held."""
     for one in project.parent.iterdir():
         isOurs = one.name in (project.name, project.name + "~")
         if was_killed and is_new_file_of_killed(one, project):
@@ -49,7 +49,7 @@ def look_for_leftovers(project, findings, was_killed=False):
 
 
 def parallel(bench, random, until, findings):
-    """What a call has put into the project is in it, whoever else replaces what."""
+    """What a call has put into the project stays there, whatever others replace."""
     project = copy_of_example(bench, "parallel")
     guard = threading.Lock()
 
@@ -87,7 +87,7 @@ def parallel(bench, random, until, findings):
 
 
 def killed(bench, random, until, findings):
-    """The old file or the new one is there as a whole."""
+    """The old file or the new one is there, complete."""
     project = copy_of_example(bench, "killed")
     place = PLACES[0]
     usual = bench.run(*replace(bench, project, place, 1))

@@ -38,9 +38,9 @@ OPERATING_BITS = {"GD": 0x0001, "GS": 0x0004}
 class Encoder:
     def __init__(self, address, position, speed, ignores):
         self.address = address
-        self.ignores = ignores  # commands that are accepted and do nothing
+        self.ignores = ignores  # commands that are accepted but do nothing
         self.start = position
-        self.speed = speed  # steps a second
+        self.speed = speed  # steps per second
         self.values = {command: value for command, (_, value) in READS.items()}
         self.values["N"] = 0x12D500 + address
 
@@ -92,7 +92,7 @@ class Line:
                          for address in options.addresses.split(",")]
         for encoder in self.encoders:
             encoder.values["E"] = options.warnings
-        self.master, self.slave = os.openpty()  # the slave is kept, so that clients may come and go
+        self.master, self.slave = os.openpty()  # the slave is kept open, so that clients may come and go
         tty.setraw(self.slave)
         self.request = None
 
@@ -100,7 +100,7 @@ class Line:
         return bytes(self.random.randrange(0x80, 0x100) for _ in range(self.options.garbage))
 
     def answer_to(self, request):
-        """What the line carries in answer to the text between ESC and CR LF."""
+        """The bytes on the line in answer to the text between ESC and CR LF."""
         try:
             address = int(request[:2], 16)
         except ValueError:
@@ -126,7 +126,7 @@ class Line:
         return None
 
     def send(self, data, at):
-        """Byte by byte where the line keeps its time; returns when the last one is out."""
+        """Byte by byte if the line keeps its timing; returns when the last one is out."""
         if self.options.byte_time == 0:
             os.write(self.master, data)
             return
