@@ -8,6 +8,7 @@
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/label_text.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
@@ -36,7 +37,7 @@ void readAllOf(TrainingWindow &shown, LineAddress address)
 void press(QWidget &view, const QString &text)
 {
     for (auto *button : view.findChildren<QPushButton *>())
-        if (button->text().remove(u'&') == text && button->isEnabled())
+        if (plainLabel(button->text()) == text && button->isEnabled())
             button->click();
 }
 
@@ -89,7 +90,7 @@ QWidget *searchAtWork(TrainingWindow &shown)
 {
     shown.window().findChild<QAction *>(QStringLiteral("lineSearch"))->trigger();
     auto *search = shown.window().findChild<LineSearch *>();
-    press(*search, LineSearch::tr("&Search").remove(u'&'));
+    press(*search, plainLabel(LineSearch::tr("&Search")));
     shown.advance(untilFound);
     return search;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/alarm_stop.h"
 
+#include "widgets/look/label_text.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
@@ -29,7 +31,7 @@ public:
         setDefaultAction(action);
         setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         setFocusPolicy(Qt::TabFocus);
-        const auto showName = [this, action] { setAccessibleName(action->text().remove(u'&')); };
+        const auto showName = [this, action] { setAccessibleName(plainLabel(action->text())); };
         QObject::connect(action, &QAction::changed, this, showName);
         showName();
         setStyleSheet(m_isFilled ? filledSheet() : rimSheet());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/label_text.h"
+
 #include <QAction>
 
 namespace codewheel {
@@ -26,9 +28,7 @@ inline void tellBus(QAction *action, const QString &bus)
     }
     const QString text = action->property(plain).toString();
     const QString tip = action->property(plainTip).toString();
-    action->setText(bus.isEmpty() ? text
-                                  : QStringLiteral("%1 (%2)").arg(
-                                        text, QString(bus).replace(u'&', QStringLiteral("&&"))));
+    action->setText(bus.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, asLabel(bus)));
     described(action, action->shortcut(), bus.isEmpty() ? tip : QStringLiteral("%1: %2").arg(bus, tip));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/key_list.h"
-
 #include "app/window/main_window.h"
 #include "widgets/cams/cam_ruler.h"
 #include "widgets/cams/cam_table.h"
+#include "widgets/look/label_text.h"
 #include "widgets/monitor/word_view.h"
 #include "widgets/parameters/parameter_table.h"
 
@@ -19,11 +19,6 @@
 namespace codewheel {
 namespace {
 
-QString plainText(const QAction &action)
-{
-    return action.text().remove(u'&');
-}
-
 void addRow(KeyGroup &group, const QAction &action)
 {
     QStringList keys;
@@ -31,7 +26,7 @@ void addRow(KeyGroup &group, const QAction &action)
         keys << key.toString(QKeySequence::NativeText);
     if (keys.isEmpty() || action.text().isEmpty())
         return;
-    const KeyHelp row{keys.join(QStringLiteral(", ")), plainText(action)};
+    const KeyHelp row{keys.join(QStringLiteral(", ")), plainLabel(action.text())};
     const auto isSame = [&](const KeyHelp &other) {
         return other.keys == row.keys && other.what == row.what;
     };
@@ -47,7 +42,8 @@ void addMenu(std::vector<KeyGroup> &groups, std::set<const QAction *> &seen, con
     for (const QAction *action : menu.actions()) {
         seen.insert(action);
         if (action->menu() != nullptr)
-            addMenu(groups, seen, *action->menu(), QStringLiteral("%1 > %2").arg(title, plainText(*action)));
+            addMenu(groups, seen, *action->menu(),
+                    QStringLiteral("%1 > %2").arg(title, plainLabel(action->text())));
         else
             addRow(groups[own], *action);
     }
@@ -85,7 +81,7 @@ std::vector<KeyGroup> keysOf(const QMainWindow &window)
     std::vector<KeyGroup> groups;
     std::set<const QAction *> seen;
     for (const QAction *menu : window.menuBar()->actions())
-        addMenu(groups, seen, *menu->menu(), plainText(*menu));
+        addMenu(groups, seen, *menu->menu(), plainLabel(menu->text()));
     addViews(groups, seen, window);
     const std::pair<QString, QList<KeyHelp>> answered[] = {
         {MainWindow::tr("Monitor"),

@@ -2,6 +2,7 @@
 #include "app/window/mode_switch.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
 
 #include <QAction>
@@ -22,7 +23,7 @@ class ModePart : public QRadioButton
 {
 public:
     ModePart(QAction &action, QWidget *parent)
-        : QRadioButton(action.text().remove(u'&'), parent)
+        : QRadioButton(plainLabel(action.text()), parent)
         , m_action(action)
     {
         setFocusPolicy(Qt::TabFocus);

@@ -9,6 +9,7 @@
 #include "widgets/help/help_topic.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/save_file.h"
 #include "widgets/project/project_document.h"
 
@@ -240,7 +241,7 @@ void ProjectFiles::fillRecent()
     m_recent.clear();
     int number = 0;
     for (const QString &path : m_settings.recentFiles()) {
-        const QString name = QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&"));
+        const QString name = asLabel(QFileInfo(path).fileName());
         QAction *action = m_recent.addAction(QStringLiteral("&%1  %2").arg(++number % 10).arg(name));
         action->setToolTip(path);
         action->setStatusTip(path);

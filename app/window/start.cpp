@@ -10,6 +10,7 @@
 #include "project/bus_plans.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/project/project_document.h"
 #include "widgets/start/start_page.h"
 
@@ -154,7 +155,7 @@ void Start::chooseBus()
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (const BusAtWork *bus : buses) {
         const BusId id = bus->id();
-        const QString title = m_parts.plant.nameOf(id).replace(u'&', QStringLiteral("&&"));
+        const QString title = asLabel(m_parts.plant.nameOf(id));
         connect(menu->addAction(QStringLiteral("%1 (%2)").arg(title, busKind(bus->kind())->title())),
                 &QAction::triggered, this, [this, id] { Q_EMIT connectRequested(id); });
     }

@@ -9,6 +9,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/label_text.h"
 #include "widgets/models/shown_encoder.h"
 
 #include <QAction>
@@ -340,7 +341,7 @@ void WindowActions::makeToolBar()
     for (QAction *page : pages())
         if (page != projectPage) { // which is in the File menu
             bar->addAction(page);
-            bar->widgetForAction(page)->setAccessibleName(page->text().remove(u'&'));
+            bar->widgetForAction(page)->setAccessibleName(plainLabel(page->text()));
         }
     bar->addSeparator();
     bar->addActions({start, stop});

@@ -7,6 +7,7 @@
 #include "tests/support/plans.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -73,7 +74,7 @@ protected:
     void click(const QWidget &in, const QString &text)
     {
         for (auto *found : in.findChildren<QPushButton *>())
-            if (found->text().remove(u'&') == text && found->isVisibleTo(&in)) {
+            if (plainLabel(found->text()) == text && found->isVisibleTo(&in)) {
                 EXPECT_TRUE(found->isEnabled()) << text.toStdString();
                 QTest::mouseClick(found, Qt::LeftButton);
                 advance(50);

@@ -2,6 +2,7 @@
 #include "tests/app/question.h"
 
 #include "widgets/help/help_topic.h"
+#include "widgets/look/label_text.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -20,7 +21,7 @@ namespace {
 void clickButton(QWidget &dialog, const QString &beginning)
 {
     for (QAbstractButton *button : dialog.findChildren<QAbstractButton *>()) {
-        if (button->isVisible() && button->isEnabled() && button->text().remove(u'&').startsWith(beginning)) {
+        if (button->isVisible() && button->isEnabled() && plainLabel(button->text()).startsWith(beginning)) {
             QTest::mouseClick(button, Qt::LeftButton);
             return;
         }

@@ -3,6 +3,7 @@
 #include "tests/app/window_test.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/help/help_window.h"
+#include "widgets/look/label_text.h"
 
 #include <QAction>
 #include <QApplication>
@@ -161,7 +162,7 @@ TEST_F(HelpTest, TheListOfKeysHasEachKeyOfEachAction)
         if (action->shortcut().isEmpty() || action->text().isEmpty())
             continue;
         EXPECT_TRUE(std::ranges::any_of(rows, [&](const QString &row) {
-            return row.startsWith(action->text().remove(u'&')) && row.contains(action->shortcut().toString());
+            return row.startsWith(plainLabel(action->text())) && row.contains(action->shortcut().toString());
         })) << action->text().toStdString();
     }
     for (const auto *shortcut : window().findChildren<QShortcut *>())

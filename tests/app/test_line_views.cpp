@@ -8,6 +8,7 @@
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/training/line_training_panel.h"
@@ -43,7 +44,7 @@ protected:
     QPushButton *button(const QWidget &in, const QString &text)
     {
         for (auto *found : in.findChildren<QPushButton *>())
-            if (found->text().remove(u'&') == text && found->isVisibleTo(&in))
+            if (plainLabel(found->text()) == text && found->isVisibleTo(&in))
                 return found;
         ADD_FAILURE() << text.toStdString();
         return nullptr;

@@ -13,6 +13,7 @@
 #include "tests/support/pty_pair.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/structure/structure_model.h"
@@ -102,7 +103,7 @@ protected:
             if (form->isVisible()) {
                 form->setSettings(settings);
                 for (auto *button : form->findChildren<QPushButton *>())
-                    if (button->text().remove(u'&') == QStringLiteral("Connect"))
+                    if (plainLabel(button->text()) == QStringLiteral("Connect"))
                         button->click();
             }
         const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
@@ -197,7 +198,7 @@ TEST_F(SeveralBuses, StopInTheMasterPanelStopsItsRingWhateverIsChosen)
     auto *panel = window().findChild<MasterPanel *>();
     const auto click = [&](const QString &text) {
         for (QPushButton *button : panel->findChildren<QPushButton *>())
-            if (button->text().remove(u'&') == text)
+            if (plainLabel(button->text()) == text)
                 button->click();
         advance(50);
     };
@@ -445,7 +446,7 @@ TEST_F(SeveralBuses, TheRowOfABusThatIsRemovedGivesWayToAnotherThatIsMeant)
 TEST_F(SeveralBuses, ActionsOfAKindSayWhichBusTheyMean)
 {
     const QAction &disconnect = *ringActions().disconnectBus;
-    const auto text = [](const QAction &action) { return action.text().remove(u'&').toStdString(); };
+    const auto text = [](const QAction &action) { return plainLabel(action.text()).toStdString(); };
     EXPECT_EQ(text(disconnect), "Disconnect") << "the ring is chosen";
     choose(firstLine);
     EXPECT_EQ(text(disconnect), "Disconnect (Ring)");

@@ -8,6 +8,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
 
 #include <QCheckBox>
@@ -116,7 +117,7 @@ void LineSettingsForm::setCanKeep(bool can)
 
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
 {
-    auto *box = describe(new QComboBox(m_content), QString(label).remove(u'&'), toolTip);
+    auto *box = describe(new QComboBox(m_content), plainLabel(label), toolTip);
     form.addRow(label, box);
     return box;
 }
@@ -124,7 +125,7 @@ QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, 
 QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                                       line_limits::Limits limits)
 {
-    auto *field = describe(new IntegerField(m_content), QString(label).remove(u'&'), toolTip);
+    auto *field = describe(new IntegerField(m_content), plainLabel(label), toolTip);
     field->setRange(limits.least, limits.most);
     form.addRow(label, field);
     return field;

@@ -8,6 +8,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/tool.h"
@@ -26,12 +27,6 @@ namespace codewheel {
 namespace {
 
 constexpr int leastRows = 2; // always in sight
-
-// For texts in which "&" marks a key.
-QString withoutKey(QString text)
-{
-    return text.replace(u'&', QLatin1String("&&"));
-}
 
 // What is being typed stays when its row changes.
 class NameCells final : public CheckedDelegate
@@ -128,7 +123,7 @@ void BusList::fillKinds()
     m_kinds->clear();
     for (const QString &key : busKindKeys()) {
         const BusKind *kind = busKind(key);
-        m_kinds->addAction(withoutKey(kind->title()), this, [this, kind] { add(*kind); });
+        m_kinds->addAction(asLabel(kind->title()), this, [this, kind] { add(*kind); });
     }
 }
 
@@ -171,7 +166,7 @@ void BusList::askRemove()
            "connected is not touched.",
            nullptr, row.devices)
             .arg(row.name),
-        tr("&Remove \"%1\" and its %n devices", nullptr, row.devices).arg(withoutKey(row.name)));
+        tr("&Remove \"%1\" and its %n devices", nullptr, row.devices).arg(asLabel(row.name)));
 }
 
 void BusList::remove(BusId bus)

@@ -6,6 +6,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
 
@@ -25,11 +26,6 @@ namespace {
 
 constexpr int charactersInLine = 60;
 constexpr int linesHigh = 34; // the height of a page at most; it scrolls in a smaller window
-
-QString nameOfLabel(const QString &label)
-{
-    return QString(label).remove(u'&');
-}
 
 // A sentence below its field.
 QLabel *sentence(const QString &text, QWidget *parent)
@@ -81,7 +77,7 @@ QFormLayout *SettingsDialog::addPage(const QString &title)
 
 QComboBox *SettingsDialog::addChoice(QFormLayout &form, const QString &label, const QString &what)
 {
-    auto *box = describe(new QComboBox(form.parentWidget()), nameOfLabel(label), what);
+    auto *box = describe(new QComboBox(form.parentWidget()), plainLabel(label), what);
     form.addRow(label, box);
     form.addRow(QString(), sentence(what, form.parentWidget()));
     connect(box, &QComboBox::currentIndexChanged, this, &SettingsDialog::take);
@@ -101,7 +97,7 @@ QCheckBox *SettingsDialog::addSwitch(QFormLayout &form, const char *id, const QS
 QSpinBox *SettingsDialog::addNumber(QFormLayout &form, const QString &label, const QString &unit,
                                     const QString &what, SettingRange range)
 {
-    auto *field = describe(new IntegerField(form.parentWidget()), nameOfLabel(label), what);
+    auto *field = describe(new IntegerField(form.parentWidget()), plainLabel(label), what);
     field->setRange(range.least, range.most);
     field->setSuffix(unit);
     form.addRow(label, field);

@@ -2,6 +2,7 @@
 #include "widgets/structure/fault_banner.h"
 
 #include "widgets/look/describe.h"
+#include "widgets/look/label_text.h"
 
 #include <QMenu>
 #include <QToolButton>
@@ -125,7 +126,7 @@ void FaultBanner::listOthers()
     for (std::size_t i = 1; i < m_faults.size(); ++i) {
         const OnBus other = m_faults[i];
         QAction *action = menu.addAction(lineIcon(roleIcon(other.fault.shown.role), other.fault.shown.role),
-                                         textOf(other).replace(u'&', QStringLiteral("&&")));
+                                         asLabel(textOf(other)));
         connect(action, &QAction::triggered, this,
                 [this, other] { Q_EMIT showRequested(other.bus, other.fault); });
     }

@@ -7,6 +7,7 @@
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_shift_spin.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -66,7 +67,7 @@ protected:
     QAction &action(const char *text)
     {
         for (QAction *each : editor.findChildren<QAction *>())
-            if (each->text().remove(QLatin1Char('&')) == QLatin1String(text))
+            if (plainLabel(each->text()) == QLatin1String(text))
                 return *each;
         ADD_FAILURE() << "no " << text;
         std::abort();

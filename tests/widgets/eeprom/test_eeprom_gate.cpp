@@ -6,6 +6,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/cancel_question.h"
 #include "widgets/job/job_strip.h"
+#include "widgets/look/label_text.h"
 #include "widgets/monitor/word_card.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/parameters/write_review.h"
@@ -225,7 +226,7 @@ TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
                 auto &second = *QApplication::activeModalWidget();
                 find<QLineEdit>(second, "typedPlace").setText(QStringLiteral("1.0"));
                 for (auto *each : second.findChildren<QPushButton *>())
-                    if (each->text().remove(u'&') == QLatin1String(button))
+                    if (plainLabel(each->text()) == QLatin1String(button))
                         each->click();
             });
             for (auto *each : first->findChildren<QPushButton *>())

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "esc_line/line_session.h"
 #include "tests/line/scripted_line.h"
+#include "widgets/look/label_text.h"
 
 #include <QAction>
 #include <QPushButton>
@@ -58,7 +59,7 @@ struct LineBench
 inline QPushButton *button(const QWidget &in, const QString &text)
 {
     for (auto *found : in.findChildren<QPushButton *>())
-        if (found->text().remove(u'&') == text && found->isVisibleTo(&in))
+        if (plainLabel(found->text()) == text && found->isVisibleTo(&in))
             return found;
     return nullptr;
 }

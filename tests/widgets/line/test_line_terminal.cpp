@@ -7,6 +7,7 @@
 #include "widgets/line/line_terminal.h"
 #include "widgets/line/request_field.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/monitor/meaning_line.h"
 
 #include <QApplication>
@@ -263,7 +264,7 @@ TEST_F(LineTerminalTest, CopiesAndExportsWhatIsShown)
 TEST_F(LineTerminalTest, ColumnsAreChosen)
 {
     for (auto *box : terminal.findChildren<QCheckBox *>())
-        if (box->text().remove(u'&') == QLatin1String("Hex") && box->isVisible())
+        if (plainLabel(box->text()) == QLatin1String("Hex") && box->isVisible())
             box->click();
     EXPECT_TRUE(table.isColumnHidden(columnOf(TrafficColumn::bytes)));
     EXPECT_FALSE(table.isColumnHidden(columnOf(TrafficColumn::text)));

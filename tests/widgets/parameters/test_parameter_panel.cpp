@@ -9,6 +9,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -97,7 +98,7 @@ protected:
     QAbstractButton *button(const QString &text)
     {
         for (auto *found : panel.findChildren<QAbstractButton *>())
-            if (found->isVisible() && found->text().remove(QLatin1Char('&')) == text)
+            if (found->isVisible() && plainLabel(found->text()) == text)
                 return found;
         return nullptr;
     }

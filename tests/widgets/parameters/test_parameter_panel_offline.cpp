@@ -5,6 +5,7 @@
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/look/label_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
@@ -101,7 +102,7 @@ TEST_F(OfflineParameters, WhatSendsIsGreyedAndSaysWhy)
 {
     int buttons = 0;
     for (const auto *button : panel.findChildren<QAbstractButton *>()) {
-        const QString text = button->text().remove(u'&');
+        const QString text = plainLabel(button->text());
         if (text != QStringLiteral("Read from encoder") && text != QStringLiteral("Write...") &&
             text != QStringLiteral("Wizard..."))
             continue;

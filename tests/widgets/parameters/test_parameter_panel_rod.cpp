@@ -3,6 +3,7 @@
 #include "tests/support/model_tester.h"
 #include "tests/widgets/rod_bus.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
@@ -71,7 +72,7 @@ protected:
     void click(const QString &text)
     {
         for (auto *found : panel.findChildren<QAbstractButton *>())
-            if (found->isVisible() && found->text().remove(QLatin1Char('&')) == text) {
+            if (found->isVisible() && plainLabel(found->text()) == text) {
                 ASSERT_TRUE(found->isEnabled()) << text.toStdString();
                 QTest::mouseClick(found, Qt::LeftButton);
                 return;
