@@ -6728,6 +6728,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>&amp;Binary: 2#0000_0010_...</source>
         <translation>&amp;Binär: 2#0000_0010_...</translation>
     </message>
+    <message>
+        <source>Copy as &amp;two words of a PLC</source>
+        <translation>Als &amp;zwei SPS-Worte kopieren</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DecimalText</name>
@@ -11259,6 +11263,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Known values wanted for %1</source>
         <translation>Bekannte Werte für %1 gewünscht</translation>
     </message>
+    <message>
+        <source>There are no words to copy. Select parameters that can be written, and of which a value is wanted or known.</source>
+        <translation>Hier gibt es keine Worte zu kopieren. Parameter wählen, die sich schreiben lassen und von denen ein Wert gewünscht oder bekannt ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterTable</name>
@@ -11271,12 +11279,16 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Bearbeitet den gewünschten Wert; Tippen ebenso</translation>
     </message>
     <message>
-        <source>Leaves the parameter alone</source>
-        <translation>Lässt den Parameter, wie er ist</translation>
-    </message>
-    <message>
         <source>Opens or closes a heading</source>
         <translation>Klappt eine Überschrift auf oder zu</translation>
+    </message>
+    <message>
+        <source>While editing: the next wanted value, or the one before</source>
+        <translation>Beim Eingeben: zum nächsten gewünschten Wert oder zum vorigen</translation>
+    </message>
+    <message>
+        <source>Leaves the selected parameters alone</source>
+        <translation>Lässt die gewählten Parameter, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -16168,10 +16180,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Copy as hexadecimal</source>
         <translation>Hexadezimal kopieren</translation>
-    </message>
-    <message>
-        <source>Copy as two words of a PLC</source>
-        <translation>Als zwei SPS-Worte kopieren</translation>
     </message>
     <message>
         <source>%1 has a command bit or a parameter number, so it is not sent at once. Send it?</source>

@@ -19,6 +19,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QModelIndex>
 #include <QPushButton>
 #include <QStatusBar>
@@ -27,6 +28,7 @@
 #include <QTextBrowser>
 #include <QTreeView>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -65,6 +67,21 @@ protected:
         return false;
     }
 };
+
+// It takes requests.
+TEST_F(LineInWindow, ItsParametersAreNotOfferedAsWordsOfAPlc)
+{
+    const auto offersWords = [this] {
+        const auto *menu = window().findChild<QMenu *>(QStringLiteral("moreMenu"));
+        return std::ranges::any_of(menu->actions(), [](const QAction *action) {
+            return action->isVisible() && action->text() == QStringLiteral("Copy as &two words of a PLC");
+        });
+    };
+    choose(test::fraba);
+    EXPECT_TRUE(offersWords());
+    choose(standing);
+    EXPECT_FALSE(offersWords());
+}
 
 TEST_F(LineInWindow, StandsBesideTheRingInTheTree)
 {

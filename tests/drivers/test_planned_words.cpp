@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "drivers/plc_words.h"
 #include "drivers/protocol.h"
 #include "drivers/values_to_write.h"
 
@@ -91,6 +92,23 @@ TEST_F(PlannedWords, OfARodAreThreeForEachService)
     ASSERT_NE(writing, steps->end());
     EXPECT_EQ(writing->out, 0xC200'C350u);
     EXPECT_EQ(std::ranges::count_if(*steps, writesValue), 1);
+}
+
+// A PLC has no use for the read-out behind it.
+TEST_F(PlannedWords, ForAPlcAreTheHandshakeAlone)
+{
+    const auto words = [this](QStringView device, const ParameterValues &values,
+                              const std::vector<Known> &known = {}) {
+        return plcWords(*catalog.find(device), values, known).value_or(std::vector<Word>{});
+    };
+    EXPECT_THAT(words(u"fraba-ocd-ib", {{Parameter::revolutions, 1}, {Parameter::steps, 255}}),
+                ElementsAre(0x0200'00FF, 0x0400'0001, 0x8000'0000, 0x0000'0000));
+    EXPECT_THAT(words(u"fraba-ocd-ib", {{Parameter::steps, 255}}, {readFlag(3)}),
+                ElementsAre(0x0200'00FE, 0x8000'0000, 0x0000'0000));
+    EXPECT_THAT(words(u"tr-la66", {{Parameter::measuringLength, 50'000}}),
+                ElementsAre(0x4200'C350, 0xC200'C350, 0x4200'C350, 0x0000'0000));
+    EXPECT_TRUE(words(u"kuebler-esc-rs422", {{Parameter::preset, 5}}).empty());
+    EXPECT_FALSE(plcWords(*catalog.find(u"baumer-gxp6w"), {{Parameter::revolutions, 20'000}}));
 }
 
 TEST_F(PlannedWords, AreRefusedWhereTheInputIsBad)

@@ -273,12 +273,15 @@ void WordCard::makeKeys()
             onKey(QKeySequence(Qt::CTRL | key), [sender] { sender->write(); });
         onKey(QKeySequence(Qt::Key_Escape), [sender] { sender->discard(); });
     }
-    addCopyAction(tr("Copy as hexadecimal"), QKeySequence::Copy, WordNotation::hexadecimal);
-    if (m_bits->bits() == 32)
-        addCopyAction(tr("Copy as two words of a PLC"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                      WordNotation::plcWords);
+    auto *hexadecimal = new QAction(lineIcon(Icon::copy), tr("Copy as hexadecimal"), this);
+    hexadecimal->setShortcut(QKeySequence::Copy);
+    hexadecimal->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(hexadecimal, &QAction::triggered, this, [this] { copy(WordNotation::hexadecimal); });
     auto *menu = new CopyMenu(this);
     connect(menu, &CopyMenu::chosen, this, &WordCard::copy);
+    addAction(hexadecimal);
+    if (m_bits->bits() == 32)
+        addAction(menu->plcWords());
     addAction(menu->menuAction());
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
@@ -286,15 +289,6 @@ void WordCard::makeKeys()
 void WordCard::copy(WordNotation notation)
 {
     QApplication::clipboard()->setText(chosenLine().copiedText(notation));
-}
-
-void WordCard::addCopyAction(const QString &text, const QKeySequence &key, WordNotation notation)
-{
-    QAction *action = new QAction(lineIcon(Icon::copy), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    connect(action, &QAction::triggered, this, [this, notation] { copy(notation); });
-    addAction(action);
 }
 
 void WordCard::setDisplay(const MonitorDisplay &display)

@@ -71,7 +71,6 @@ private:
     void makeSender(WordSender &sender, NumberFields &numbers);
     void makeKeys();
     void copy(WordNotation notation); // the word that was chosen last
-    void addCopyAction(const QString &text, const QKeySequence &key, WordNotation notation);
     WordLine *outLine() const;
     const WordLine &chosenLine() const;
 

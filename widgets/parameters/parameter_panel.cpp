@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
+#include "drivers/plc_words.h"
 #include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
@@ -14,6 +15,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
+#include "widgets/monitor/copy_menu.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/position_to_set.h"
@@ -22,6 +24,8 @@
 #include "widgets/parameters/write_review.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -104,7 +108,7 @@ QWidget *ParameterPanel::makeButtons()
 
 void ParameterPanel::makeMenu()
 {
-    auto *menu = new QMenu(m_more);
+    auto *menu = named(new QMenu(m_more), "moreMenu");
     m_tellValue = menu->addAction(tr("Set &manually what the encoder has..."));
     menu->addSeparator();
     m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
@@ -112,6 +116,10 @@ void ParameterPanel::makeMenu()
     menu->addSeparator();
     m_setPosition = menu->addAction(tr("&Set the position..."));
     menu->addActions(m_functions->actions());
+    menu->addSeparator();
+    m_copyAs = new CopyMenu(m_table);
+    m_table->addAction(m_copyAs->plcWords()); // for its key
+    menu->addActions({m_copyAs->plcWords(), m_copyAs->menuAction()});
     menu->setToolTipsVisible(true);
     m_more->setMenu(menu);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -126,6 +134,7 @@ void ParameterPanel::connectParts()
     connect(m_leaveAll, &QAction::triggered, this, [this] { m_wanted.clear(m_encoder.place()); });
     connect(m_tellValue, &QAction::triggered, this, &ParameterPanel::askWhatItHas);
     connect(m_table, &QWidget::customContextMenuRequested, this, &ParameterPanel::showMenu);
+    connect(m_copyAs, &CopyMenu::chosen, this, &ParameterPanel::copyWords);
     connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, [this] { start(EndParameterization{}); });
@@ -233,6 +242,7 @@ void ParameterPanel::showWhatIsPossible()
     m_read->setAccessibleDescription(note);
     m_write->setVisible(can.writes);
     m_setPosition->setVisible(can.presetNeedsValue);
+    m_copyAs->setOffered(m_encoder.device().hasWords()); // a serial line takes requests
     m_read->setEnabled(isConnected && can.reads);
     m_read->setToolTip(note);
     const auto allow = [&](auto *control, const QString &what) {
@@ -375,9 +385,49 @@ void ParameterPanel::askWherePositionIs()
 
 void ParameterPanel::showMenu(const QPoint &position)
 {
-    if (const QModelIndex at = m_table->indexAt(position); at.isValid())
+    const QModelIndex at = m_table->indexAt(position);
+    if (at.isValid() && !m_table->selectionModel()->isRowSelected(at.row()))
         m_table->setCurrentIndex(at);
     m_more->menu()->popup(m_table->viewport()->mapToGlobal(position));
+}
+
+// What a PLC sends so that the encoder takes the values of the selected rows: what is wanted, else what it
+// has.
+Result<std::vector<Word>> ParameterPanel::chosenWords() const
+{
+    ParameterValues values;
+    std::vector<Known> known;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const ParameterRow &of = m_model->rowAt(row);
+        if (of.isHead())
+            continue;
+        if (of.known)
+            known.push_back(*of.known);
+        const auto value = of.wanted ? of.wanted : of.known ? std::optional(of.known->value) : std::nullopt;
+        if (value && !of.isReadOnly() && m_table->selectionModel()->isRowSelected(row))
+            values.push_back({of.parameter.parameter, *value});
+    }
+    return plcWords(m_encoder.device(), values, known);
+}
+
+void ParameterPanel::copyWords(WordNotation notation)
+{
+    const auto words = chosenWords();
+    if (!words) {
+        showMessage(Cause::refusal, Role::attention, refusalText(words.error()));
+        return;
+    }
+    if (words->empty()) {
+        showMessage(Cause::refusal, Role::attention,
+                    tr("There are no words to copy. Select parameters that can be written, and of which a "
+                       "value is wanted or known."));
+        return;
+    }
+    withdraw(Cause::refusal);
+    QString lines;
+    for (const Word word : *words)
+        lines += copiedText(word, 32, notation) + u'\n';
+    QApplication::clipboard()->setText(lines);
 }
 
 void ParameterPanel::showRunningJob()

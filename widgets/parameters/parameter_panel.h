@@ -3,6 +3,7 @@
 
 #include "widgets/look/roles.h"
 #include "widgets/models/shown_encoder.h"
+#include "widgets/monitor/word_format.h"
 
 #include <QWidget>
 
@@ -14,6 +15,7 @@ class QToolButton;
 
 namespace codewheel {
 
+class CopyMenu;
 class EmptyState;
 class EncoderFunctions;
 class InlineMessage;
@@ -63,6 +65,8 @@ private:
     void askWhatItHas();
     void askWherePositionIs();
     void showMenu(const QPoint &position);
+    Result<std::vector<Word>> chosenWords() const;
+    void copyWords(WordNotation notation);
 
     void finished(const Outcome &outcome);
     void showRefusal(const Refusal &why);
@@ -98,6 +102,7 @@ private:
     QPushButton *m_write = nullptr;
     QPushButton *m_wizard = nullptr;
     QToolButton *m_more = nullptr;
+    CopyMenu *m_copyAs = nullptr;
     QAction *m_takeKnown = nullptr;
     QAction *m_leaveAll = nullptr;
     QAction *m_tellValue = nullptr;

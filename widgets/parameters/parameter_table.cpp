@@ -8,6 +8,7 @@
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/value_input.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QKeyEvent>
 
@@ -30,6 +31,7 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     auto *delegate = new ParameterDelegate(this);
     setUpQuietTable(*this, model, tr("Parameters of the encoder"));
     setItemDelegate(delegate);
+    setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     horizontalHeader()->setMinimumSectionSize(smallestColumn);
@@ -66,6 +68,8 @@ void ParameterTable::spanColumns()
 
 void ParameterTable::activateCell(const QModelIndex &index)
 {
+    if (QApplication::keyboardModifiers() & (Qt::ControlModifier | Qt::ShiftModifier))
+        return; // selects several
     if (m_model.isFoldable(index)) {
         m_model.toggleRegisters();
         if (m_model.showsRegisters())
@@ -92,7 +96,9 @@ QModelIndex ParameterTable::moveCursor(CursorAction action, Qt::KeyboardModifier
 QList<KeyHelp> ParameterTable::keys()
 {
     return {{keyNames({Qt::Key_Return, Qt::Key_F2}), tr("Edits the wanted value; so does typing")},
-            {keyNames({Qt::Key_Delete}), tr("Leaves the parameter alone")},
+            {keyNames({Qt::Key_Tab, Qt::SHIFT | Qt::Key_Tab}),
+             tr("While editing: the next wanted value, or the one before")},
+            {keyNames({Qt::Key_Delete}), tr("Leaves the selected parameters alone")},
             {keyNames({Qt::Key_Return, Qt::Key_Space}), tr("Opens or closes a heading")}};
 }
 
@@ -110,7 +116,7 @@ void ParameterTable::keyPressEvent(QKeyEvent *event)
             return;
         }
         if (event->key() == Qt::Key_Delete) {
-            model()->setData(wanted, {}, Qt::EditRole);
+            leaveSelectedAlone();
             return;
         }
         if (!event->text().isEmpty() && event->text().front().isPrint())
@@ -123,6 +129,13 @@ void ParameterTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
     fitNames();
+}
+
+void ParameterTable::leaveSelectedAlone()
+{
+    for (const QModelIndex &row : selectionModel()->selectedRows(ParameterModel::wantedColumn))
+        if (row.flags().testFlag(Qt::ItemIsEditable))
+            model()->setData(row, {}, Qt::EditRole);
 }
 
 // So wide that the longest word of a name fits on one line, if there is room.

@@ -34,6 +34,7 @@ protected:
 
 private:
     void activateCell(const QModelIndex &index);
+    void leaveSelectedAlone();
     void spanColumns();
     void fitNames();
 

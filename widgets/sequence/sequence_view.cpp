@@ -270,7 +270,7 @@ void SequenceView::makeCopying()
     connect(action, &QAction::triggered, this, [this] { copy(WordNotation::hexadecimal); });
     auto *menu = new CopyMenu(m_table);
     connect(menu, &CopyMenu::chosen, this, &SequenceView::copy);
-    m_table->addActions({action, menu->menuAction()});
+    m_table->addActions({action, menu->plcWords(), menu->menuAction()});
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

@@ -13,6 +13,7 @@
 #include "widgets/look/tool.h"
 #include "widgets/models/go_to_place.h"
 #include "widgets/models/traffic_model.h"
+#include "widgets/monitor/copy_menu.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -90,7 +91,10 @@ void TraceView::makeTools()
     m_bringBack->setEnabled(false);
     m_table->setFollow(*m_follow);
     connect(m_goTo, &GoToPlace::wanted, this, &TraceView::goToWanted);
-    m_table->addActions({copying, m_goTo, exporting, clearing, m_bringBack});
+    auto *copyAs = new CopyMenu(m_table);
+    connect(copyAs, &CopyMenu::chosen, this, &TraceView::copyWords);
+    m_table->addActions(
+        {copying, copyAs->plcWords(), copyAs->menuAction(), m_goTo, exporting, clearing, m_bringBack});
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
         for (const auto &[place, collected] : m_collected)
             collected.rows->setHeld(held);
@@ -248,21 +252,51 @@ void TraceView::showCounts()
     m_bringBack->setEnabled(m_shown->hasCleared());
 }
 
+const std::pair<const Place, TraceView::Collected> &TraceView::shown() const
+{
+    return *std::ranges::find(m_collected, m_shown, [](const auto &one) { return one.second.rows.get(); });
+}
+
+std::vector<int> TraceView::chosenRows() const
+{
+    const QItemSelectionModel &selection = *m_table->selectionModel();
+    std::vector<int> rows;
+    for (int row = 0; row < m_shown->rowCount(); ++row)
+        if (!selection.hasSelection() || selection.isRowSelected(row))
+            rows.push_back(row);
+    return rows;
+}
+
 void TraceView::copy()
 {
     if (!m_shown)
         return;
-    const bool all = !m_table->selectionModel()->hasSelection();
     QString text;
-    for (int row = 0; row < m_shown->rowCount(); ++row) {
-        if (!all && !m_table->selectionModel()->isRowSelected(row))
-            continue;
+    for (const int row : chosenRows()) {
         QStringList cells{m_shown->dateTimeText(m_shown->rowAt(row))};
         for (int column = 1; column < m_shown->columnCount(); ++column)
             cells << m_shown->index(row, column).data().toString();
         text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
     }
     QApplication::clipboard()->setText(text);
+}
+
+// To be pasted into a PLC program or a table. An encoder without OUT has its IN alone.
+void TraceView::copyWords(WordNotation notation)
+{
+    if (!m_shown)
+        return;
+    const DeviceDescription &device = shown().second.device;
+    const int bits = device.inWords > 1 ? 32 : 16;
+    QString text;
+    for (const int row : chosenRows()) {
+        const TrafficRow &words = m_shown->rowAt(row).what;
+        if (device.outWords > 0)
+            text += copiedText(words.out, bits, notation) + u'\t';
+        text += copiedText(words.in, bits, notation) + u'\n';
+    }
+    if (!text.isEmpty())
+        QApplication::clipboard()->setText(text);
 }
 
 void TraceView::exportRows()
@@ -276,9 +310,7 @@ bool TraceView::exportTo(const QString &path)
 {
     if (!m_shown)
         return false;
-    const auto shown =
-        std::ranges::find(m_collected, m_shown, [](const auto &one) { return one.second.rows.get(); });
-    const auto saved = replaceFile(path, m_shown->csv(shown->first), OldFile::goes);
+    const auto saved = replaceFile(path, m_shown->csv(shown().first), OldFile::goes);
     if (!saved) {
         m_message->showMessage(
             Role::attention,

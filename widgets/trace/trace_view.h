@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/place.h"
+#include "widgets/monitor/word_format.h"
 
 #include <QWidget>
 
@@ -68,7 +69,10 @@ private:
     void makeRoom(int first, int last); // for these rows
     void showCounts();
     int meaningColumn() const;
+    const std::pair<const Place, Collected> &shown() const; // whose rows are m_shown
+    std::vector<int> chosenRows() const;                    // selected, or all
     void copy();
+    void copyWords(WordNotation notation); // OUT and IN
 
     Buses &m_buses;
     std::map<Place, Collected> m_collected;

@@ -59,7 +59,7 @@ protected:
     }
     void click(const char *name)
     {
-        QMenu *menu = m_panel.findChild<QMenu *>();
+        QMenu *menu = m_panel.findChild<QMenu *>(QStringLiteral("moreMenu"));
         ASSERT_NE(menu, nullptr);
         menu->popup(m_panel.mapToGlobal(QPoint(0, 0)));
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(&action(name)).center());

@@ -21,7 +21,9 @@
 #include <QAbstractButton>
 #include <QAbstractItemModel>
 #include <QAccessible>
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QDate>
 #include <QDateTime>
@@ -327,6 +329,41 @@ TEST_F(Parameters, KeysAloneEnterOneValueAfterTheOther)
     EXPECT_EQ(wanted.values(fraba), (ParameterValues{{Parameter::steps, 255}, {Parameter::revolutions, 1}}));
 }
 
+TEST_F(Parameters, CopiesTheHandshakeOfTheSelectedRowsAsWordsOfAPlc)
+{
+    const auto copied = [this](Qt::KeyboardModifiers modifiers = Qt::ControlModifier | Qt::ShiftModifier) {
+        QApplication::clipboard()->clear();
+        QTest::keyClick(&table(), Qt::Key_C, modifiers);
+        return QApplication::clipboard()->text();
+    };
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    table().setFocus();
+    table().setCurrentIndex(indexOf(Parameter::revolutions, ParameterModel::wantedColumn));
+    EXPECT_EQ(copied(), QString());
+    const auto &says = *panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"));
+    EXPECT_TRUE(says.isVisible()) << "neither wanted nor known";
+    bus.encoder(fraba)->tell(Parameter::multiTurnAndStepsMinusOne, 2);
+    bus.encoder(fraba)->tell(Parameter::revolutions, 1);
+    const QString revolutions = QStringLiteral("16#0400 16#0001\n16#8000 16#0000\n16#0000 16#0000\n");
+    EXPECT_EQ(copied(), revolutions) << "known";
+    EXPECT_FALSE(says.isVisible());
+    want(Parameter::steps, QStringLiteral("255"));
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, Qt::ControlModifier,
+                      table().visualRect(indexOf(Parameter::revolutions, 2)).center());
+    EXPECT_EQ(copied(), QStringLiteral("16#0200 16#00FF\n") + revolutions) << "wanted and known";
+    EXPECT_EQ(bus.channel(fraba)->out(), 0U) << "nothing is sent";
+}
+
+TEST_F(Parameters, DeleteLeavesAllSelectedParametersAlone)
+{
+    want(Parameter::steps, QStringLiteral("255"));
+    want(Parameter::revolutions, QStringLiteral("1"));
+    table().selectAll();
+    QTest::keyClick(&table(), Qt::Key_Delete);
+    EXPECT_TRUE(wanted.values(fraba).empty());
+}
+
 TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
 {
     const test::ModelTester tester(model());
@@ -370,7 +407,7 @@ TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
 {
     panel.setEncoder(bus.encoder(baumer));
     table().setCurrentIndex(indexOf(Parameter::steps, ParameterModel::wantedColumn));
-    QMenu *menu = panel.findChild<QMenu *>();
+    QMenu *menu = panel.findChild<QMenu *>(QStringLiteral("moreMenu"));
     menu->actions().at(0)->trigger();
     auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
     ASSERT_NE(field, nullptr);

@@ -92,7 +92,7 @@ TEST_F(OfflineParameters, WhatIsWantedIsEditedInTheProjectAndUndone)
     project.undoStack().undo();
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("unchanged"));
     project.undoStack().redo();
-    for (QAction *action : panel.findChild<QMenu *>()->actions())
+    for (QAction *action : panel.findChild<QMenu *>(QStringLiteral("moreMenu"))->actions())
         if (action->text() == QStringLiteral("&Leave all unchanged"))
             action->trigger();
     EXPECT_TRUE(project.device(fraba).wanted.empty());
@@ -113,10 +113,12 @@ TEST_F(OfflineParameters, WhatSendsIsGreyedAndSaysWhy)
     EXPECT_EQ(buttons, 3);
     EXPECT_TRUE(isSaid(QStringLiteral("Not connected: nothing can be read or written.")));
     QStringList enabled;
-    for (const QAction *action : panel.findChild<QMenu *>()->actions())
+    for (const QAction *action : panel.findChild<QMenu *>(QStringLiteral("moreMenu"))->actions())
         if (action->isEnabled() && action->isVisible() && !action->isSeparator())
             enabled << action->text();
-    EXPECT_EQ(enabled, QStringList{QStringLiteral("&Leave all unchanged")});
+    EXPECT_EQ(enabled,
+              (QStringList{QStringLiteral("&Leave all unchanged"),
+                           QStringLiteral("Copy as &two words of a PLC"), QStringLiteral("Copy &as")}));
 }
 
 TEST_F(OfflineParameters, WhatTheLabelTellsIsToldOnceItIsConnected)

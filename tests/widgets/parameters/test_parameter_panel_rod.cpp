@@ -145,7 +145,7 @@ TEST_F(ParametersOfARod, TheReviewShowsTheWordsOfTheServicesAndWritesThem)
 TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
 {
     QAction *set = nullptr;
-    for (QAction *action : panel.findChild<QMenu *>()->actions())
+    for (QAction *action : panel.findChild<QMenu *>(QStringLiteral("moreMenu"))->actions())
         if (action->text().contains(QStringLiteral("Set the position")))
             set = action;
     ASSERT_NE(set, nullptr);

@@ -143,6 +143,16 @@ TEST_F(SequenceViewTest, APastedColumnGoesBelowTheSelectedWord)
     EXPECT_TRUE(message().contains(QLatin1String("line 2, \"junk\""))) << message().toStdString();
 }
 
+TEST_F(SequenceViewTest, WordsOfAPlcGoOutAndComeBack)
+{
+    const QString plc = QStringLiteral("16#0200 16#00FF\n16#8000 16#0000\n");
+    QApplication::clipboard()->setText(plc);
+    key(Qt::Key_V, Qt::ControlModifier);
+    table.clearSelection();
+    key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), plc);
+}
+
 TEST_F(SequenceViewTest, SendsTheManualsWordsEachUntilItIsAcknowledged)
 {
     QStringList sent;

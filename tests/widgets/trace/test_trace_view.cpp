@@ -5,9 +5,11 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/models/traffic_model.h"
 #include "widgets/trace/trace_view.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -18,6 +20,7 @@
 #include <QLabel>
 #include <QLatin1Char>
 #include <QLineEdit>
+#include <QMenu>
 #include <QModelIndex>
 #include <QScrollBar>
 #include <QTableView>
@@ -219,6 +222,35 @@ TEST_F(TraceViewTest, CopiesSelectedRowsWithTabs)
     table.clearSelection();
     key(Qt::Key_C);
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), model().rowCount());
+}
+
+// What its context menu has under this text, with all that is below it.
+QAction *inMenu(const QWidget &of, const char *text)
+{
+    QList<QAction *> all = of.actions();
+    for (const QAction *action : of.actions())
+        if (action->menu() != nullptr)
+            all += action->menu()->actions();
+    for (QAction *action : all)
+        if (plainLabel(action->text()).startsWith(QLatin1String(text)))
+            return action;
+    return nullptr;
+}
+
+TEST_F(TraceViewTest, CopiesOutAndInAsWordsOfAPlc)
+{
+    write(fraba, 0x020000FF);
+    table.selectRow(model().rowCount() - 1);
+    key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("16#0200 16#00FF\t16#C200 16#00FF\n"));
+    table.clearSelection();
+    key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), model().rowCount());
+    table.selectRow(model().rowCount() - 1);
+    ASSERT_NE(inMenu(table, "Copy as two words of a PLC"), nullptr);
+    ASSERT_NE(inMenu(table, "PLC: 16#0200_00FF"), nullptr);
+    inMenu(table, "PLC: 16#0200_00FF")->trigger();
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("16#0200_00FF\t16#C200_00FF\n"));
 }
 
 TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
