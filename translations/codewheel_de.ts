@@ -3612,6 +3612,35 @@
         <source>&amp;Shift</source>
         <translation>Ver&amp;schiebung</translation>
     </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 bis %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <comment>of the position</comment>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>What IN will hold</source>
+        <translation>Was in IN steht</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamDelegate</name>
@@ -4541,6 +4570,42 @@
     <message>
         <source>Last position %1</source>
         <translation>Letzte Position %1</translation>
+    </message>
+    <message>
+        <source>Last position</source>
+        <translation>Letzte Position</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
     </message>
 </context>
 <context>
@@ -7209,6 +7274,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Its position is shown once its bus is connected.</source>
         <translation>Die Position wird angezeigt, sobald der Bus verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
     </message>
 </context>
 <context>
@@ -11429,6 +11498,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>The last %1 of %2 rows.</source>
         <translation>Die letzten %1 von %2 Zeilen.</translation>
     </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectFile</name>
@@ -13569,6 +13646,34 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>measuring length %1 steps</source>
         <translation>Messlänge %1 Schritte</translation>
+    </message>
+    <message>
+        <source>Last position</source>
+        <translation>Letzte Position</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>From the head</source>
+        <translation>Vom Kopf aus</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
     </message>
 </context>
 <context>
@@ -16111,10 +16216,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Öffnet das Handbuch auf der ersten Seite</translation>
     </message>
     <message>
-        <source>Prints the table that has the focus, or else the commissioning report, after a preview</source>
-        <translation>Druckt die Tabelle mit dem Fokus, sonst das Inbetriebnahmebericht, nach einer Vorschau</translation>
-    </message>
-    <message>
         <source>&amp;Collect for support...</source>
         <translation>Für den &amp;Support sammeln...</translation>
     </message>
@@ -16125,6 +16226,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Pr&amp;int...</source>
         <translation>D&amp;rucken...</translation>
+    </message>
+    <message>
+        <source>Prints the table or the picture that has the focus, or else the commissioning report, after a preview</source>
+        <translation>Druckt die Tabelle oder das Bild mit dem Fokus, sonst den Inbetriebnahmebericht, nach einer Vorschau</translation>
     </message>
 </context>
 <context>

@@ -137,7 +137,12 @@ void MainWindow::connectProject()
         *this, m_project, *m_buses, m_plant->catalog(), [this] { return m_plant->ledgers(); }, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
-    connect(m_actions.print, &QAction::triggered, new Printing(*this, *m_report), &Printing::preview);
+    auto *printing =
+        new Printing(*this, *m_report,
+                     {.bus = [this](BusId bus) { return m_plant->nameOf(bus); },
+                      .station = [this](Place place) { return m_project.device(place).station; }});
+    connect(m_actions.print, &QAction::triggered, printing, &Printing::preview);
+    m_dial->setPrinting(*m_actions.print);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 

@@ -23,7 +23,7 @@ constexpr int wideColumn = 420;
 // What gets the focus in a panel: itself, or the first control in it.
 QWidget *firstFocus(QWidget &content)
 {
-    if (content.focusProxy() != nullptr || content.focusPolicy() != Qt::NoFocus)
+    if (content.focusProxy() != nullptr || (content.focusPolicy() & Qt::TabFocus) != 0)
         return &content;
     for (QWidget *each = content.nextInFocusChain(); each != &content; each = each->nextInFocusChain())
         if (content.isAncestorOf(each) && each->isVisible() && each->isEnabled() &&

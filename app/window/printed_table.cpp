@@ -68,11 +68,21 @@ void addRows(std::vector<ShownRow> &rows, const QAbstractItemView &view, const Q
     }
 }
 
+QString withTick(const QModelIndex &index, const QString &text)
+{
+    const QVariant state = index.data(Qt::CheckStateRole);
+    if (state.isNull())
+        return text;
+    const QChar box(state.toInt() == Qt::Checked ? 0x2611 : 0x2610);
+    return text.isEmpty() ? QString(box) : QStringLiteral("%1 %2").arg(box).arg(text);
+}
+
 QString cell(const QAbstractItemView &view, const QModelIndex &index, int indent)
 {
     const auto *delegate = qobject_cast<const QStyledItemDelegate *>(view.itemDelegateForIndex(index));
-    const QString text =
+    const QString shown =
         delegate != nullptr ? delegate->displayText(index.data(), view.locale()) : index.data().toString();
+    const QString text = withTick(index, shown);
     const auto alignment = Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt());
     return QStringLiteral("<td align=\"%1\">%2%3</td>")
         .arg(QLatin1String(alignment.testFlag(Qt::AlignRight) ? "right" : "left"),
@@ -105,6 +115,21 @@ const QAbstractItemView *tableToPrint(const QWidget *widget)
     return nullptr;
 }
 
+std::optional<PrintedView> viewToPrint(const QWidget *widget)
+{
+    for (const QWidget *each = widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
+        if (const auto *picture = dynamic_cast<const PrintsPicture *>(each))
+            return picture->printedView();
+        for (const QWidget *child : each->findChildren<QWidget *>())
+            if (const auto *picture = dynamic_cast<const PrintsPicture *>(child);
+                picture != nullptr && child->isVisible())
+                return picture->printedView();
+        if (qobject_cast<const QDockWidget *>(each) != nullptr)
+            return {};
+    }
+    return {};
+}
+
 QString titleToPrint(const QWidget &widget)
 {
     for (const QWidget *each = &widget; each != nullptr && !each->isWindow(); each = each->parentWidget())
@@ -113,12 +138,26 @@ QString titleToPrint(const QWidget &widget)
     return widget.accessibleName();
 }
 
-QString printedTable(const QAbstractItemView &table, const QString &title, const QString &origin)
+QString printedHead(const QString &title, const QString &origin)
+{
+    return QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title.toHtmlEscaped(), origin.toHtmlEscaped());
+}
+
+QString printedValues(const std::vector<std::pair<QString, QString>> &values)
+{
+    QString html = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">");
+    for (const auto &[name, value] : values)
+        html += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    return html + QStringLiteral("</table>");
+}
+
+QString printedTable(const QAbstractItemView &table)
 {
     std::vector<ShownRow> rows;
     addRows(rows, table, table.rootIndex(), 0);
     const std::vector<int> columns = shownColumns(table);
-    QString html = QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title.toHtmlEscaped(), origin.toHtmlEscaped());
+    QString html;
     if (const int all = table.model()->rowCount(table.rootIndex()); all > mostRows)
         html += QStringLiteral("<p>%1</p>")
                     .arg(Printed::tr("The last %1 of %2 rows.")

@@ -3,6 +3,7 @@
 
 #include "app/report/report_pages.h"
 #include "app/report/sheet_format.h"
+#include "app/window/picture_in_text.h"
 #include "app/window/printed_table.h"
 #include "app/window/report_export.h"
 #include "widgets/help/help_topic.h"
@@ -13,6 +14,7 @@
 #include <QPainter>
 #include <QPrinter>
 #include <QPrintPreviewDialog>
+#include <QTextCursor>
 #include <QTextDocument>
 
 namespace codewheel {
@@ -37,30 +39,60 @@ void printReport(const Report &report, QPrinter &printer)
     }
 }
 
-void printTable(const QAbstractItemView &table, const QString &origin, QPrinter &printer)
+void printSheets(QTextDocument &document, QPrinter &printer)
 {
-    QTextDocument document;
     QFont font = QApplication::font();
     font.setPointSize(printedPoints);
     document.setDefaultFont(font);
-    document.setHtml(printedTable(table, titleToPrint(table), origin));
     document.print(&printer);
+}
+
+void printTable(const QAbstractItemView &table, const QString &origin, QPrinter &printer)
+{
+    QTextDocument document;
+    document.setHtml(printedHead(titleToPrint(table), origin) + printedTable(table));
+    printSheets(document, printer);
+}
+
+void printView(const PrintedView &view, const Printing::Names &names, const QString &origin,
+               QPrinter &printer)
+{
+    QStringList whose{view.place.shown(), names.station(view.place), view.device};
+    whose.removeAll(QString());
+    QTextDocument document;
+    document.setHtml(printedHead(view.title, origin) +
+                     printedValues({{Printing::tr("Encoder"), whose.join(QStringLiteral("  "))},
+                                    {Printing::tr("Bus"), names.bus(view.place.bus)}}));
+    PictureInText pictures(view.pictures);
+    pictures.insertInto(document);
+    QTextCursor end(&document);
+    end.movePosition(QTextCursor::End);
+    end.insertHtml(printedValues(view.values));
+    if (view.table) {
+        end.insertBlock();
+        end.insertHtml(printedTable(*view.table));
+    }
+    printSheets(document, printer);
 }
 
 } // namespace
 
-Printing::Printing(QWidget &window, const ReportExport &report)
+Printing::Printing(QWidget &window, const ReportExport &report, Names names)
     : QObject(&window)
     , m_window(window)
     , m_report(report)
+    , m_names(std::move(names))
 {}
 
 void Printing::preview()
 {
-    m_table = tableToPrint(QApplication::focusWidget());
+    const QWidget *focus = QApplication::focusWidget();
+    m_view = viewToPrint(focus);
+    m_table = m_view ? nullptr : tableToPrint(focus);
+    m_when = QDateTime::currentDateTime();
     QPrinter printer;
     printer.setPageSize(QPageSize(QPageSize::A4));
-    printer.setDocName(m_table ? titleToPrint(*m_table) : m_report.report().title);
+    printer.setDocName(title());
     QPrintPreviewDialog dialog(&printer, &m_window);
     dialog.setObjectName(QStringLiteral("printPreview"));
     setHelpTopic(dialog, "report.md#print");
@@ -70,16 +102,27 @@ void Printing::preview()
     dialog.exec();
 }
 
+QString Printing::title() const
+{
+    if (m_view)
+        return QStringLiteral("%1 %2").arg(m_view->title, m_view->place.shown());
+    return m_table ? titleToPrint(*m_table) : m_report.report().title;
+}
+
+QString Printing::origin() const
+{
+    return QStringLiteral("%1, %2").arg(m_window.windowTitle().remove(QStringLiteral("[*]")),
+                                        QLocale().toString(m_when, QLocale::ShortFormat));
+}
+
 void Printing::print(QPrinter &printer) const
 {
-    if (m_table == nullptr) {
+    if (m_view)
+        printView(*m_view, m_names, origin(), printer);
+    else if (m_table)
+        printTable(*m_table, origin(), printer);
+    else
         printReport(m_report.report(), printer);
-        return;
-    }
-    const QString origin =
-        QStringLiteral("%1, %2").arg(m_window.windowTitle().remove(QStringLiteral("[*]")),
-                                     QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat));
-    printTable(*m_table, origin, printer);
 }
 
 } // namespace codewheel

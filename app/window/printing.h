@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-#include <QPointer>
+#include "widgets/look/printed_view.h"
 
-class QAbstractItemView;
+#include <QDateTime>
+#include <QObject>
+
+#include <functional>
+
 class QPrinter;
-class QWidget;
 
 namespace codewheel {
 
@@ -19,16 +21,29 @@ class Printing : public QObject
     Q_OBJECT
 
 public:
+    // What buses and stations are called.
+    struct Names
+    {
+        std::function<QString(BusId)> bus;
+        std::function<QString(Place)> station;
+    };
+
     // Both outlive it.
-    Printing(QWidget &window, const ReportExport &report);
+    Printing(QWidget &window, const ReportExport &report, Names names);
 
     void preview();
     void print(QPrinter &printer) const; // for the preview
 
 private:
+    QString title() const;
+    QString origin() const;
+
     QWidget &m_window;
     const ReportExport &m_report;
-    QPointer<const QAbstractItemView> m_table; // null: the report
+    Names m_names;
+    std::optional<PrintedView> m_view; // as it was when the preview was asked for
+    QDateTime m_when;
+    QPointer<const QAbstractItemView> m_table; // neither this nor a picture: the report
 };
 
 } // namespace codewheel

@@ -80,7 +80,8 @@ void WindowActions::makeFileMenu()
                   tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
     print = described(
         menu->addAction(lineIcon(Icon::write), tr("Pr&int...")), QKeySequence::Print,
-        tr("Prints the table that has the focus, or else the commissioning report, after a preview"));
+        tr("Prints the table or the picture that has the focus, or else the commissioning report, after a "
+           "preview"));
     exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace..."));
     showTrace(false);
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},

@@ -6,6 +6,7 @@
 #include "widgets/cams/cam_shift_spin.h"
 #include "widgets/cams/cam_table.h"
 #include "widgets/cams/cam_table_model.h"
+#include "widgets/cams/cam_texts.h"
 #include "widgets/cams/cam_word_picture.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
@@ -14,6 +15,7 @@
 #include "widgets/look/wrapped_label.h"
 
 #include <QGridLayout>
+#include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -21,8 +23,25 @@
 namespace codewheel {
 namespace {
 
-constexpr int scrollSteps = 10'000; // scroll bar steps for the whole range
-constexpr int roomForEncoder = 660; // below this width, only ruler and strip show what differs
+constexpr int scrollSteps = 10'000; // of the scroll bar, for the whole range
+constexpr int rulerOnPaper = 640;
+constexpr int numbersOnPaper = 20;  // left of it
+constexpr int roomForEncoder = 660; // below this width, ruler and strip alone tell what differs
+
+// On paper no table stands beside the ruler.
+PrintedPicture withNumbers(const PrintedPicture &picture, const CamRuler &ruler)
+{
+    PrintedPicture numbered{.drawing = QPicture(), .size = picture.size + QSize(numbersOnPaper, 0)};
+    QPainter painter(&numbered.drawing);
+    painter.setFont(numberFont(TextSize::small));
+    for (std::size_t cam = 0; cam < ruler.sheet().abilities().cams; ++cam) {
+        const QRect row = ruler.rowRect(cam);
+        painter.drawText(QRect(0, row.top(), numbersOnPaper, row.height()), Qt::AlignCenter,
+                         QString::number(cam));
+    }
+    painter.drawPicture(numbersOnPaper, 0, picture.drawing);
+    return numbered;
+}
 
 } // namespace
 
@@ -149,6 +168,27 @@ bool CamBoard::finishEditing()
     }
     m_shift->interpretText();
     return m_table->finishEditing();
+}
+
+void CamBoard::addTo(PrintedView &printed) const
+{
+    CamRuler ruler(m_sheet);
+    const PrintedPicture rows = drawnOnPaper(ruler, {rulerOnPaper, ruler.sizeHint().height()});
+    printed.pictures.push_back(withNumbers(rows, ruler));
+    printed.values.emplace_back(tr("Program"), QString::number(m_sheet.number()));
+    printed.values.emplace_back(
+        tr("Positions"),
+        m_sheet.knowsLargest() ? tr("0 to %1").arg(cam_texts::position(m_sheet.largest())) : tr("not known"));
+    if (m_sheet.abilities().hasShift) {
+        CamWordPicture word;
+        word.setShift(m_sheet.program().shift, m_sheet.largest());
+        printed.pictures.push_back(drawnOnPaper(word, {word.sizeHint().width(), word.sizeHint().height()}));
+        printed.values.emplace_back(tr("Shift", "of the position"), QString::number(m_sheet.program().shift));
+        printed.values.emplace_back(tr("What IN will hold"), word.valueText());
+    }
+    if (!m_note->text().isEmpty())
+        printed.values.emplace_back(tr("Note"), m_note->text());
+    printed.table = m_table;
 }
 
 void CamBoard::resizeEvent(QResizeEvent *event)

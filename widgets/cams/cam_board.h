@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/printed_view.h"
+
 #include <QWidget>
 
 class QLabel;
@@ -27,6 +29,9 @@ public:
     void setNote(const QString &sentence); // what the encoder is doing
     // False while what is typed is bad; the focus is then back in its field.
     bool finishEditing();
+
+    // Ruler, with all positions, and the word; what they tell; the table.
+    void addTo(PrintedView &printed) const;
 
 Q_SIGNALS:
     void programChosen(unsigned number);     // as typed or clicked; may be one that does not exist

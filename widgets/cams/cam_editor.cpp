@@ -85,6 +85,16 @@ QString CamEditor::effect() const
                                 : tr("Edits cam programs of the project. Nothing is sent here.");
 }
 
+std::optional<PrintedView> CamEditor::printedView() const
+{
+    if (m_pages->currentWidget() != m_scroll)
+        return {};
+    PrintedView printed{
+        .title = title(), .place = m_encoder.place(), .device = m_encoder.device().fullName()};
+    m_board->addTo(printed);
+    return printed;
+}
+
 void CamEditor::connectSession(EncoderSession &session)
 {
     connect(&session, &EncoderSession::latestChanged, this, &CamEditor::showLive);

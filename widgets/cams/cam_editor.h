@@ -5,6 +5,7 @@
 #include "widgets/cams/cam_jobs.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/page.h"
+#include "widgets/look/printed_view.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/shown_encoder.h"
 
@@ -29,10 +30,10 @@ class EmptyState;
 class InlineMessage;
 class JobStrip;
 
-// The cams of the encoder chosen in the bus structure: edit, read, write, compare, keep in files of their
-// own. What is edited is part of the project, and can be edited while the encoder is not connected. Sends
-// nothing unless asked, and first shows what will be written.
-class CamEditor : public Page
+// The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
+// their own. What is edited is part of the project, and can be edited while the encoder is not connected.
+// Sends nothing unless asked, and shows what will be written before.
+class CamEditor : public Page, public PrintsPicture
 {
     Q_OBJECT
 
@@ -46,7 +47,9 @@ public:
     QString about() const override;
     QString effect() const override;
 
-    // All programs in a file, or the open program alone. Each reports on the spot what went wrong.
+    std::optional<PrintedView> printedView() const override;
+
+    // All programs a file holds; or the open program alone. Each says on the spot what went wrong.
     bool load(const QString &path);
     bool loadProgram(const QString &path);
     bool save(const QString &path);

@@ -168,6 +168,10 @@ void CodeDisc::paintEvent(QPaintEvent *event)
 // Everything that does not turn with the disc, and so stays the same over many frames.
 void CodeDisc::drawStill(QPainter &painter)
 {
+    if (m_isForPaper) {
+        drawStillParts(painter);
+        return;
+    }
     const QPointF center = QRectF(m_dial).center() - m_dial.topLeft();
     if (m_still.isNull() || !qFuzzyCompare(m_still.devicePixelRatio(), devicePixelRatioF())) {
         m_still = QPixmap(m_dial.size() * devicePixelRatioF());
@@ -176,11 +180,16 @@ void CodeDisc::drawStill(QPainter &painter)
         QPainter onto(&m_still);
         onto.setRenderHint(QPainter::Antialiasing);
         onto.translate(center);
-        drawSpeed(onto);
-        drawScale(onto);
-        drawHub(onto);
+        drawStillParts(onto);
     }
     painter.drawPixmap(-center, m_still);
+}
+
+void CodeDisc::drawStillParts(QPainter &painter) const
+{
+    drawSpeed(painter);
+    drawScale(painter);
+    drawHub(painter);
 }
 
 void CodeDisc::drawSpeed(QPainter &painter) const
@@ -222,18 +231,27 @@ void CodeDisc::drawDisc(QPainter &painter)
     if (radius <= 0)
         return;
     painter.save();
-    const bool isFine = !isBlur(m_state);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, isFine);
-    painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no present position
+    painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no place of now
     painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
-    painter.drawPixmap(QPointF(-radius, -radius),
-                       (isFine ? m_face : m_coarseFace)
-                           .picture(qRound(2 * radius), devicePixelRatioF() * (isFine ? 2 : 1), palette()));
+    drawFace(painter, qRound(2 * radius));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(1);
     if (m_state.turnFraction)
         drawPointer(painter, radius);
     painter.restore();
+}
+
+void CodeDisc::drawFace(QPainter &painter, int diameter)
+{
+    if (m_isForPaper) {
+        DiscFace::paint(painter, diameter, palette());
+        return;
+    }
+    const bool isFine = !isBlur(m_state);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, isFine);
+    painter.drawPixmap(QPointF(-diameter, -diameter) / 2,
+                       (isFine ? m_face : m_coarseFace)
+                           .picture(diameter, devicePixelRatioF() * (isFine ? 2 : 1), palette()));
 }
 
 void CodeDisc::drawPointer(QPainter &painter, double radius) const
@@ -311,6 +329,28 @@ QString CodeDisc::note() const
     if (m_state.note.isEmpty() && nothingKnown)
         return tr("No position yet. Start the bus and choose an encoder in the bus structure.");
     return m_state.note;
+}
+
+std::vector<std::pair<QString, QString>> CodeDisc::values() const
+{
+    std::vector<std::pair<QString, QString>> values;
+    if (m_state.position)
+        values.emplace_back(m_state.isLastKnown ? tr("Last position") : tr("Position"),
+                            tr("%1 steps").arg(locale().toString(*m_state.position)));
+    if (m_state.velocity)
+        values.emplace_back(tr("Velocity"), numberText());
+    if (m_state.turn)
+        values.emplace_back(tr("Turn"), locale().toString(*m_state.turn));
+    if (m_state.turnFraction)
+        values.emplace_back(tr("Angle"),
+                            tr("%1 degrees").arg(locale().toString(*m_state.turnFraction * 360, 'f', 0)));
+    if (m_state.rpm)
+        values.emplace_back(tr("Speed"), speedText(m_state));
+    if (!m_state.age.isEmpty())
+        values.emplace_back(tr("Age"), m_state.age);
+    if (!note().isEmpty())
+        values.emplace_back(tr("Note"), note());
+    return values;
 }
 
 QString CodeDisc::valueText() const

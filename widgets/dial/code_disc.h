@@ -5,6 +5,9 @@
 #include "widgets/dial/disc_face.h"
 #include "widgets/look/value_widget.h"
 
+#include <utility>
+#include <vector>
+
 namespace codewheel {
 
 // The dial: a code disc that turns with the shaft. Pointer and number show the position, the hub counts whole
@@ -19,11 +22,14 @@ public:
 
     void setPlace(const QString &place); // "1.0": for screen readers
     void setState(const DialState &state);
+    // All lines are drawn anew, none is kept as a picture of the screen.
+    void setForPaper() { m_isForPaper = true; }
     const DialState &state() const { return m_state; }
     // The speed at the full arc.
     static constexpr double fullSpeed = 10'000; // rpm
 
     QString valueText() const override;
+    std::vector<std::pair<QString, QString>> values() const; // name and value of all it shows
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -35,6 +41,8 @@ protected:
 private:
     void arrange();
     void drawStill(QPainter &painter);
+    void drawStillParts(QPainter &painter) const;
+    void drawFace(QPainter &painter, int diameter);
     void drawSpeed(QPainter &painter) const;
     void drawScale(QPainter &painter) const;
     void drawDisc(QPainter &painter);
@@ -48,7 +56,8 @@ private:
     int textHeight(int noteLines) const;
 
     DialState m_state;
-    DiscFace m_face; // twice the screen's resolution: rotated edges stay smooth
+    bool m_isForPaper = false;
+    DiscFace m_face; // twice as fine as the screen: turned edges stay smooth
     DiscFace m_coarseFace;
     QPixmap m_still; // speed arc, scale and hub
     QRect m_dial;    // square: speed arc, scale and disc

@@ -8,6 +8,8 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -20,12 +22,28 @@ DialPanel::DialPanel(QWidget *parent)
     , m_shaft(new ShaftDial(this))
     , m_rod(new RodDial(this))
 {
+    setFocusPolicy(Qt::ClickFocus); // so that it is what Print means
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_shaft);
     m_pages->addWidget(m_rod);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
     layout->addWidget(m_pages);
+}
+
+std::optional<PrintedView> DialPanel::printedView() const
+{
+    const QWidget *shown = m_pages->currentWidget();
+    return shown == m_shaft ? m_shaft->printedView() : shown == m_rod ? m_rod->printedView() : std::nullopt;
+}
+
+void DialPanel::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (m_print == nullptr || !printedView())
+        return;
+    QMenu menu(this);
+    menu.addAction(m_print);
+    menu.exec(event->globalPos());
 }
 
 void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline)

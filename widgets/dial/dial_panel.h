@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
+#include "widgets/look/printed_view.h"
 
 #include <QWidget>
 
 #include <optional>
 
+class QAction;
 class QStackedWidget;
 
 namespace codewheel {
@@ -17,7 +18,7 @@ class RodDial;
 class ShaftDial;
 
 // The chosen encoder as a picture of what it measures: a disc on a shaft, or a rod with its magnet.
-class DialPanel : public QWidget
+class DialPanel : public QWidget, public PrintsPicture
 {
     Q_OBJECT
 
@@ -27,11 +28,19 @@ public:
     // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
 
+    std::optional<PrintedView> printedView() const override;
+    // For its context menu, while there is something to print; it outlives the panel.
+    void setPrinting(QAction &print) { m_print = &print; }
+
+protected:
+    void contextMenuEvent(QContextMenuEvent *event) override;
+
 private:
     QStackedWidget *m_pages;
     EmptyState *m_empty;
     ShaftDial *m_shaft;
     RodDial *m_rod;
+    QAction *m_print = nullptr;
 };
 
 } // namespace codewheel

@@ -56,7 +56,14 @@ QPixmap drawnDisc(int diameter, qreal scale, const QPalette &palette)
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(diameter / 2.0, diameter / 2.0);
+    DiscFace::paint(painter, diameter, palette);
+    return picture;
+}
 
+} // namespace
+
+void DiscFace::paint(QPainter &painter, int diameter, const QPalette &palette)
+{
     const double radius = diameter / 2.0 - 1;
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette.color(QPalette::Base));
@@ -72,10 +79,7 @@ QPixmap drawnDisc(int diameter, qreal scale, const QPalette &palette)
     painter.setPen(QPen(roleColor(Role::inactive, palette), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(QPointF(), diameter / 2.0 - 0.5, diameter / 2.0 - 0.5);
-    return picture;
 }
-
-} // namespace
 
 const QPixmap &DiscFace::picture(int diameter, qreal scale, const QPalette &palette)
 {

@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "widgets/dial/missing_values.h"
+#include "widgets/dial/printed_dial.h"
 #include "widgets/dial/rod_view.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/look/describe.h"
@@ -18,9 +19,14 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <array>
+
 namespace codewheel {
 
 namespace {
+
+constexpr std::array rodValues{Parameter::direction, Parameter::measuringLength};
+constexpr int widthOnPaper = 2 * RodPicture::usualWidth;
 
 std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter parameter)
 {
@@ -34,7 +40,7 @@ RodDial::RodDial(QWidget *parent)
     : QWidget(parent)
     , m_age(new AgeTimer(this))
     , m_rod(new RodView(this))
-    , m_missing(new MissingValues({Parameter::direction, Parameter::measuringLength}, this))
+    , m_missing(new MissingValues({rodValues.begin(), rodValues.end()}, this))
     , m_readStatus(new QPushButton(lineIcon(Icon::read), tr("Read error &status"), this))
     , m_tellRow(new QWidget(this))
     , m_tell(new QPushButton(tr("&Set manually"), m_tellRow))
@@ -71,7 +77,19 @@ void RodDial::setEncoder(EncoderSession *encoder)
     m_missing->setEncoder(encoder);
 }
 
-// The field belongs to the device, whose description gives its range.
+std::optional<PrintedView> RodDial::printedView() const
+{
+    if (m_encoder == nullptr)
+        return {};
+    RodState state = m_rod->state();
+    state.note.clear(); // stands among the values
+    RodView onPaper;
+    onPaper.setState(state);
+    return printedDial(*m_encoder, drawnOnPaper(onPaper, {widthOnPaper, onPaper.sizeHint().height()}),
+                       m_rod->values(), rodValues);
+}
+
+// The field belongs to the device: its range is that of the description.
 void RodDial::showTellRow()
 {
     delete std::exchange(m_lengthField, nullptr);

@@ -3,6 +3,7 @@
 
 #include "encoder/encoder_session.h"
 #include "widgets/dial/rod_state.h"
+#include "widgets/look/printed_view.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -26,6 +27,7 @@ public:
     explicit RodDial(QWidget *parent = nullptr);
 
     void setEncoder(EncoderSession *encoder); // null: none is shown
+    std::optional<PrintedView> printedView() const;
 
 private:
     void knownChanged();

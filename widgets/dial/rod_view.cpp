@@ -161,6 +161,24 @@ QString RodView::note() const
     return m_state.note;
 }
 
+std::vector<std::pair<QString, QString>> RodView::values() const
+{
+    std::vector<std::pair<QString, QString>> values;
+    const auto add = [&values](const QString &name, const QString &value) {
+        if (!value.isEmpty())
+            values.emplace_back(name, value);
+    };
+    if (m_state.position) {
+        add(m_state.isLastKnown ? tr("Last position") : tr("Position"), positionText());
+        add(tr("From the head"), m_state.scale ? millimetreText() : QString());
+    }
+    add(tr("Speed"), speedText());
+    add(tr("Age"), m_state.age);
+    add(tr("Resolution"), resolutionText());
+    add(tr("Note"), note());
+    return values;
+}
+
 QString RodView::valueText() const
 {
     QStringList parts;

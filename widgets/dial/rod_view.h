@@ -4,6 +4,9 @@
 #include "widgets/dial/rod_picture.h"
 #include "widgets/look/value_widget.h"
 
+#include <utility>
+#include <vector>
+
 namespace codewheel {
 
 // The dial of a linear encoder: a rod with its magnet, below it the position in steps and in mm, the speed,
@@ -21,6 +24,7 @@ public:
     const RodPicture &picture() const { return m_picture; }
 
     QString valueText() const override;
+    std::vector<std::pair<QString, QString>> values() const; // name and value of all it shows
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

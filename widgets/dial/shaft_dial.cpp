@@ -6,6 +6,7 @@
 #include "drivers/position_scale.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
+#include "widgets/dial/printed_dial.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
@@ -13,10 +14,14 @@
 
 #include <QVBoxLayout>
 
+#include <array>
 #include <cmath>
 
 namespace codewheel {
 namespace {
+
+constexpr std::array shaftValues{Parameter::steps, Parameter::revolutions, Parameter::direction,
+                                 Parameter::coding};
 
 bool countsClockwise(const EncoderSession &encoder)
 {
@@ -45,8 +50,7 @@ ShaftDial::ShaftDial(QWidget *parent)
     : QWidget(parent)
     , m_age(new AgeTimer(this))
     , m_disc(new CodeDisc(this))
-    , m_missing(new MissingValues(
-          {Parameter::steps, Parameter::revolutions, Parameter::direction, Parameter::coding}, this))
+    , m_missing(new MissingValues({shaftValues.begin(), shaftValues.end()}, this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -67,6 +71,18 @@ void ShaftDial::setEncoder(EncoderSession *encoder)
         connect(encoder, &EncoderSession::freshnessChanged, this, &ShaftDial::draw);
     }
     m_missing->setEncoder(encoder);
+}
+
+std::optional<PrintedView> ShaftDial::printedView() const
+{
+    if (m_encoder == nullptr)
+        return {};
+    DialState state = m_disc->state();
+    state.note.clear(); // stands among the values
+    CodeDisc onPaper;
+    onPaper.setForPaper();
+    onPaper.setState(state);
+    return printedDial(*m_encoder, drawnOnPaper(onPaper, onPaper.sizeHint()), m_disc->values(), shaftValues);
 }
 
 void ShaftDial::knownChanged()

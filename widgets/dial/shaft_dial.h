@@ -3,6 +3,7 @@
 
 #include "encoder/encoder_session.h"
 #include "widgets/dial/dial_state.h"
+#include "widgets/look/printed_view.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -23,6 +24,7 @@ public:
     explicit ShaftDial(QWidget *parent = nullptr);
 
     void setEncoder(EncoderSession *encoder); // null: none is shown
+    std::optional<PrintedView> printedView() const;
 
 private:
     // What must be known for the disc to turn.
