@@ -4038,6 +4038,10 @@
         <source>Cam programs</source>
         <translation>Nockenprogramme</translation>
     </message>
+    <message>
+        <source>Opens the program with this number</source>
+        <translation>Öffnet das Programm mit dieser Nummer</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamRangeBar</name>
@@ -4210,6 +4214,10 @@
     <message>
         <source>Back to the whole cam</source>
         <translation>Zurück zum ganzen Nocken</translation>
+    </message>
+    <message>
+        <source>Shows fewer positions, or more, or all</source>
+        <translation>Zeigt weniger Positionen, mehr oder alle</translation>
     </message>
 </context>
 <context>
@@ -10225,6 +10233,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Asks for positions again</source>
         <translation>Fragt wieder nach Positionen</translation>
     </message>
+    <message>
+        <source>Request field of the terminal</source>
+        <translation>Eingabefeld des Terminals</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MainWindow</name>
@@ -10299,6 +10311,70 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>The next one found, or the one before</source>
         <translation>Der nächste Treffer oder der davor</translation>
+    </message>
+    <message>
+        <source>Selects the word that was typed, or sends it (At once)</source>
+        <translation>Markiert das eingegebene Wort oder sendet es (bei „Sofort“)</translation>
+    </message>
+    <message>
+        <source>Copies a number that has the focus</source>
+        <translation>Kopiert die Zahl mit dem Fokus</translation>
+    </message>
+    <message>
+        <source>Takes what was typed</source>
+        <translation>Übernimmt die Eingabe</translation>
+    </message>
+    <message>
+        <source>Brings back what stood there before</source>
+        <translation>Stellt wieder her, was vorher da stand</translation>
+    </message>
+    <message>
+        <source>Makes a number larger or smaller</source>
+        <translation>Macht eine Zahl größer oder kleiner</translation>
+    </message>
+    <message>
+        <source>Programs of the cams</source>
+        <translation>Nockenprogramme</translation>
+    </message>
+    <message>
+        <source>Filter of the bus structure</source>
+        <translation>Filter des Busaufbaus</translation>
+    </message>
+    <message>
+        <source>Messages, trace, terminal</source>
+        <translation>Meldungen, Handshake-Protokoll, Terminal</translation>
+    </message>
+    <message>
+        <source>Opens the menu of the row</source>
+        <translation>Öffnet das Menü der Zeile</translation>
+    </message>
+    <message>
+        <source>Closes the insert panel</source>
+        <translation>Schließt den Bereich zum Einfügen</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt benutzte Projekte</translation>
+    </message>
+    <message>
+        <source>Opens the project</source>
+        <translation>Öffnet das Projekt</translation>
+    </message>
+    <message>
+        <source>Takes it off the list</source>
+        <translation>Nimmt es aus der Liste</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Eingabefelder</translation>
+    </message>
+    <message>
+        <source>Pages, reviews, questions</source>
+        <translation>Seiten, Prüfungen, Fragen</translation>
+    </message>
+    <message>
+        <source>Closes it, or goes back</source>
+        <translation>Schließt sie oder geht zurück</translation>
     </message>
 </context>
 <context>
@@ -12642,6 +12718,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Commands</source>
         <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Sends the request</source>
+        <translation>Sendet die Anfrage</translation>
+    </message>
+    <message>
+        <source>The request typed before, or after</source>
+        <translation>Die vorige oder nächste eingegebene Anfrage</translation>
+    </message>
+    <message>
+        <source>Lists the commands</source>
+        <translation>Zeigt alle Befehle</translation>
     </message>
 </context>
 <context>
@@ -15714,6 +15802,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Shows the devices whose station, place, make or state has these words; Esc shows all</source>
         <translation>Zeigt die Geräte, in deren Station, Platz, Hersteller oder Zustand diese Wörter stehen; Esc zeigt alle</translation>
+    </message>
+    <message>
+        <source>To the devices that are left</source>
+        <translation>Zu den Geräten, die übrig sind</translation>
+    </message>
+    <message>
+        <source>Shows all devices</source>
+        <translation>Zeigt alle Geräte</translation>
     </message>
 </context>
 <context>

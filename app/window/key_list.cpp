@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/key_list.h"
+
 #include "app/window/main_window.h"
+#include "app/window/window_kinds.h"
+#include "widgets/cams/cam_program_strip.h"
 #include "widgets/cams/cam_ruler.h"
 #include "widgets/cams/cam_table.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/word_view.h"
 #include "widgets/parameters/parameter_table.h"
+#include "widgets/structure/tree_filter.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -74,6 +78,53 @@ void addViews(std::vector<KeyGroup> &groups, const std::set<const QAction *> &se
         groups.push_back(std::move(group));
 }
 
+QList<KeyHelp> keysOfMonitors()
+{
+    return {{keyNames({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter}), MainWindow::tr("Writes OUT")},
+            {keyNames({Qt::Key_Escape}), MainWindow::tr("Discards what is staged")},
+            {keyNames({Qt::Key_Return}),
+             MainWindow::tr("Selects the word that was typed, or sends it (At once)")},
+            {keyNames({QKeySequence::Copy}), MainWindow::tr("Copies a number that has the focus")}};
+}
+
+QList<KeyHelp> keysOfFields()
+{
+    return {{keyNames({Qt::Key_Return}), MainWindow::tr("Takes what was typed")},
+            {keyNames({Qt::Key_Escape}), MainWindow::tr("Brings back what stood there before")},
+            {keyNames({Qt::Key_Up, Qt::Key_Down}), MainWindow::tr("Makes a number larger or smaller")}};
+}
+
+// Where no action answers them.
+void addAnswered(std::vector<KeyGroup> &groups)
+{
+    const QString escape = keyNames({Qt::Key_Escape});
+    const std::pair<QString, QList<KeyHelp>> answered[] = {
+        {MainWindow::tr("Monitor"), keysOfMonitors()},
+        {MainWindow::tr("Bits of a word"), WordView::keys()},
+        {MainWindow::tr("Table of parameters"), ParameterTable::keys()},
+        {MainWindow::tr("Ruler of the cams"), CamRuler::keys()},
+        {MainWindow::tr("Table of the cams"), CamTable::keys()},
+        {MainWindow::tr("Programs of the cams"), CamProgramStrip::keys()},
+        {MainWindow::tr("Filter of the bus structure"), TreeFilter::keys()},
+        {MainWindow::tr("Messages, trace, terminal"),
+         {{keyNames({Qt::SHIFT | Qt::Key_F10}), MainWindow::tr("Opens the menu of the row")}}},
+        {MainWindow::tr("Structure editor"),
+         {{keyNames({QKeySequence::Find}), MainWindow::tr("Finds a device")},
+          {keyNames({Qt::Key_Return, Qt::SHIFT | Qt::Key_Return}),
+           MainWindow::tr("The next one found, or the one before")},
+          {escape, MainWindow::tr("Closes the insert panel")}}},
+        {MainWindow::tr("Recent projects"),
+         {{keyNames({Qt::Key_Return}), MainWindow::tr("Opens the project")},
+          {keyNames({QKeySequence::Delete}), MainWindow::tr("Takes it off the list")}}},
+        {MainWindow::tr("Fields"), keysOfFields()},
+        {MainWindow::tr("Pages, reviews, questions"), {{escape, MainWindow::tr("Closes it, or goes back")}}}};
+    for (const auto &[title, rows] : answered)
+        groups.push_back({title, rows});
+    for (const WindowKind *kind : windowKinds())
+        if (kind->keys != nullptr)
+            groups.push_back(kind->keys());
+}
+
 } // namespace
 
 std::vector<KeyGroup> keysOf(const QMainWindow &window)
@@ -83,20 +134,7 @@ std::vector<KeyGroup> keysOf(const QMainWindow &window)
     for (const QAction *menu : window.menuBar()->actions())
         addMenu(groups, seen, *menu->menu(), plainLabel(menu->text()));
     addViews(groups, seen, window);
-    const std::pair<QString, QList<KeyHelp>> answered[] = {
-        {MainWindow::tr("Monitor"),
-         {{keyNames({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter}), MainWindow::tr("Writes OUT")},
-          {keyNames({Qt::Key_Escape}), MainWindow::tr("Discards what is staged")}}},
-        {MainWindow::tr("Bits of a word"), WordView::keys()},
-        {MainWindow::tr("Table of parameters"), ParameterTable::keys()},
-        {MainWindow::tr("Ruler of the cams"), CamRuler::keys()},
-        {MainWindow::tr("Table of the cams"), CamTable::keys()},
-        {MainWindow::tr("Structure editor"),
-         {{keyNames({QKeySequence::Find}), MainWindow::tr("Finds a device")},
-          {keyNames({Qt::Key_Return, Qt::SHIFT | Qt::Key_Return}),
-           MainWindow::tr("The next one found, or the one before")}}}};
-    for (const auto &[title, rows] : answered)
-        groups.push_back({title, rows});
+    addAnswered(groups);
     std::erase_if(groups, [](const KeyGroup &group) { return group.rows.isEmpty(); });
     return groups;
 }

@@ -18,6 +18,7 @@
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/line/request_field.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/training/line_training_panel.h"
@@ -52,6 +53,11 @@ Place firstThatAnswers(const LineSession &line)
 }
 
 } // namespace
+
+KeyGroup keysOfLines()
+{
+    return {LineViews::tr("Request field of the terminal"), RequestField::keys()};
+}
 
 LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent)
     : BusViews(parent)

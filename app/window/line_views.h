@@ -6,6 +6,7 @@
 #include "encoder/refusal.h"
 #include "esc_line/line_scan.h"
 #include "project/line_plan.h"
+#include "widgets/help/key_help.h"
 
 #include <QPointer>
 
@@ -32,6 +33,7 @@ inline constexpr Panel linePanel{"lineDock", QT_TRANSLATE_NOOP("codewheel::Panel
                                  Qt::ALT | Qt::SHIFT | Qt::Key_L, "serial-line.md#the-panel",
                                  Panel::Behind::state};
 inline constexpr std::array linePanels{&terminalPanel, &linePanel};
+KeyGroup keysOfLines(); // that no action has
 
 // The views of a serial line in the window: terminal and panel, which are in docks, the pages for connecting
 // it and searching for encoders, and the actions that open them.

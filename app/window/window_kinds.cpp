@@ -32,7 +32,7 @@ std::vector<WindowKind> &kinds()
     static std::vector<WindowKind> all{
         {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels},
         {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels,
-         &adapterRows}};
+         &adapterRows, &keysOfLines}};
     return all;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/bus_views.h"
+#include "widgets/help/key_help.h"
 
 #include <span>
 
@@ -14,8 +15,9 @@ struct WindowKind
     std::unique_ptr<BusAtWork> (*make)(BusId id, const BusAtWork::Surroundings &surroundings);
     // Null: its buses are only shown in the bus structure and in the panels of a device.
     BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;
-    std::span<const Panel *const> panels{}; // each with a page per bus
-    QStringList (*adapters)() = nullptr;    // on this computer, for support; null: none
+    std::span<const Panel *const> panels{}; // with a page for each of its buses
+    QStringList (*adapters)() = nullptr;    // of this computer, for support; null: it has none
+    KeyGroup (*keys)() = nullptr;           // that its views answer without actions; null: none
 };
 
 // Those of the program, and the added ones; in the order of the panels.

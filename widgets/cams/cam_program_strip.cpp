@@ -160,6 +160,11 @@ void CamProgramStrip::refresh()
     setVisible(m_sheet.abilities().programs > 1);
 }
 
+QList<KeyHelp> CamProgramStrip::keys()
+{
+    return {{QStringLiteral("1 \u2026 8"), tr("Opens the program with this number")}};
+}
+
 void CamProgramStrip::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() < Qt::Key_0 || event->key() > Qt::Key_9) {

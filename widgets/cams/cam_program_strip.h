@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
+
 #include <QAbstractButton>
 
 #include <array>
@@ -43,6 +45,7 @@ class CamProgramStrip : public QWidget
 
 public:
     explicit CamProgramStrip(CamSheet &sheet, QWidget *parent = nullptr);
+    static QList<KeyHelp> keys(); // that it answers
 
 Q_SIGNALS:
     void programChosen(unsigned number); // 0 and 9 can be typed as well

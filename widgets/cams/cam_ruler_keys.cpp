@@ -56,14 +56,16 @@ void CamRuler::moveByKey(std::int64_t by)
 
 QList<KeyHelp> CamRuler::keys()
 {
-    return {{keyNames({Qt::Key_Left, Qt::Key_Right}), tr("Moves the cam or its edge by one step")},
-            {keyNames({Qt::SHIFT | Qt::Key_Left, Qt::SHIFT | Qt::Key_Right}),
-             tr("Moves it to the next line of the ruler")},
-            {keyNames({Qt::Key_Home, Qt::Key_End}), tr("Takes the first or the last position of the cam")},
-            {keyNames({Qt::Key_Up, Qt::Key_Down}), tr("To another cam")},
-            {keyNames({Qt::Key_Space}), tr("Switches what has the focus on or off")},
-            {keyNames({Qt::Key_Delete}), tr("Clears the cam")},
-            {keyNames({Qt::Key_Escape}), tr("Back to the whole cam")}};
+    return {
+        {keyNames({Qt::Key_Left, Qt::Key_Right}), tr("Moves the cam or its edge by one step")},
+        {keyNames({Qt::SHIFT | Qt::Key_Left, Qt::SHIFT | Qt::Key_Right}),
+         tr("Moves it to the next line of the ruler")},
+        {keyNames({Qt::Key_Home, Qt::Key_End}), tr("Takes the first or the last position of the cam")},
+        {keyNames({Qt::Key_Up, Qt::Key_Down}), tr("To another cam")},
+        {keyNames({Qt::Key_Space}), tr("Switches what has the focus on or off")},
+        {keyNames({Qt::Key_Delete}), tr("Clears the cam")},
+        {keyNames({Qt::Key_Escape}), tr("Back to the whole cam")},
+        {keyNames({Qt::Key_Plus, Qt::Key_Minus, Qt::Key_0}), tr("Shows fewer positions, or more, or all")}};
 }
 
 void CamRuler::keyPressEvent(QKeyEvent *event)

@@ -16,6 +16,13 @@ struct KeyHelp
     QString what;
 };
 
+// Keys that belong together: those of a menu, or those that work in one view.
+struct KeyGroup
+{
+    QString title;
+    QList<KeyHelp> rows;
+};
+
 inline QString keyNames(std::initializer_list<QKeySequence> keys)
 {
     QStringList names;

@@ -86,7 +86,14 @@ void RequestField::goThroughHistory(qsizetype by)
     setText(m_place == m_history.size() ? m_typed : m_history.at(m_place));
 }
 
-// These keys move the cursor in a text; in an empty field they are the terminal's.
+QList<KeyHelp> RequestField::keys()
+{
+    return {{keyNames({Qt::Key_Return}), tr("Sends the request")},
+            {keyNames({Qt::Key_Up, Qt::Key_Down}), tr("The request typed before, or after")},
+            {keyNames({Qt::CTRL | Qt::Key_Space}), tr("Lists the commands")}};
+}
+
+// These move the cursor in a text; where there is none they are the terminal's.
 bool RequestField::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride && text().isEmpty()) {

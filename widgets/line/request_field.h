@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
+
 #include <QLineEdit>
 #include <QStringList>
 
@@ -26,6 +28,7 @@ public:
     void setFractionBits(int bits);
     // Adds what was typed to the history, and empties the field.
     void keep();
+    static QList<KeyHelp> keys(); // that it answers
 
 protected:
     bool event(QEvent *event) override;

@@ -77,6 +77,12 @@ bool TreeFilter::keep(const QModelIndex &parent, int row, const QStringList &wor
     return isKept;
 }
 
+QList<KeyHelp> TreeFilter::keys()
+{
+    return {{keyNames({Qt::Key_Down, Qt::Key_Return}), tr("To the devices that are left")},
+            {keyNames({Qt::Key_Escape}), tr("Shows all devices")}};
+}
+
 void TreeFilter::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Escape && !text().isEmpty())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/help/key_help.h"
+
 #include <QLineEdit>
 
 class QTreeView;
@@ -16,7 +18,8 @@ class TreeFilter : public QLineEdit
 public:
     static constexpr int fromDevices = 12;
 
-    explicit TreeFilter(QTreeView &tree, QWidget *parent = nullptr); // keeps its model
+    explicit TreeFilter(QTreeView &tree, QWidget *parent = nullptr); // its model stays the same one
+    static QList<KeyHelp> keys();                                    // that it answers
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
