@@ -19,6 +19,15 @@ namespace {
 constexpr auto topicOfWindow = "README.md#the-window"; // for everything without a topic of its own
 constexpr auto topicOfFiles = "project.md#files";
 
+// The file dialog that it is, or that asks it: "replace this file?".
+bool isOfFiles(const QWidget *widget)
+{
+    for (; widget != nullptr; widget = widget->parentWidget())
+        if (qobject_cast<const QFileDialog *>(widget) != nullptr)
+            return true;
+    return false;
+}
+
 QWindow *handleOf(QWidget *window)
 {
     return window == nullptr ? nullptr : window->windowHandle();
@@ -66,9 +75,7 @@ void ContextHelp::showForFocus()
         focus = QApplication::activeWindow();
     QString topic = helpTopicOf(focus);
     if (topic.isEmpty())
-        topic = QLatin1String(qobject_cast<QFileDialog *>(QApplication::activeModalWidget()) != nullptr
-                                  ? topicOfFiles
-                                  : topicOfWindow);
+        topic = QLatin1String(isOfFiles(focus) ? topicOfFiles : topicOfWindow);
     showTopic(topic);
 }
 

@@ -53,7 +53,7 @@ QString ReportExport::proposedPath() const
 void ReportExport::askWhere()
 {
     const QString path = askSaveFile(&m_window, tr("Save the commissioning report"), proposedPath(),
-                                     {tr("PDF (*.pdf)"), tr("Web page (*.html)")});
+                                     {tr("PDF (*.pdf)"), tr("Web page (*.html)")}, "report.md");
     if (!path.isEmpty())
         saveTo(path);
 }

@@ -9,9 +9,13 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QShortcut>
 #include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -103,6 +107,49 @@ TEST_F(HelpTest, F1OpensTheManualWhileAQuestionIsAskedAndItCanBeRead)
     actions().stop->trigger();
     EXPECT_TRUE(question.wasAsked());
     EXPECT_TRUE(help()->isVisible()) << "it outlives the question";
+}
+
+TEST_F(HelpTest, F1InAFileDialogOpensTheTopicOfWhoOpenedIt)
+{
+    const auto topicIn = [this](QAction &opens) {
+        QString topic;
+        const test::Question question([&topic](QWidget &dialog) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+            topic = shownTopic();
+            dialog.close();
+        });
+        opens.trigger();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return question.wasAsked() && !topic.isEmpty(); }));
+        return topic.toStdString();
+    };
+    EXPECT_EQ(topicIn(*actions().exportReport), "report.md#");
+    EXPECT_EQ(topicIn(*actions().openProject), "project.md#files");
+    EXPECT_EQ(topicIn(*actions().saveProjectAs), "project.md#files");
+    EXPECT_EQ(topicIn(*actions().exportMessages), "messages.md#");
+}
+
+TEST_F(HelpTest, F1WhereAFileDialogAsksToReplaceAFileIsAboutFilesToo)
+{
+    QFile old(folder.filePath(QStringLiteral("old.codewheel")));
+    ASSERT_TRUE(old.open(QIODevice::WriteOnly));
+    old.close();
+    QString topic;
+    const test::Question saving([&](QWidget &dialog) {
+        auto &files = dynamic_cast<QFileDialog &>(dialog);
+        files.setDirectory(folder.path());
+        files.findChild<QLineEdit *>()->setText(QStringLiteral("old.codewheel"));
+        QTimer::singleShot(0, &files, [&] {
+            QWidget *replace = QApplication::activeModalWidget();
+            ASSERT_NE(qobject_cast<QMessageBox *>(replace), nullptr);
+            QTest::keyClick(replace, Qt::Key_F1);
+            topic = shownTopic();
+            replace->close();
+            files.close();
+        });
+        QTest::keyClick(files.findChild<QLineEdit *>(), Qt::Key_Return);
+    });
+    actions().saveProjectAs->trigger();
+    EXPECT_EQ(topic, QStringLiteral("project.md#files"));
 }
 
 TEST_F(HelpTest, AlarmStopWorksWhileTheManualIsRead)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/save_file.h"
 
+#include "widgets/help/help_topic.h"
+
 #include <QFileDialog>
 
 namespace codewheel {
@@ -24,10 +26,12 @@ void setSaveFilters(QFileDialog &dialog, const QStringList &filters)
 }
 
 QString askSaveFile(QWidget *parent, const QString &title, const QString &proposed,
-                    const QStringList &filters)
+                    const QStringList &filters, const char *helpTopic)
 {
     const QFileInfo file(proposed);
     QFileDialog dialog(parent, title, file.absolutePath());
+    if (helpTopic != nullptr)
+        setHelpTopic(dialog, helpTopic);
     setSaveFilters(dialog, filters);
     dialog.selectFile(file.fileName());
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();

@@ -14,6 +14,6 @@ void setSaveFilters(QFileDialog &dialog, const QStringList &filters);
 
 // Asks where to save; proposed: a name or a path. Empty: cancelled.
 QString askSaveFile(QWidget *parent, const QString &title, const QString &proposed,
-                    const QStringList &filters);
+                    const QStringList &filters, const char *helpTopic = nullptr);
 
 } // namespace codewheel
