@@ -27,8 +27,11 @@ FaultNotice::FaultNotice(Plant &plant, ViewsOf viewsOf, QVBoxLayout &notices, QO
 
 void FaultNotice::showFrame()
 {
-    m_faults.look(m_plant.buses());
+    const auto before = m_faults.all();
+    const bool isOther = m_faults.look(m_plant.buses()) != before;
     m_banner->showFaults(m_faults, [this](BusId bus) { return nameOf(bus); });
+    if (isOther)
+        Q_EMIT changed();
 }
 
 // The name is given where it could be any of several buses.

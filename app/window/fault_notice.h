@@ -32,7 +32,8 @@ public:
     QStringList inBrief(const std::function<bool(BusId bus)> &isMeant) const;
 
 Q_SIGNALS:
-    void shown(codewheel::BusId bus, const codewheel::Fault &fault); // its place should be chosen
+    void changed(); // there are others, or they are told otherwise
+    void shown(codewheel::BusId bus, const codewheel::Fault &fault); // its place is to be chosen
 
 private:
     QString nameOf(BusId bus) const;

@@ -111,6 +111,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         plant, [this](BusId bus) { return viewsOf(bus); },
         *static_cast<QVBoxLayout *>(centralWidget()->layout()), this);
     connect(m_faults, &FaultNotice::shown, this, &MainWindow::showFault);
+    connect(m_faults, &FaultNotice::changed, this, &MainWindow::showOtherFaults);
     m_structure->setProject(m_project, plant.catalog());
     m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
     connectViews();
@@ -126,17 +127,12 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         showMonitors();
         m_structure->setFocus();
     });
-    connect(m_head, &PageHead::opened, this, [this](bool isOpen) {
-        m_actions.closePage->setEnabled(isOpen);
-        if (isOpen)
-            m_panels.fold().fold();
-        else
-            m_panels.fold().unfold();
-    });
-    // Queued, until the panels have the heights that are to be restored.
-    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::foldForStart, Qt::QueuedConnection);
+    connect(m_head, &PageHead::opened, m_actions.closePage, &QAction::setEnabled);
     showBusState();
     showStart();
+    connect(m_head, &PageHead::roomChanged, this, &MainWindow::foldBottom);
+    // Later, when the panels have the heights that are to come back.
+    QTimer::singleShot(0, this, &MainWindow::foldBottom);
     if (m_pages->currentWidget() == m_monitors)
         m_structure->setFocus();
     else
@@ -208,15 +204,18 @@ void MainWindow::showFrame()
     for (const auto &[bus, views] : m_views)
         views->showFrame();
     m_faults->showFrame();
-    m_status->setOtherFaults(otherFaults());
     m_status->showFrame();
 }
 
-// Those of buses whose state is not in the status line, since another bus of their kind is chosen.
-QStringList MainWindow::otherFaults() const
+// Of buses whose state the status line does not show, since another one of their kind is chosen.
+void MainWindow::showOtherFaults()
 {
-    return m_faults->inBrief(
-        [this](BusId bus) { return m_currentOf.value(m_plant->find(bus)->kind()) != bus; });
+    if (m_faults == nullptr)
+        return;
+    m_status->setOtherFaults(m_faults->inBrief([this](BusId bus) {
+        const BusAtWork *its = m_plant->find(bus); // null: removed since the faults were looked at
+        return its != nullptr && m_currentOf.value(its->kind()) != bus;
+    }));
 }
 
 // Shows its place, and the panel with more about it.
@@ -248,12 +247,11 @@ void MainWindow::showMonitors()
         m_pages->setCurrentWidget(m_start->pageInsteadOf(m_monitors));
 }
 
-// The start page, like any page, needs the height of the bottom panels.
-void MainWindow::foldForStart()
+void MainWindow::foldBottom()
 {
-    if (m_pages->currentWidget() == m_start->page())
+    if (m_head->needsRoom())
         m_panels.fold().fold();
-    else if (m_pages->currentWidget() == m_monitors)
+    else
         m_panels.fold().unfold();
 }
 

@@ -131,7 +131,7 @@ private:
     void followRow();
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
-    QStringList otherFaults() const;
+    void showOtherFaults();
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
     void chooseBusOf(Place place);
@@ -144,7 +144,7 @@ private:
     void collectForSupport();
     void showBusState();
     void showStart();
-    void foldForStart();
+    void foldBottom();
     void connectDrops();
     void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has no words

@@ -222,6 +222,7 @@ void MainWindow::tellWhose()
                 m_panels.tellWhose(*panel, nameAmongOthers(bus));
     }
     m_head->showHead();
+    showOtherFaults();
 }
 
 void MainWindow::chooseBusOf(Place place)

@@ -17,6 +17,8 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -55,10 +57,16 @@ PageHead::PageHead(QStackedWidget &pages, QWidget &window)
 
 void PageHead::follow()
 {
-    auto *page = qobject_cast<Page *>(m_pages.currentWidget());
-    if (page == m_page)
-        return;
-    const bool wasOpen = !isHidden();
+    const bool needsRoom = m_pages.currentIndex() > 0;
+    if (needsRoom)
+        setNeedsRoom(true);
+    if (auto *page = qobject_cast<Page *>(m_pages.currentWidget()); page != m_page)
+        take(page);
+    setNeedsRoom(needsRoom);
+}
+
+void PageHead::take(Page *page)
+{
     if (m_page)
         m_page->disconnect(this);
     m_page = page;
@@ -66,12 +74,15 @@ void PageHead::follow()
         connect(page, &Page::headChanged, this, &PageHead::showHead);
         connect(page, &Page::closeRequested, this, &PageHead::closed);
     }
-    if (!wasOpen && page != nullptr)
-        Q_EMIT opened(true); // makes room before it is needed
     setVisible(page != nullptr);
     showHead();
-    if (wasOpen && page == nullptr)
-        Q_EMIT opened(false);
+    Q_EMIT opened(page != nullptr);
+}
+
+void PageHead::setNeedsRoom(bool needs)
+{
+    if (std::exchange(m_needsRoom, needs) != needs)
+        Q_EMIT roomChanged();
 }
 
 void PageHead::showHead()

@@ -25,23 +25,29 @@ public:
 
     Page *page() const { return m_page; } // null: the monitors
     void closePage();
-    void showHead(); // after names of buses may have changed
+    void showHead(); // buses may have other names
+    // What is shown needs the height of the panels at the bottom: all but the monitors do.
+    bool needsRoom() const { return m_needsRoom; }
 
 Q_SIGNALS:
     void closed();
-    void opened(bool isOpen); // a page replaces the monitors, or the reverse
+    void opened(bool isOpen); // a page, or there is none now
+    void roomChanged();       // needsRoom(): it is there before the head needs it
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void follow();
+    void take(Page *page);
+    void setNeedsRoom(bool needs);
     bool mayClose(Page &page);
     bool ask(const QString &what);
 
     QStackedWidget &m_pages;
     QWidget &m_window;
     QPointer<Page> m_page;
+    bool m_needsRoom = false;
     MeaningLine *m_title;
     MeaningLine *m_effect;
     QToolButton *m_close;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start page: when it is shown, and what its entries do.
+// The start page: when it is seen, and what its entries do.
+#include "app/window/bottom_fold.h"
 #include "app/window/plant.h"
 #include "app/window/program.h"
 #include "app/window/project_files.h"
@@ -80,6 +81,25 @@ TEST_F(StartPageTest, HasTheHeightOfThePanelsAtTheBottom)
     ringActions().connectBus->trigger();
     advance(50);
     EXPECT_TRUE(QTest::qWaitFor([&] { return monitors().height() == before; })) << monitors().height();
+}
+
+TEST_F(StartPageTest, BetweenItAndAPageThePanelsStayAsTheUserHasThem)
+{
+    resizeTo({1280, 800});
+    disconnectAll();
+    const int high = start().height();
+    window().findChild<BottomFold *>()->unfold(); // as a click on a tab does
+    advance(50);
+    ASSERT_LT(start().height(), high - 100);
+    actions().structureEditor->trigger();
+    advance(50);
+    actions().closePage->trigger();
+    advance(50);
+    EXPECT_LT(start().height(), high - 100);
+    ringActions().connectBus->trigger();
+    advance(50);
+    disconnectAll();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return start().height() == high; })) << "the next time they are folded";
 }
 
 TEST_F(StartPageTest, LeavesAPageThatIsOpenInItsPlace)
