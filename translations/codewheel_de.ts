@@ -799,6 +799,38 @@
         <source>The device is not on the bus.</source>
         <translation>Das Gerät ist nicht am Bus.</translation>
     </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Port gone</source>
+        <translation>Anschluss weg</translation>
+    </message>
+    <message>
+        <source>Bus stopped</source>
+        <translation>Bus angehalten</translation>
+    </message>
+    <message>
+        <source>Not on the bus</source>
+        <translation>Nicht am Bus</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>Not asked</source>
+        <translation>Nicht gefragt</translation>
+    </message>
+    <message>
+        <source>Computer slept</source>
+        <translation>Rechner war im Ruhezustand</translation>
+    </message>
 </context>
 <context>
     <name>IdCode</name>

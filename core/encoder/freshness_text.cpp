@@ -59,4 +59,29 @@ QString freshnessText(Freshness::Reason reason)
     return {};
 }
 
+QString freshnessBrief(Freshness::Reason reason)
+{
+    switch (reason) {
+    case Freshness::Reason::none:
+        break;
+    case Freshness::Reason::notSeen:
+        return FreshnessText::tr("Nothing yet");
+    case Freshness::Reason::disconnected:
+        return FreshnessText::tr("Not connected");
+    case Freshness::Reason::linkLost:
+        return FreshnessText::tr("Port gone");
+    case Freshness::Reason::stopped:
+        return FreshnessText::tr("Bus stopped");
+    case Freshness::Reason::notOnBus:
+        return FreshnessText::tr("Not on the bus");
+    case Freshness::Reason::silent:
+        return FreshnessText::tr("No answer");
+    case Freshness::Reason::notAsked:
+        return FreshnessText::tr("Not asked");
+    case Freshness::Reason::slept:
+        return FreshnessText::tr("Computer slept");
+    }
+    return {};
+}
+
 } // namespace codewheel

@@ -14,5 +14,7 @@ QString agoText(const QDateTime &then, const QDateTime &now);
 
 // Why it is not live, as a sentence: "The bus does not run."; empty while it is live.
 QString freshnessText(Freshness::Reason reason);
+// In two or three words: "Bus stopped".
+QString freshnessBrief(Freshness::Reason reason);
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #include "widgets/monitor/word_line.h"
 
 #include "catalog/explain_word.h"
+#include "encoder/freshness_text.h"
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -139,9 +140,10 @@ QString WordLine::explain() const
     const QString text = explanationText(*m_description, explainWord(*m_description, shown(), context));
     if (isOut())
         return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
-    return isOld()
-               ? tr("Not up to date, %1: %2", "20 s ago, meaning of a word").arg(ageText(*m_channel), text)
-               : text;
+    if (!isOld())
+        return text;
+    return QStringLiteral("%1, %2: %3") // "Bus stopped, 20 s ago: ..."
+        .arg(freshnessBrief(m_channel->freshness().reason()), ageText(*m_channel), text);
 }
 
 } // namespace codewheel

@@ -211,7 +211,7 @@ TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
     EXPECT_FALSE(bits.isOld(outBits)) << "it goes out when the bus runs again";
     EXPECT_EQ(ink(in), card.palette().color(QPalette::Active, QPalette::PlaceholderText));
     EXPECT_EQ(ink(out), live);
-    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, %1: ").arg(lastSeen())))
+    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Bus stopped, %1: ").arg(lastSeen())))
         << in.meaning().toStdString();
     EXPECT_TRUE(card.findChild<BarView *>()->valueText().endsWith(QStringLiteral("not up to date")));
 

@@ -128,22 +128,22 @@ TEST_F(WordCardTest, BothMeaningsAreGivenWhereTheModeIsNotKnown)
     EXPECT_TRUE(out.meaning().contains(QLatin1String("Start of cam 0"))) << out.meaning().toStdString();
 }
 
-TEST_F(WordCardTest, AWordFromBeforeIsToldAsSuch)
+TEST_F(WordCardTest, AWordFromBeforeIsToldAsSuchWithItsReason)
 {
     const QString upToDate = in.meaning();
-    EXPECT_FALSE(upToDate.startsWith(QStringLiteral("Not up to date")));
+    const QString ofOut = out.meaning();
     ring.bus.setRunning(false);
     ring.bus.advance(40);
     const QDateTime seen = ring.bus.dateTime(ring.channel(fraba).freshness().seen());
     const QString lastSeen = QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
-    EXPECT_EQ(in.meaning(), QStringLiteral("Not up to date, %1: %2").arg(lastSeen, upToDate));
-    EXPECT_FALSE(out.meaning().startsWith(QStringLiteral("Not up to date"))) << "it is what will be sent";
+    EXPECT_EQ(in.meaning(), QStringLiteral("Bus stopped, %1: %2").arg(lastSeen, upToDate));
+    EXPECT_EQ(out.meaning(), ofOut) << "it is what will be sent";
     ring.bus.setRunning(true);
     ring.bus.advance(40);
     EXPECT_EQ(in.meaning(), upToDate);
     ring.bus.switchSegment(DeviceNumber::of(fraba.node).segment, false);
     ring.bus.advance(40);
-    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, "))) << "the ring runs without it";
+    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not on the bus, "))) << "the ring runs without it";
 }
 
 TEST_F(WordCardTest, AClickedBitIsStagedAndSentByWrite)
