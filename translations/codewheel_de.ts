@@ -7319,6 +7319,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Encoder</source>
         <translation>Geber</translation>
     </message>
+    <message>
+        <source>There is no encoder at %1.</source>
+        <comment>2.0</comment>
+        <translation>Auf Platz %1 ist kein Geber.</translation>
+    </message>
+    <message>
+        <source>The dial is pinned to this place. Unpinned, it follows the bus structure.</source>
+        <translation>Die Anzeige ist an diesen Platz geheftet. Gelöst folgt sie dem Busaufbau.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DirectionPage</name>
@@ -16606,6 +16615,26 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DialHead</name>
+    <message>
+        <source>Pin dial</source>
+        <translation>Anzeige anheften</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <comment>the dial</comment>
+        <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>Let the dial follow the bus structure again</source>
+        <translation>Die Anzeige wieder dem Busaufbau folgen lassen</translation>
+    </message>
+    <message>
+        <source>Keep this dial when another encoder is chosen</source>
+        <translation>Diese Anzeige behalten, wenn ein anderer Geber gewählt wird</translation>
     </message>
 </context>
 </TS>

@@ -44,8 +44,10 @@ public:
     bool isTraining() const;             // such a bus always exists
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
-    virtual void openTraining() {} // connects it in Operate
-    virtual void start() {}        // in a thread of its own from now on, unless driven by hand
+    virtual void openTraining() {} // connects a training bus, in Operate
+    // An encoder of a training bus whose shaft turns by itself.
+    virtual std::optional<Place> turning() const { return std::nullopt; }
+    virtual void start() {} // by a thread of its own from now on, unless it is driven by hand
     const LedgerKeeper *ledger() const { return m_ledger.get(); } // null: no bus
 
 Q_SIGNALS:

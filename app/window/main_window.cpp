@@ -20,7 +20,7 @@
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
-#include "widgets/dial/dial_panel.h"
+#include "widgets/dial/dial_pin.h"
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -119,6 +119,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectBuses();
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
+    m_dial->restore(m_settings.pinnedDial());
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
     connect(m_buses, &Buses::changed, this, &MainWindow::showStart);
     connect(m_buses, &Buses::changed, m_messages, &MessagesView::showPlaces);
@@ -139,7 +140,27 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
         m_pages->currentWidget()->setFocus();
 }
 
-// Has a notice of its own, since the question stays until it is answered.
+// In a narrow window the dial stands behind the parameters, whose first rows say less at first.
+void MainWindow::showFirstTime()
+{
+    for (const BusAtWork *bus : m_plant->all())
+        if (const auto turning = bus->turning(); turning && !m_dial->pinned())
+            m_dial->pinForNow(*turning);
+    m_panels.raise(panel::dial);
+}
+
+std::optional<Place> MainWindow::pinnedDial() const
+{
+    return m_dial != nullptr ? m_dial->pinned() : std::nullopt;
+}
+
+void MainWindow::pinDial(Place place)
+{
+    if (m_dial->pinned() != place)
+        m_dial->pinForNow(place);
+}
+
+// A notice of its own: the question stands until it is answered.
 void MainWindow::askForRecovery(ProjectRecovery &recovery)
 {
     auto *question = new InlineMessage(this);
@@ -175,7 +196,7 @@ void MainWindow::showChosen()
     EncoderSession *connected = encoder.session();
     m_parameters->setEncoder(encoder);
     const auto offline = connected == nullptr && encoder.isThere() ? m_choice->place() : std::nullopt;
-    m_dial->setEncoder(connected, offline);
+    m_dial->follow(encoder);
     m_trace->setEncoder(connected, offline);
     m_sequence->setEncoder(connected, offline);
     m_status->setEncoder(connected);
@@ -325,6 +346,7 @@ void MainWindow::saveWindow()
         return; // never filled: nothing worth keeping
     m_settings.setWindow(saveGeometry(), m_layouts->toKeep());
     m_settings.setMonitors(m_monitors->state());
+    m_settings.setPinnedDial(m_dial->toKeep());
 }
 
 bool MainWindow::event(QEvent *event)

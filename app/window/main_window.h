@@ -26,7 +26,7 @@ class CamEditor;
 class Buses;
 class DeviceChoice;
 class DevicePanel;
-class DialPanel;
+class DialPin;
 class DroppedDevice;
 class EncoderBus;
 struct Fault;
@@ -72,7 +72,11 @@ public:
 
     // Both outlive the window: they are kept when it is rebuilt in another language.
     void attach(Plant &plant, MessageModel &messages);
-    // What must be known above all, such as that messages are not kept. Stays until it is closed.
+    // At the first start of all: what turns is pinned beside the monitor.
+    void showFirstTime();
+    std::optional<Place> pinnedDial() const;
+    void pinDial(Place place); // for this session
+    // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
     void warn(const QString &sentence);
 
     // Takes a frame of the bus and shows it. Called by the FrameClock, in tests by hand.
@@ -181,7 +185,7 @@ private:
     ParameterWizard *m_wizard = nullptr;
     CamEditor *m_cams = nullptr;
     ParameterPanel *m_parameters = nullptr;
-    DialPanel *m_dial = nullptr;
+    DialPin *m_dial = nullptr;
     DevicePanel *m_device = nullptr;
     TraceView *m_trace = nullptr;
     SequenceView *m_sequence = nullptr;

@@ -19,6 +19,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/dial/dial_pin.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -78,7 +79,9 @@ void MainWindow::makeDocks(MessageModel &messages)
 {
     m_structure = new StructureView(this);
     m_parameters = new ParameterPanel(*m_wanted, this);
-    m_dial = new DialPanel(this);
+    auto *dial = new DialPanel(this);
+    m_dial = new DialPin(*dial, *m_buses, [this](Place place) { return m_project.device(place).station; });
+    connect(&m_project, &ProjectDocument::changed, m_dial, &DialPin::showHead);
     m_device = new DevicePanel(*m_buses, m_plant->catalog(), this);
     m_trace = new TraceView(*m_buses, this);
     m_trace->setMostRows(m_settings.choices().traceRows);
@@ -99,7 +102,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     add(panel::structure, m_structure);
     addPaged(panel::training);
     add(panel::parameters, m_parameters);
-    add(panel::dial, m_dial);
+    add(panel::dial, dial);
     add(panel::messages, m_messages);
     add(panel::trace, m_trace);
     add(panel::sequence, sequences);

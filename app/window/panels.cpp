@@ -237,8 +237,13 @@ void Panels::raiseFirst()
     using namespace panel;
     // Parameters last: in a low or narrow window they share a place with other panels.
     for (const Panel *first : {&trace, &training, &dial, &parameters})
-        QTimer::singleShot(0, dock(*first),
-                           [its = dock(*first)] { its->raise(); }); // once there are tab bars
+        raise(*first);
+}
+
+// Once there are tab bars.
+void Panels::raise(const Panel &panel)
+{
+    QTimer::singleShot(0, dock(panel), [its = dock(panel)] { its->raise(); });
 }
 
 } // namespace codewheel

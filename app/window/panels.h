@@ -76,6 +76,7 @@ public:
     void arrange(WindowSize size);
     // Brings the panels one looks at first to the front.
     void raiseFirst();
+    void raise(const Panel &panel); // in front of all that were before
 
 private:
     struct Dock

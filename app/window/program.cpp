@@ -93,7 +93,8 @@ void Program::startBus()
             return QDateTime::currentDateTime();
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
-    if (m_file.isEmpty() && m_settings.isFirstStart())
+    const bool isFirst = m_file.isEmpty() && m_settings.isFirstStart();
+    if (isFirst)
         m_plant->openTraining();
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
@@ -101,6 +102,8 @@ void Program::startBus()
              .refusal =
                  Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
+    if (isFirst)
+        m_window->showFirstTime();
     openProject();
     m_plant->start();
     m_frames.start();
@@ -163,8 +166,11 @@ void Program::makeWindowAnew()
     m_window->saveWindow();
     useLanguage();
     const bool visible = m_window->isVisible();
+    const auto pinned = m_window->pinnedDial();
     m_window.reset();
     openWindow();
+    if (pinned)
+        m_window->pinDial(*pinned);
     m_window->setVisible(visible);
     m_choices.goOnIn(*m_window);
 }

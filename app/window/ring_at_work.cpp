@@ -57,7 +57,15 @@ void RingAtWork::openTraining()
     project().setProject(projectOf(bus()->structure(), id()), {});
 }
 
-// Passes on what the plan of the training ring knows of its encoders, the first time.
+std::optional<Place> RingAtWork::turning() const
+{
+    for (const TrainingControls::Shaft &shaft : controls().shafts())
+        if (shaft.revolutionsPerMinute != 0)
+            return Place{id(), shaft.number};
+    return std::nullopt;
+}
+
+// What the plan of the training ring knows of its encoders, the first time.
 void RingAtWork::tellPlan()
 {
     if (!bus()->isOpen() || std::exchange(m_planIsTold, true))

@@ -25,7 +25,8 @@ public:
     std::optional<Pacing> pacing() const;
     // Connects it in Operate, like RingSession::open().
     Result<void> open(std::optional<Pacing> pacing);
-    void openTraining() override; // also plans it as it is: no differences at first
+    void openTraining() override; // and plans it as it is: nothing differs at first
+    std::optional<Place> turning() const override;
     void start() override;
 
 private:

@@ -49,6 +49,7 @@ const QString lastFileKey = QStringLiteral("project/lastFile");
 const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString monitorsKey = QStringLiteral("window/monitors");
+const QString pinnedDialKey = QStringLiteral("window/pinnedDial");
 const QString helpLayoutKey = QStringLiteral("help/layout");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
@@ -171,6 +172,19 @@ std::optional<QJsonObject> WindowSettings::monitors() const
 void WindowSettings::setMonitors(const QJsonObject &monitors)
 {
     m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+std::optional<Place> WindowSettings::pinnedDial() const
+{
+    return Place::parse(m_settings->value(pinnedDialKey).toString());
+}
+
+void WindowSettings::setPinnedDial(std::optional<Place> place)
+{
+    if (place)
+        m_settings->setValue(pinnedDialKey, place->key());
+    else
+        m_settings->remove(pinnedDialKey);
 }
 
 QByteArray WindowSettings::helpLayout() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/window_size.h"
+#include "encoder/place.h"
 #include "widgets/settings/program_settings.h"
 
 #include <QByteArray>
@@ -42,6 +43,9 @@ public:
 
     std::optional<QJsonObject> monitors() const; // nothing at the first start
     void setMonitors(const QJsonObject &monitors);
+
+    std::optional<Place> pinnedDial() const; // by the user
+    void setPinnedDial(std::optional<Place> place);
 
     QByteArray helpLayout() const; // of the help window
     void setHelpLayout(const QByteArray &layout);

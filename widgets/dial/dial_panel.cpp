@@ -3,20 +3,22 @@
 
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
+#include "widgets/dial/dial_head.h"
 #include "widgets/dial/rod_dial.h"
 #include "widgets/dial/shaft_dial.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
 
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 namespace codewheel {
 
 DialPanel::DialPanel(QWidget *parent)
     : QWidget(parent)
+    , m_head(new DialHead(this))
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::encoder, {}, {}, this))
     , m_shaft(new ShaftDial(this))
@@ -26,9 +28,8 @@ DialPanel::DialPanel(QWidget *parent)
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_shaft);
     m_pages->addWidget(m_rod);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
-    layout->addWidget(m_pages);
+    layOutColumn(this, {m_head, {m_pages, 1}},
+                 {.spacing = 0, .margins = QMargins(grid::margin, 0, grid::unit, grid::margin)});
 }
 
 std::optional<PrintedView> DialPanel::printedView() const
@@ -48,6 +49,9 @@ void DialPanel::contextMenuEvent(QContextMenuEvent *event)
 
 void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline)
 {
+    if (encoder != nullptr && encoder == m_encoder)
+        return; // what is typed and told there stays
+    m_encoder = encoder;
     const bool isRod = encoder != nullptr && encoder->device().profile == Profile::la66;
     m_shaft->setEncoder(isRod ? nullptr : encoder);
     m_rod->setEncoder(isRod ? encoder : nullptr);
@@ -60,6 +64,13 @@ void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline
         m_pages->setCurrentWidget(m_empty);
     else
         m_pages->setCurrentWidget(isRod ? static_cast<QWidget *>(m_rod) : m_shaft);
+}
+
+void DialPanel::setAway(Place pinned)
+{
+    setEncoder(nullptr);
+    m_empty->setTexts(tr("There is no encoder at %1.", "2.0").arg(pinned.shown()),
+                      tr("The dial is pinned to this place. Unpinned, it follows the bus structure."));
 }
 
 } // namespace codewheel

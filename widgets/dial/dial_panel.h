@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/encoder_session.h"
 #include "widgets/look/printed_view.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <optional>
@@ -12,8 +14,8 @@ class QStackedWidget;
 
 namespace codewheel {
 
+class DialHead;
 class EmptyState;
-class EncoderSession;
 class RodDial;
 class ShaftDial;
 
@@ -27,6 +29,8 @@ public:
 
     // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
+    void setAway(Place pinned); // its bus is connected, without an encoder there
+    DialHead &head() { return *m_head; }
 
     std::optional<PrintedView> printedView() const override;
     // For its context menu, while there is something to print; it outlives the panel.
@@ -36,6 +40,8 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
+    QPointer<EncoderSession> m_encoder;
+    DialHead *m_head;
     QStackedWidget *m_pages;
     EmptyState *m_empty;
     ShaftDial *m_shaft;
