@@ -94,6 +94,7 @@ void Program::startBus()
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
     const bool isFirst = m_file.isEmpty() && m_settings.isFirstStart();
+    m_settings.noteStart();
     if (isFirst)
         m_plant->openTraining();
     for (const Catalog::Fault &fault : faults)

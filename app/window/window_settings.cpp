@@ -47,6 +47,7 @@ const QString largeControlsKey = QStringLiteral("appearance/largeControls");
 const QString lessMotionKey = QStringLiteral("appearance/lessMotion");
 const QString lastFileKey = QStringLiteral("project/lastFile");
 const QString recentFilesKey = QStringLiteral("project/recentFiles");
+const QString startedKey = QStringLiteral("started");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString monitorsKey = QStringLiteral("window/monitors");
 const QString pinnedDialKey = QStringLiteral("window/pinnedDial");
@@ -115,7 +116,13 @@ QString WindowSettings::folder() const
 
 bool WindowSettings::isFirstStart() const
 {
-    return !m_settings->contains(geometryKey);
+    return !m_settings->contains(startedKey) && !m_settings->contains(geometryKey); // of earlier versions
+}
+
+void WindowSettings::noteStart()
+{
+    m_settings->setValue(startedKey, true);
+    m_settings->sync();
 }
 
 QString WindowSettings::lastFile() const

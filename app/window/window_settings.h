@@ -30,8 +30,9 @@ public:
     ProgramSettings choices() const;
     void setChoices(const ProgramSettings &choices);
 
-    bool isFirstStart() const; // no window has ever been closed
-    QString lastFile() const;  // the project that was open last; empty: none was
+    bool isFirstStart() const;
+    void noteStart();         // from now on, whatever becomes of this one
+    QString lastFile() const; // the project that was open last; empty: none was
     void setLastFile(const QString &file);
     QStringList recentFiles() const; // most recent first
     void setRecentFiles(const QStringList &files);

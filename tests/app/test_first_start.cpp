@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QFile>
 #include <QLocale>
 #include <QToolButton>
 
@@ -92,6 +93,16 @@ TEST_F(FirstStart, TheDialStaysPinnedInAnotherLanguage)
     Q_EMIT window().languageChosen(QStringLiteral("de"));
     EXPECT_TRUE(waitFor([this] { return window().windowTitle().startsWith(QStringLiteral("Unbenannt")); }));
     EXPECT_TRUE(isPinned());
+}
+
+TEST_F(FirstStart, IsKeptAsSoonAsItHappened)
+{
+    EXPECT_TRUE(WindowSettings(file()).isFirstStart());
+    start();
+    const QString atThatMoment =
+        folder.filePath(QStringLiteral("killed.ini")); // as a program that is killed leaves it
+    ASSERT_TRUE(QFile::copy(file(), atThatMoment));
+    EXPECT_FALSE(WindowSettings(atThatMoment).isFirstStart());
 }
 
 TEST_F(FirstStart, TheSecondOneConnectsNothingAndPinsNothing)
