@@ -3,6 +3,8 @@
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/appearance.h"
+#include "widgets/structure/structure_columns.h"
+#include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 
@@ -17,6 +19,7 @@
 #include <QRect>
 #include <QSize>
 #include <QStatusBar>
+#include <QTreeView>
 
 #include <gtest/gtest.h>
 #include <set>
@@ -104,6 +107,27 @@ TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
     ASSERT_TRUE(search->isVisible());
     expectSmall(QStringLiteral("insert panel"));
     EXPECT_FALSE(search->visibleRegion().isEmpty()) << "what one opens is in sight";
+}
+
+TEST_P(SmallWindow, TheNameInTheTreeKeeps16Characters)
+{
+    auto *tree = window().findChild<QTreeView *>(QStringLiteral("structure"));
+    const auto *model = static_cast<const StructureModel *>(tree->model());
+    const QFontMetrics font = tree->fontMetrics();
+    for (const Place place : shown->buses().places()) {
+        QStyleOptionViewItem cell;
+        cell.initFrom(tree->viewport());
+        cell.rect = tree->visualRect(model->indexOf(place));
+        cell.features = QStyleOptionViewItem::HasDecoration | QStyleOptionViewItem::HasDisplay;
+        cell.decorationSize = tree->iconSize();
+        cell.text = QString(16, u'n');
+        const int room = tree->style()->subElementRect(QStyle::SE_ItemViewItemText, &cell, tree).width() -
+                         2 * (tree->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, tree) + 1);
+        EXPECT_GE(room, font.horizontalAdvance(QStringLiteral("Kranhubwerk 12AB")))
+            << place.shown().toStdString();
+        EXPECT_GE(room, widthOfCharacters(font, 16)) << place.shown().toStdString();
+    }
+    EXPECT_FALSE(tree->isColumnHidden(StructureModel::positionColumn));
 }
 
 TEST_P(SmallWindow, TheStatusLineLeavesOutWhatHasNoRoom)

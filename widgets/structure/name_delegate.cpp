@@ -26,7 +26,7 @@ void NameDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
 {
     const QString detail = index.data(StructureModel::detailRole).toString();
     if (detail.isEmpty()) {
-        QStyledItemDelegate::paint(painter, option, index);
+        StructureDelegate::paint(painter, option, index);
         return;
     }
     QStyleOptionViewItem cell = option;

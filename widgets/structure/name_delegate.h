@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "widgets/structure/structure_delegate.h"
 
 namespace codewheel {
 
-// A device in the bus structure: first its name at the plant, then its place and make in small type, which
-// are cut off first if there is no room.
-class NameDelegate : public QStyledItemDelegate
+// A device in the bus structure: what people at the plant call it first, its place and make small behind it.
+// Where there is no room, the latter are cut off first.
+class NameDelegate : public StructureDelegate
 {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using StructureDelegate::StructureDelegate;
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;

@@ -13,22 +13,23 @@
 namespace codewheel {
 namespace {
 
-constexpr int nameCharacters = 16;     // at least
-constexpr int wideNameCharacters = 28; // before there are more columns
-constexpr int stateCharacters = 11;
-constexpr int detailCharacters = 11;        // "37h = 55"
-constexpr int largestPosition = 33'554'431; // of 25 bits
+constexpr int nameCharacters = 16;
+constexpr int leastNameCharacters = 12; // before the position goes
+constexpr int wideNameCharacters = 23;  // before there are more columns
+constexpr int stateCharacters = 9;
+constexpr int leastStateCharacters = 6;     // of less nothing could be read
+constexpr int detailCharacters = 9;         // "37h = 55"
+constexpr int largestPosition = 33'554'431; // of 25 bit
 
 struct Room
 {
     const QTreeView &tree;
 
-    int of(int characters) const { return characters * tree.fontMetrics().averageCharWidth(); }
+    int of(int characters) const { return widthOfCharacters(tree.fontMetrics(), characters); }
     int name(int levels, int characters) const
     {
         return levels * tree.indentation() + grid::smallIcon + 2 * grid::margin + of(characters);
     }
-    static int icon() { return grid::smallIcon + 2 * grid::margin; }
     int position() const
     {
         return tree.fontMetrics().horizontalAdvance(QLocale().toString(largestPosition)) + 2 * grid::margin;
@@ -37,21 +38,34 @@ struct Room
 
 } // namespace
 
+int widthOfCharacters(const QFontMetrics &font, int characters)
+{
+    static const QString usual =
+        QStringLiteral("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789");
+    const auto all = static_cast<int>(usual.size());
+    return (font.horizontalAdvance(usual) * characters + all - 1) / all;
+}
+
+int stateIconWidth()
+{
+    return grid::smallIcon + 2 * grid::margin;
+}
+
 void placeColumns(QTreeView &tree, int levels)
 {
     const Room room{tree};
     const int all = tree.viewport()->width();
     const int name = room.name(levels, nameCharacters);
-    const int state = room.icon() + room.of(stateCharacters);
+    const int state = stateIconWidth() + room.of(stateCharacters);
     const int detail = room.of(detailCharacters) + 2 * grid::margin;
-    const bool hasWord = all >= name + state + room.position();
-    const bool hasPosition = all >= name + room.icon() + room.position();
-    int left = all - room.name(levels, wideNameCharacters) - state - room.position();
-    tree.setColumnWidth(StructureModel::stateColumn, hasWord || !hasPosition
-                                                         ? std::min(state, std::max(all - name, room.icon()))
-                                                         : all - name - room.position());
+    const bool hasPosition =
+        all >= room.name(levels, leastNameCharacters) + stateIconWidth() + room.position();
+    const int forState = std::min(state, all - name - (hasPosition ? room.position() : 0));
+    const bool hasWord = forState >= stateIconWidth() + room.of(leastStateCharacters);
+    tree.setColumnWidth(StructureModel::stateColumn, hasWord ? forState : stateIconWidth());
     tree.setColumnWidth(StructureModel::positionColumn, room.position());
     tree.setColumnHidden(StructureModel::positionColumn, !hasPosition);
+    int left = all - room.name(levels, wideNameCharacters) - state - room.position();
     for (int column = StructureModel::profileColumn; column < StructureModel::columns; ++column) {
         left -= detail;
         tree.setColumnWidth(column, detail);

@@ -71,8 +71,9 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
                                              QT_TR_NOOP("ID code"),  QT_TR_NOOP("Words IN / OUT")};
     if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == positionColumn)
         return int{Qt::AlignRight | Qt::AlignVCenter};
-    const bool isTitle =
-        orientation == Qt::Horizontal && role == Qt::DisplayRole && section >= 0 && section < columnCount();
+    const bool isTitle = orientation == Qt::Horizontal &&
+                         (role == Qt::DisplayRole || role == Qt::ToolTipRole) && section >= 0 &&
+                         section < columnCount();
     return isTitle ? tr(titles[section]) : QVariant();
 }
 

@@ -9,12 +9,12 @@
 #include "widgets/look/may_elide.h"
 #include "widgets/structure/name_delegate.h"
 #include "widgets/structure/structure_columns.h"
+#include "widgets/structure/structure_header.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/tree_filter.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -55,6 +55,7 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setModel(m_model);
     m_filter = new TreeFilter(*m_tree, this);
     layout->insertWidget(0, m_filter);
+    m_tree->setHeader(new StructureHeader(m_tree));
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setIndentation(indentation);
     m_tree->setUniformRowHeights(true);
@@ -66,6 +67,7 @@ StructureView::StructureView(QWidget *parent)
     m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Stretch);
     m_tree->header()->setStretchLastSection(false);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_tree->setItemDelegate(new StructureDelegate(this));
     m_tree->setItemDelegateForColumn(StructureModel::deviceColumn, new NameDelegate(this));
     for (const int column :
          {StructureModel::deviceColumn, StructureModel::stateColumn, StructureModel::positionColumn})

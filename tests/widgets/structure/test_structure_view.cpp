@@ -6,6 +6,8 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
+#include "widgets/structure/structure_columns.h"
+#include "widgets/structure/structure_delegate.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/structure_view.h"
@@ -289,7 +291,7 @@ protected:
         return all;
     }
     const QTreeView &tree() const { return *view.findChild<QTreeView *>(); }
-    int ofCharacters(int count) const { return count * tree().fontMetrics().averageCharWidth(); }
+    int ofCharacters(int count) const { return widthOfCharacters(tree().fontMetrics(), count); }
     int roomForName(Place place) const
     {
         const auto &shown = static_cast<const StructureModel &>(*tree().model());
@@ -323,13 +325,35 @@ TEST_F(StructureColumns, TheNameKeepsItsRoomInAnyPanel)
         EXPECT_LE(all, tree().viewport()->width()) << width;
         EXPECT_GE(tree().columnWidth(StructureModel::stateColumn), tree().iconSize().width()) << width;
         if (width >= 240) {
-            EXPECT_GE(roomForName(test::onLoop), ofCharacters(16)) << width;
+            EXPECT_GE(roomForName(test::onLoop), ofCharacters(width >= 320 ? 16 : 12)) << width;
         }
     }
     EXPECT_FALSE(tree().isColumnHidden(StructureModel::wordsColumn)) << "a wide panel shows all";
     view.resize(340, 300);
     EXPECT_TRUE(tree().isColumnHidden(StructureModel::profileColumn));
     EXPECT_FALSE(tree().isColumnHidden(StructureModel::positionColumn));
+}
+
+TEST_F(StructureColumns, AStateWithoutRoomForItsWordIsItsIconAndStillSaid)
+{
+    view.resize(310, 300);
+    const QModelIndex state = tree().model()->index(0, StructureModel::stateColumn); // that of the master
+    QStyleOptionViewItem cell;
+    cell.rect = tree().visualRect(state);
+    struct Delegate : StructureDelegate
+    {
+        using StructureDelegate::initStyleOption;
+    };
+    Delegate().initStyleOption(&cell, state);
+    EXPECT_TRUE(cell.text.isEmpty()) << cell.rect.width();
+    EXPECT_FALSE(cell.icon.isNull());
+    EXPECT_EQ(state.data().toString(), QStringLiteral("RUN")) << "for screen readers";
+    EXPECT_TRUE(state.data(Qt::ToolTipRole).toString().contains(QStringLiteral("RUN")));
+    view.resize(400, 300);
+    cell = {};
+    cell.rect = tree().visualRect(state);
+    Delegate().initStyleOption(&cell, state);
+    EXPECT_EQ(cell.text, QStringLiteral("RUN"));
 }
 
 TEST_F(StructureTest, WhatIsBehindABreakIsGreyAndSaidToBe)
