@@ -5,11 +5,15 @@
 #include "widgets/look/roles.h"
 #include "widgets/structure/structure_model.h"
 
-#include <QItemSelectionModel>
 #include <QPainter>
 #include <QPaintEvent>
 
 namespace codewheel {
+namespace {
+
+constexpr int cable = 2; // pixels
+
+} // namespace
 
 // If the changed rows are not adjacent, QTreeView paints them in full; this one stays within the changed
 // column.
@@ -29,26 +33,41 @@ void StructureTree::focusInEvent(QFocusEvent *event)
         QAbstractScrollArea::focusInEvent(event);
 }
 
+// The ends of a broken cable stand before the cells.
+void StructureTree::dataChanged(const QModelIndex &first, const QModelIndex &last, const QList<int> &roles)
+{
+    QTreeView::dataChanged(first, last, roles);
+    if (first.column() > StructureModel::deviceColumn)
+        return;
+    const QRect rows = visualRect(first) | visualRect(last);
+    viewport()->update(0, rows.top(), viewport()->width(), rows.height());
+}
+
 void StructureTree::drawRow(QPainter *painter, const QStyleOptionViewItem &option,
                             const QModelIndex &index) const
 {
     QTreeView::drawRow(painter, option, index);
-    if (!index.data(StructureModel::isBehindBreakRole).toBool())
-        return;
-    const int top = option.rect.top() + 1;
-    const int left = visualRect(index.siblingAtColumn(StructureModel::deviceColumn)).left();
-    const QColor color = selectionModel()->isSelected(index) ? palette().color(QPalette::HighlightedText)
-                                                             : roleColor(Role::fault, palette());
-    painter->save();
-    painter->setPen(QPen(color, 2, Qt::DashLine));
-    painter->drawLine(left, top, option.rect.right(), top);
-    // the two ends of the cable
-    painter->setPen(QPen(color, 2));
-    painter->setRenderHint(QPainter::Antialiasing);
-    const int middle = left - 2 * grid::unit;
-    for (const int end : {middle - grid::unit, middle})
-        painter->drawLine(end, top + grid::unit, end + grid::unit, top - 1);
-    painter->restore();
+    if (index.data(StructureModel::isBehindBreakRole).toBool())
+        drawBreak(*painter, option.rect,
+                  visualRect(index.siblingAtColumn(StructureModel::deviceColumn)).left());
+}
+
+// The cable between this row and the one above, and its two ends where it is cut. In a chosen row it stands
+// on the ground of the others.
+void StructureTree::drawBreak(QPainter &painter, const QRect &row, int left) const
+{
+    const QColor color = roleColor(Role::fault, palette());
+    const QRect ends(left - 4 * grid::unit, row.top(), 4 * grid::unit, 3 * grid::unit);
+    painter.save();
+    painter.fillRect(QRect(row.left(), row.top() + cable, row.width(), 1), palette().base());
+    painter.fillRect(ends, palette().base());
+    painter.fillRect(QRect(row.left(), row.top(), ends.left() - row.left(), cable), color);
+    painter.fillRect(QRect(left, row.top(), row.right() + 1 - left, cable), color);
+    painter.setPen(QPen(color, cable));
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const int end : {ends.left() + grid::unit, ends.left() + 2 * grid::unit})
+        painter.drawLine(end, ends.bottom() - 1, end + grid::unit, ends.top() + 1);
+    painter.restore();
 }
 
 } // namespace codewheel

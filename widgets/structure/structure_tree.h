@@ -13,11 +13,17 @@ class StructureTree : public QTreeView
 public:
     using QTreeView::QTreeView;
 
+    void dataChanged(const QModelIndex &first, const QModelIndex &last,
+                     const QList<int> &roles = {}) override;
+
 protected:
     void focusInEvent(QFocusEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option,
                  const QModelIndex &index) const override;
+
+private:
+    void drawBreak(QPainter &painter, const QRect &row, int left) const;
 };
 
 } // namespace codewheel

@@ -4,7 +4,9 @@
 #include "tests/support/model_tester.h"
 #include "tests/support/plans.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/look/appearance.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/roles.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_delegate.h"
@@ -14,6 +16,8 @@
 #include "widgets/structure/tree_filter.h"
 
 #include <QAbstractItemModel>
+#include <QApplication>
+#include <QImage>
 #include <QModelIndex>
 #include <QScopeGuard>
 #include <QSignalSpy>
@@ -355,6 +359,73 @@ TEST_F(StructureColumns, AStateWithoutRoomForItsWordIsItsIconAndStillSaid)
     Delegate().initStyleOption(&cell, state);
     EXPECT_EQ(cell.text, QStringLiteral("RUN"));
 }
+
+// What is painted, in both themes.
+class StructureLook : public StructureColumns, public testing::WithParamInterface<Scheme>
+{
+protected:
+    StructureLook()
+    {
+        applyAppearance(*qApp, {.scheme = GetParam()});
+        view.show();
+    }
+    ~StructureLook() override { applyAppearance(*qApp, {.scheme = Scheme::light}); }
+
+    QModelIndex cell(Place place, StructureModel::Column column) const
+    {
+        return static_cast<const StructureModel &>(*tree().model()).indexOf(place).siblingAtColumn(column);
+    }
+    QImage painted(QRect where) { return tree().viewport()->grab(where).toImage(); }
+    static int count(const QImage &image, const QColor &color)
+    {
+        int found = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                found += image.pixelColor(x, y) == color ? 1 : 0;
+        return found;
+    }
+    // How far a text stands out from the ground it is on.
+    static int inkOf(const QImage &image)
+    {
+        int ink = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                ink = std::max(ink, std::abs(qGray(image.pixel(x, y)) - qGray(image.pixel(0, 0))));
+        return ink;
+    }
+};
+
+TEST_P(StructureLook, TheBrokenCableIsALineFromEdgeToEdgeWhetherItsRowIsChosenOrNot)
+{
+    ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
+    ring.bus.advance(40);
+    for (const Place chosen : {fraba, test::multiTurn}) {
+        view.choose(chosen);
+        QRect row = tree().visualRect(cell(test::multiTurn, StructureModel::deviceColumn));
+        row.setLeft(0);
+        row.setRight(tree().viewport()->width() - 1);
+        const int line = count(painted(row), roleColor(Role::fault, view.palette()));
+        EXPECT_GE(line, 2 * (row.width() - 30)) << chosen.shown().toStdString();
+        QRect before = row.translated(0, -4);
+        before.setHeight(4);
+        EXPECT_LT(count(painted(before), roleColor(Role::fault, view.palette())), 10) << "in its own row";
+    }
+}
+
+TEST_P(StructureLook, AnOldPositionLooksSoInTheChosenRowToo)
+{
+    view.choose(fraba);
+    const QRect place = tree().visualRect(cell(fraba, StructureModel::positionColumn));
+    const int live = inkOf(painted(place));
+    ring.bus.setRunning(false);
+    ring.bus.advance(40);
+    const int old = inkOf(painted(place));
+    EXPECT_LT(old, live * 3 / 4);
+    EXPECT_GT(old, live / 3) << "it is read";
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, StructureLook, testing::Values(Scheme::light, Scheme::dark),
+                         [](const auto &tested) { return tested.param == Scheme::light ? "Light" : "Dark"; });
 
 TEST_F(StructureTest, WhatIsBehindABreakIsGreyAndSaidToBe)
 {
