@@ -47,9 +47,11 @@ void StructureTree::drawRow(QPainter *painter, const QStyleOptionViewItem &optio
                             const QModelIndex &index) const
 {
     QTreeView::drawRow(painter, option, index);
-    if (index.data(StructureModel::isBehindBreakRole).toBool())
-        drawBreak(*painter, option.rect,
-                  visualRect(index.siblingAtColumn(StructureModel::deviceColumn)).left());
+    if (!index.data(StructureModel::isBehindBreakRole).toBool())
+        return;
+    const QModelIndex device = index.siblingAtColumn(StructureModel::deviceColumn);
+    const int arrow = model()->hasChildren(device) ? indentation() : 0;
+    drawBreak(*painter, option.rect, visualRect(device).left() - arrow);
 }
 
 // The cable between this row and the one above, and its two ends where it is cut. In a chosen row it stands

@@ -412,6 +412,21 @@ TEST_P(StructureLook, TheBrokenCableIsALineFromEdgeToEdgeWhetherItsRowIsChosenOr
     }
 }
 
+TEST_P(StructureLook, ABreakBeforeABusTerminalLeavesItsArrow)
+{
+    view.choose(fraba);
+    const QRect name = tree().visualRect(cell(test::busTerminal, StructureModel::deviceColumn));
+    const QRect arrow(name.left() - tree().indentation(), name.top() + 3, tree().indentation(),
+                      name.height() - 3);
+    const QImage before = painted(arrow);
+    ring.controls->setFault(TrainingFault::wireBreak, test::busTerminal.node, 1);
+    ring.bus.advance(40);
+    ASSERT_TRUE(cell(test::busTerminal, StructureModel::deviceColumn)
+                    .data(StructureModel::isBehindBreakRole)
+                    .toBool());
+    EXPECT_EQ(painted(arrow), before);
+}
+
 TEST_P(StructureLook, AnOldPositionLooksSoInTheChosenRowToo)
 {
     view.choose(fraba);
