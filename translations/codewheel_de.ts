@@ -16368,6 +16368,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Prints the table or the picture that has the focus, or else the commissioning report, after a preview</source>
         <translation>Druckt die Tabelle oder das Bild mit dem Fokus, sonst den Inbetriebnahmebericht, nach einer Vorschau</translation>
     </message>
+    <message>
+        <source>Pin &amp;dial</source>
+        <translation>An&amp;zeige anheften</translation>
+    </message>
+    <message>
+        <source>Keeps the dial of the chosen encoder when another one is chosen</source>
+        <translation>Behält die Anzeige des gewählten Gebers, wenn ein anderer gewählt wird</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>

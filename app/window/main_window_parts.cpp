@@ -82,6 +82,11 @@ void MainWindow::makeDocks(MessageModel &messages)
     auto *dial = new DialPanel(this);
     m_dial = new DialPin(*dial, *m_buses, [this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_dial, &DialPin::showHead);
+    connect(m_actions.pinDial, &QAction::triggered, m_dial, &DialPin::setPinned);
+    connect(m_dial, &DialPin::changed, this, [this] {
+        m_actions.pinDial->setEnabled(m_dial->canBePinned());
+        m_actions.pinDial->setChecked(m_dial->pinned().has_value());
+    });
     m_device = new DevicePanel(*m_buses, m_plant->catalog(), this);
     m_trace = new TraceView(*m_buses, this);
     m_trace->setMostRows(m_settings.choices().traceRows);

@@ -178,6 +178,10 @@ void WindowActions::makeDeviceMenu()
         open(Icon::monitor, tr("M&onitor"), Qt::CTRL | Qt::Key_1, tr("Shows the words of the chosen device"));
     pinMonitor = open(Icon::pin, tr("&Pin monitor"), Qt::CTRL | Qt::Key_2,
                       tr("Keeps the monitor of the chosen device when another one is chosen"));
+    pinDial = open(Icon::pin, tr("Pin &dial"), Qt::CTRL | Qt::Key_3,
+                   tr("Keeps the dial of the chosen encoder when another one is chosen"));
+    pinDial->setCheckable(true);
+    pinDial->setEnabled(false);
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);

@@ -81,6 +81,7 @@ public:
     // Device
     QAction *openMonitor;
     QAction *pinMonitor;
+    QAction *pinDial;
     QAction *wizard;
     QAction *cams;
     QAction *replaceEncoder;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/dial_panel.h"
 #include "widgets/monitor/word_card.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
@@ -62,6 +64,21 @@ TEST_F(MainWindowTest, TheMonitorFollowsTheTreeAndHasTheNameOfTheStation)
     actions().pinMonitor->trigger();
     window().findChild<StructureView *>()->choose(fraba);
     EXPECT_EQ(monitors().cards().size(), 2u);
+}
+
+TEST_F(MainWindowTest, TheDialIsPinnedAndUnpinnedByItsKey)
+{
+    const auto *disc = window().findChild<DialPanel *>()->findChild<CodeDisc *>();
+    const auto press = [this] { QTest::keyClick(&window(), Qt::Key_3, Qt::ControlModifier); };
+    press();
+    EXPECT_TRUE(actions().pinDial->isChecked());
+    window().findChild<StructureView *>()->choose(baumer);
+    EXPECT_EQ(disc->accessibleName(), QStringLiteral("Dial of 1.0"));
+    press();
+    EXPECT_FALSE(actions().pinDial->isChecked());
+    EXPECT_EQ(disc->accessibleName(), QStringLiteral("Dial of 2.0"));
+    window().findChild<StructureView *>()->choose("6.0"_ring);
+    EXPECT_FALSE(actions().pinDial->isEnabled()) << "a bus terminal has none";
 }
 
 TEST_F(MainWindowTest, NothingIsSentByOpeningChoosingAndLooking)

@@ -12,7 +12,7 @@ DialPin::DialPin(DialPanel &panel, const Buses &buses, StationOf stationOf)
     , m_buses(buses)
     , m_stationOf(std::move(stationOf))
 {
-    connect(&panel.head(), &DialHead::pinToggled, this, &DialPin::pin);
+    connect(&panel.head(), &DialHead::pinToggled, this, &DialPin::setPinned);
     connect(&buses, &Buses::changed, this, &DialPin::followBuses);
     show();
 }
@@ -47,7 +47,7 @@ void DialPin::restore(std::optional<Place> kept)
     show();
 }
 
-void DialPin::pin(bool pinned)
+void DialPin::setPinned(bool pinned)
 {
     m_pin = pinned && m_chosen.isThere() ? std::optional(Pin{m_chosen.place()}) : std::nullopt;
     show();
@@ -77,6 +77,7 @@ void DialPin::showHead()
 {
     m_panel.head().setTitle(title());
     m_panel.head().setPinned(m_pin.has_value());
+    Q_EMIT changed();
 }
 
 QString DialPin::title() const

@@ -23,12 +23,18 @@ public:
     DialPin(DialPanel &panel, const Buses &buses, StationOf stationOf);
 
     void follow(const ShownEncoder &chosen);
-    void showHead(); // stations may be others now
+    // That which is shown; false: the chosen one is followed again.
+    void setPinned(bool pinned);
+    bool canBePinned() const { return m_pin || m_chosen.isThere(); } // or is
+    void showHead();                                                 // stations may be others now
     std::optional<Place> pinned() const;
     // Not by the user: it goes as soon as the encoder does, and is not kept.
     void pinForNow(Place place);
     std::optional<Place> toKeep() const; // what the user has pinned
     void restore(std::optional<Place> kept);
+
+Q_SIGNALS:
+    void changed(); // whether it is pinned, or can be
 
 private:
     struct Pin
@@ -37,7 +43,6 @@ private:
         bool isForNow = false;
     };
 
-    void pin(bool pinned);
     void followBuses();
     void show();
     QString title() const;
