@@ -6,6 +6,7 @@
 #include "widgets/line/line_row_options.h"
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/replay_model.h"
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -56,6 +57,7 @@ LineRecordView::LineRecordView(QWidget *parent)
     m_title->setTextFormat(Qt::PlainText);
     m_title->setWordWrap(true);
     setUpQuietTable(*m_stepTable, *m_steps, tr("Requests sent again"));
+    FittedColumns::useIn(*m_stepTable, ReplayModel::meaning);
     m_stepTable->setMinimumHeight(2 * grid::largeIcon);
     m_stepTable->hide();
 

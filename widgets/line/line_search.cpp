@@ -8,6 +8,7 @@
 #include "widgets/line/found_encoder_model.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -168,7 +169,7 @@ void LineSearch::makeTable()
 {
     setUpQuietTable(*m_table, *m_found, tr("Encoders found"));
     m_table->setToolTip(tr("Space chooses an encoder"));
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    FittedColumns::useIn(*m_table, FoundEncoderModel::version);
     m_content->addWidget(m_empty);
     m_content->addWidget(m_table);
 }

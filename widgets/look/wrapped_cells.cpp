@@ -4,11 +4,11 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/wrapped_text.h"
 
-#include <QApplication>
 #include <QHeaderView>
 #include <QPainter>
 #include <QTableView>
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -25,14 +25,49 @@ void WrappedCells::useIn(QTableView &table)
             &QTableView::resizeRowsToContents);
 }
 
+WrappedCells::Widths WrappedCells::widthsOf(const QModelIndex &index) const
+{
+    QStyleOptionViewItem option;
+    option.initFrom(&m_table);
+    option.widget = &m_table;
+    const int icon = m_table.style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, &m_table);
+    option.decorationSize = m_table.iconSize().isValid() ? m_table.iconSize() : QSize(icon, icon);
+    initStyleOption(&option, index);
+    const QFontMetrics metrics(option.font);
+    Widths widths;
+    for (const QString &word : option.text.split(u' '))
+        widths.word = std::max(widths.word, metrics.horizontalAdvance(word));
+    widths.line = std::max(widths.word, metrics.horizontalAdvance(option.text));
+    const int beside = besideText(option) + grid::unit; // lines are broken to the pixel
+    return {widths.word + beside, widths.line + beside};
+}
+
+// All that icon and check box leave.
+QRect WrappedCells::textRect(const QStyleOptionViewItem &given) const
+{
+    QStyleOptionViewItem option = given;
+    option.showDecorationSelected = true;
+    return m_table.style()
+        ->subElementRect(QStyle::SE_ItemViewItemText, &option, &m_table)
+        .adjusted(grid::unit, 0, -grid::unit, 0);
+}
+
+int WrappedCells::besideText(const QStyleOptionViewItem &given) const
+{
+    constexpr int wide = 1'000;
+    QStyleOptionViewItem option = given;
+    option.rect = QRect(0, 0, wide, wide);
+    return wide - textRect(option).width();
+}
+
 void WrappedCells::paint(QPainter *painter, const QStyleOptionViewItem &given, const QModelIndex &index) const
 {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
+    const QRect inside = textRect(option);
     const QString text = std::exchange(option.text, {});
-    QApplication::style()->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+    m_table.style()->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-    const QRect inside = option.rect.adjusted(grid::unit, 0, -grid::unit, 0);
     painter->save();
     painter->setPen(option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text));
     WrappedText(text, option.font, inside.width(), option.displayAlignment).draw(*painter, inside);
@@ -43,9 +78,13 @@ QSize WrappedCells::sizeHint(const QStyleOptionViewItem &given, const QModelInde
 {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
-    const int room = m_table.columnWidth(index.column()) - 2 * grid::unit;
-    return {option.fontMetrics.horizontalAdvance(option.text) + 3 * grid::unit,
-            WrappedText(option.text, option.font, room, option.displayAlignment).height() + 2 * grid::unit};
+    option.features.setFlag(QStyleOptionViewItem::WrapText, false);
+    const QSize inOneLine = m_table.style()->sizeFromContents(QStyle::CT_ItemViewItem, &option, {}, &m_table);
+    int room = -besideText(option);
+    for (int span = 0; span < m_table.columnSpan(index.row(), index.column()); ++span)
+        room += m_table.columnWidth(index.column() + span);
+    const int lines = WrappedText(option.text, option.font, room, option.displayAlignment).height();
+    return {inOneLine.width() + grid::unit, std::max(inOneLine.height(), lines + 2 * grid::unit)};
 }
 
 } // namespace codewheel

@@ -14,15 +14,24 @@ class WrappedCells : public QStyledItemDelegate
     Q_OBJECT
 
 public:
-    // Row heights follow the widths of the columns.
+    explicit WrappedCells(QTableView &table);
+    // Its rows follow the widths of its columns.
     static void useIn(QTableView &table);
+
+    struct Widths
+    {
+        int word = 0; // of the longest word of the text
+        int line = 0; // of all of it
+    };
+    Widths widthsOf(const QModelIndex &index) const;
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 
 private:
-    explicit WrappedCells(QTableView &table);
+    QRect textRect(const QStyleOptionViewItem &option) const;
+    int besideText(const QStyleOptionViewItem &option) const;
 
     const QTableView &m_table;
 };

@@ -22,7 +22,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int replaceStepsFrom = 560;
+constexpr int replaceStepsFrom = 680; // logical pixels, as in the wizard
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_table.h"
 
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/transfer/transfer_model.h"
 
@@ -13,17 +14,20 @@ TransferTable::TransferTable(TransferModel &model, const QString &name, QWidget 
     setUpQuietTable(*this, model, name);
     setSelectionBehavior(QAbstractItemView::SelectItems);
     setToolTip(tr("Space chooses an encoder"));
-    horizontalHeader()->setSectionResizeMode(TransferModel::place, QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(TransferModel::what, QHeaderView::Stretch);
-    connect(&model, &QAbstractItemModel::modelReset, this, &TransferTable::spanNotes);
+    connect(&model, &QAbstractItemModel::modelReset, this, &TransferTable::spanCells);
+    FittedColumns::useIn(*this, TransferModel::what);
 }
 
-void TransferTable::spanNotes()
+void TransferTable::spanCells()
 {
     clearSpans();
-    for (int row = 0; row < m_model.rowCount(); ++row)
-        if (m_model.rowAt(row).kind == ReviewRow::Kind::note)
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const ReviewRow::Kind kind = m_model.rowAt(row).kind;
+        if (kind == ReviewRow::Kind::note)
             setSpan(row, TransferModel::what, 1, m_model.columnCount() - TransferModel::what);
+        else if (kind == ReviewRow::Kind::head)
+            setSpan(row, TransferModel::what, 1, TransferModel::eeprom - TransferModel::what);
+    }
 }
 
 } // namespace codewheel

@@ -17,7 +17,7 @@ public:
     TransferTable(TransferModel &model, const QString &name, QWidget *parent = nullptr);
 
 private:
-    void spanNotes();
+    void spanCells();
 
     TransferModel &m_model;
 };

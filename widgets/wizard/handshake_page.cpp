@@ -10,6 +10,7 @@
 #include "widgets/job/job_cancel.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -50,8 +51,8 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Handshake"), parent)
     , m_view(named(new QTableView(this), "steps"))
     , m_state(new RoleLabel(this))
-    , m_out(new QLabel(this))
-    , m_in(new QLabel(this))
+    , m_out(wrappedLabel(this))
+    , m_in(wrappedLabel(this))
     , m_next(describe(new QPushButton(lineIcon(Icon::step), tr("Next &step"), this), "nextStep",
                       tr("Sends the next step.")))
     , m_byItself(describe(new QCheckBox(tr("Run b&y itself"), this), "runByItself",
@@ -66,11 +67,11 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     }))
 {
     setUpQuietTable(*m_view, m_steps, tr("Steps of the handshake"));
+    FittedColumns::useIn(*m_view, StepTable::what);
     m_run->hide(); // until it is known what it does
     for (QLabel *word : {m_out, m_in}) {
         word->setFont(numberFont());
         word->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        word->setMinimumWidth(1); // a long meaning is cut off rather than widening the page
     }
 
     layOutColumn(this,

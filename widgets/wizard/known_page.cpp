@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -53,6 +54,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     using Kind = ReviewColumn::Kind;
     m_table.setColumns({{tr("Parameter")}, {tr("Value"), Kind::number}, {tr("Known by")}});
     setUpQuietTable(*m_view, m_table, tr("What is known of the encoder"));
+    FittedColumns::useIn(*m_view, 0);
     m_tell->setToolTip(tr("Say what the encoder has, for instance from its papers. Nothing is sent."));
 
     m_tellRow->addWidget(m_tellLabel);

@@ -10,6 +10,7 @@
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -19,33 +20,11 @@
 
 #include <QCheckBox>
 #include <QRadioButton>
-#include <QStyledItemDelegate>
-
-#include <algorithm>
 
 namespace codewheel {
 namespace {
 
-enum ChangeColumn { nameColumn, oldColumn, newColumn, actionColumn };
-
-// A value takes two sevenths of the table, and more only if one of its words needs it; longer ones wrap.
-class ValueDelegate final : public QStyledItemDelegate
-{
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
-    {
-        QSize size = QStyledItemDelegate::sizeHint(option, index);
-        const auto *view = static_cast<const QTableView *>(parent());
-        const QFontMetrics metrics(index.data(Qt::FontRole).value<QFont>());
-        int needed = 0;
-        for (const QString &word : index.data().toString().split(u' '))
-            needed = std::max(needed, metrics.horizontalAdvance(word) + 2 * grid::margin);
-        size.setWidth(std::min(size.width(), std::max(needed, view->viewport()->width() * 2 / 7)));
-        return size;
-    }
-};
+constexpr int actionColumn = 3;
 
 // With its age, if it is not up to date.
 QString positionNow(const EncoderSession &encoder)
@@ -76,14 +55,9 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     m_changes.setColumns(
         {{tr("Parameter")}, {tr("Old"), Kind::value}, {tr("New"), Kind::value}, {tr("What happens")}});
     setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
-    // What happens, and values, may wrap; a name cut off could be any parameter's.
-    m_changesView->setWordWrap(true);
-    m_changesView->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
-    m_changesView->horizontalHeader()->setSectionResizeMode(actionColumn, QHeaderView::Stretch);
-    auto *values = new ValueDelegate(m_changesView);
-    for (const int column : {oldColumn, newColumn})
-        m_changesView->setItemDelegateForColumn(column, values);
+    FittedColumns::useIn(*m_changesView, actionColumn);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
+    FittedColumns::useIn(*m_stepsView, StepTable::what);
     describe(m_writeAll, "writeAll", tr("Each write costs the EEPROM of the encoder one of its writes."));
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/fitted_columns.h"
+
+#include "widgets/look/wrapped_cells.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QTableView>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace codewheel {
+namespace {
+
+using Widths = WrappedCells::Widths;
+
+constexpr int mostRows = 1'000; // that are measured
+
+// Of columns none of which is wider than `level`, unless a word needs it.
+int widthAt(const Widths &column, int level)
+{
+    return std::clamp(level, column.word, column.line);
+}
+
+int widthAt(const std::vector<Widths> &columns, int level)
+{
+    int width = 0;
+    for (const Widths &column : columns)
+        width += widthAt(column, level);
+    return width;
+}
+
+int highestLevel(const std::vector<Widths> &columns, int room)
+{
+    int level = 0;
+    for (int beyond = room + 1; beyond - level > 1;) {
+        const int middle = (level + beyond) / 2;
+        (widthAt(columns, middle) <= room ? level : beyond) = middle;
+    }
+    return level;
+}
+
+std::vector<Widths> widthsOf(const QTableView &table, const WrappedCells &cells)
+{
+    std::vector<Widths> columns;
+    for (int column = 0; column < table.model()->columnCount(); ++column) {
+        const int head = table.horizontalHeader()->sectionSizeHint(column);
+        Widths widest{head, head};
+        for (int row = 0; row < std::min(table.model()->rowCount(), mostRows); ++row) {
+            if (table.columnSpan(row, column) > 1)
+                continue;
+            const Widths its = cells.widthsOf(table.model()->index(row, column));
+            widest = {std::max(widest.word, its.word), std::max(widest.line, its.line)};
+        }
+        columns.push_back(widest);
+    }
+    return columns;
+}
+
+} // namespace
+
+FittedColumns::FittedColumns(QTableView &table, int stretched)
+    : QObject(&table)
+    , m_table(table)
+    , m_stretched(stretched)
+    , m_cells(new WrappedCells(table))
+{}
+
+void FittedColumns::useIn(QTableView &table, int stretched)
+{
+    (new FittedColumns(table, stretched))->follow();
+}
+
+void FittedColumns::follow()
+{
+    m_table.setItemDelegate(m_cells);
+    m_table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table.installEventFilter(this);
+    m_table.viewport()->installEventFilter(this);
+    const QAbstractItemModel *model = m_table.model();
+    for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(model, changed, this, &FittedColumns::fitSoon);
+    connect(model, &QAbstractItemModel::modelReset, this, &FittedColumns::fitSoon);
+    connect(model, &QAbstractItemModel::dataChanged, this, &FittedColumns::fitSoon);
+}
+
+bool FittedColumns::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool isOther = watched == &m_table
+                             ? event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange
+                             : event->type() == QEvent::Resize;
+    if (isOther)
+        fitSoon();
+    return QObject::eventFilter(watched, event);
+}
+
+// Once for all rows that change, and before they are painted.
+void FittedColumns::fitSoon()
+{
+    if (!std::exchange(m_isDue, true))
+        QMetaObject::invokeMethod(this, &FittedColumns::fit, Qt::QueuedConnection);
+}
+
+void FittedColumns::fit()
+{
+    m_isDue = false;
+    const std::vector<Widths> columns = widthsOf(m_table, *m_cells);
+    const int room = m_table.viewport()->width();
+    const int level = highestLevel(columns, room);
+    const int left = std::max(room - widthAt(columns, level), 0);
+    for (int column = 0; column < static_cast<int>(columns.size()); ++column)
+        m_table.setColumnWidth(column, widthAt(columns[static_cast<std::size_t>(column)], level) +
+                                           (column == m_stretched ? left : 0));
+    m_table.resizeRowsToContents();
+}
+
+} // namespace codewheel
