@@ -5,7 +5,7 @@
 #include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "widgets/look/grid.h"
+#include "widgets/look/folding_row.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/scale_preview.h"
 #include "widgets/wizard/wanted_scale.h"
@@ -20,7 +20,7 @@ ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     , m_gear(new GearPanel(this))
     , m_preview(new ScalePreview(this))
 {
-    layOut(layOutRow({{m_gear, 1, Qt::AlignTop}, {m_preview, 0, Qt::AlignTop}}, {.spacing = grid::margin}));
+    layOut(new FoldingRow(m_gear, m_preview, this));
     connect(m_gear, &GearPanel::chosen, this, [this](qint64 steps, qint64 revolutions) {
         ParameterValues values{{Parameter::steps, steps}};
         if (m_setup.encoder->device().hasWords())

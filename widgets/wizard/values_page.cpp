@@ -8,6 +8,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/parameters/position_to_set.h"
 #include "widgets/parameters/value_field.h"
 #include "widgets/wizard/consequences.h"
@@ -114,7 +115,7 @@ void ValuesPage::makeRows()
         auto *field = new ValueField(parameter, tr("unchanged"), m_form);
         auto *name = new QLabel(parameterName(parameter.parameter), m_form);
         name->setBuddy(field->focusProxy());
-        Row row{field, new QLabel(m_form)};
+        Row row{field, wrappedLabel(m_form)};
         const int at = form->rowCount();
         form->addWidget(name, at, 0);
         form->addWidget(field, at, 1);

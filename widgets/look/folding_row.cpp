@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/folding_row.h"
+
+#include "widgets/look/grid.h"
+
+#include <QBoxLayout>
+
+#include <algorithm>
+
+namespace codewheel {
+
+FoldingRow::FoldingRow(QWidget *first, QWidget *second, QWidget *parent)
+    : QWidget(parent)
+    , m_first(first)
+    , m_second(second)
+    , m_layout(new QBoxLayout(QBoxLayout::LeftToRight, this))
+{
+    m_layout->setContentsMargins({});
+    m_layout->setSpacing(grid::margin);
+    m_layout->addWidget(first, 1, Qt::AlignTop);
+    m_layout->addWidget(second, 0, Qt::AlignTop);
+}
+
+int FoldingRow::least(const QWidget &part) const
+{
+    return std::max(part.minimumSizeHint().width(), part.minimumWidth());
+}
+
+QSize FoldingRow::minimumSizeHint() const
+{
+    return {std::max(least(*m_first), least(*m_second)), QWidget::minimumSizeHint().height()};
+}
+
+void FoldingRow::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool hasRoom = width() >= least(*m_first) + grid::margin + least(*m_second);
+    m_layout->setDirection(hasRoom ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+} // namespace codewheel
