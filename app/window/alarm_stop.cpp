@@ -99,20 +99,24 @@ bool AlarmStopEverywhere::eventFilter(QObject *watched, QEvent *event)
             return true;
         }
     }
-    if (event->type() == QEvent::Show)
-        if (auto *dialog = qobject_cast<QDialog *>(watched); dialog != nullptr && dialog->isModal())
+    if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest)
+        if (auto *dialog = qobject_cast<QDialog *>(watched);
+            dialog != nullptr && dialog->isModal() && dialog->isVisible())
             addButton(*dialog);
     return QObject::eventFilter(watched, event);
 }
 
+// A question of Qt's makes its layout anew when the style changes: the button is put into that, too.
 void AlarmStopEverywhere::addButton(QWidget &dialog)
 {
-    if (dialog.layout() == nullptr || dialog.findChild<QToolButton *>(QStringLiteral("alarmStop")) != nullptr)
+    QWidget *button = dialog.findChild<QToolButton *>(QStringLiteral("alarmStop"));
+    if (dialog.layout() == nullptr || (button != nullptr && dialog.layout()->indexOf(button) >= 0))
         return;
     const bool isOfFiles =
         qobject_cast<QFileDialog *>(&dialog) != nullptr; // there, Save is what one came for
-    QWidget *button = makeAlarmStopButton(&m_alarmStop, &dialog,
-                                          isOfFiles ? AlarmStopWeight::rim : AlarmStopWeight::filled);
+    if (button == nullptr)
+        button = makeAlarmStopButton(&m_alarmStop, &dialog,
+                                     isOfFiles ? AlarmStopWeight::rim : AlarmStopWeight::filled);
     if (auto *grid = qobject_cast<QGridLayout *>(dialog.layout()))
         grid->addWidget(button, grid->rowCount(), 0, 1, -1, Qt::AlignLeft);
     else
