@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QResizeEvent>
+#include <QScopedValueRollback>
 #include <QScreen>
 
 #include <algorithm>
@@ -84,7 +85,8 @@ void WindowLayouts::useDefault()
 
 bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == &m_window && event->type() == QEvent::Resize && m_hasBegun && m_window.isVisible()) {
+    if (watched == &m_window && event->type() == QEvent::Resize && m_hasBegun && m_window.isVisible() &&
+        !m_isEntering) {
         if (!m_settling.isActive())
             rememberIfChanged(static_cast<QResizeEvent *>(event)->oldSize());
         m_settling.start();
@@ -116,16 +118,20 @@ void WindowLayouts::settle()
 
 void WindowLayouts::enter(WindowSize size)
 {
+    const QScopedValueRollback entering(m_isEntering, true);
+    const QSize before = m_window.size();
     m_size = size;
     // An explicit minimum lets a full window shrink: once it is small, it holds less.
     const bool holdsLittle = size == WindowSize::narrow;
     m_window.setMinimumSize(holdsLittle ? 0 : smallestWindow.width(),
                             holdsLittle || size == WindowSize::low ? 0 : smallestWindow.height());
     const auto kept = m_kept.find(size);
-    if (kept != m_kept.end() && tryRestore(kept->second))
-        return;
-    m_kept.erase(size);
-    m_means.arrange(size);
+    if (kept == m_kept.end() || !tryRestore(kept->second)) {
+        m_kept.erase(size);
+        m_means.arrange(size);
+    }
+    if (m_window.size() != before) // while its panels moved, it grew to hold them
+        m_window.resize(before);
 }
 
 bool WindowLayouts::tryRestore(const Kept &kept)

@@ -57,7 +57,8 @@ private:
     QByteArray m_settled; // as it followed from the window's size, before any rearranging
     QTimer m_settling{this};
     bool m_hasBegun = false;
-    bool m_wasShown = true; // or it does not matter yet
+    bool m_isEntering = false; // what it makes of the window is not what anybody arranged
+    bool m_wasShown = true;    // or it is no matter as yet
 };
 
 } // namespace codewheel
