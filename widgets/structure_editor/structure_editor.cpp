@@ -4,6 +4,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/structure_editor/insert_panel.h"
 #include "widgets/structure_editor/plan_model.h"
 
@@ -144,6 +145,14 @@ void StructureEditor::showFindings()
                             ? tr("No findings")
                             : tr("%n devices with findings", nullptr, static_cast<int>(found.size())));
     m_findings->setEnabled(!found.empty());
+    showFindingsOfCurrent();
+}
+
+// In full; its column has what room there is.
+void StructureEditor::showFindingsOfCurrent()
+{
+    const QModelIndex cell = m_tree->currentIndex().siblingAtColumn(m_model->columnCount() - 1);
+    m_finding->setText(cell.data(Qt::DisplayRole).toString());
 }
 
 void StructureEditor::showCurrent()
@@ -153,7 +162,8 @@ void StructureEditor::showCurrent()
         action->setEnabled(id.has_value());
     const auto place = id ? m_document.indexOf(*id) : std::nullopt;
     m_insert->setPlace(place);
-    if (place) // while rows are removed, their numbers are not yet the plan's
+    showFindingsOfCurrent();
+    if (place) // while rows go, their numbers are not yet those of the plan
         Q_EMIT chosen(m_document.device(*id)->place());
 }
 
@@ -200,6 +210,8 @@ void StructureEditor::showKind()
                        "number, note and addresses.")
                   : tr("F2 or a double click edits address, station, group, serial number and note."));
     m_tree->setRootIsDecorated(isOrdered);
+    m_tree->setProperty(mayElideProperty, {});
+    allowEliding(*m_tree, m_model->columnCount() - 1); // the findings, which stand below in full
     m_search->setPlaceholderText(m_edits.rules().coded(0, 0) ? tr("Number, name, ID code, station")
                                                              : tr("Address, name, station"));
     m_insert->showKind();

@@ -71,6 +71,7 @@ private:
     void goToFound(int by);
     void goToFinding();
     void showFindings();
+    void showFindingsOfCurrent();
     void fitColumns();
 
     void showCurrent();
@@ -99,6 +100,7 @@ private:
     InsertPanel *m_insert;
     InlineMessage *m_message;
     QToolButton *m_findings;
+    QLabel *m_finding;
     QVBoxLayout *m_below; // the tree
     std::map<BusId, QPointer<QWidget>> m_fields;
 };

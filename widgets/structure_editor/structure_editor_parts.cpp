@@ -7,7 +7,9 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/tool.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/structure_editor/insert_panel.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -56,6 +58,7 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_message(new InlineMessage(this))
     , m_findings(
           describe(new QToolButton(this), "findings", tr("Goes to the next device with a finding (F3)")))
+    , m_finding(wrappedLabel(this, "findingsOfDevice"))
 {
     makeTools();
     makeSearch();
@@ -168,21 +171,23 @@ void StructureEditor::fitColumns()
     m_tree->expandAll();
     for (int column = 0; column < m_model->columnCount() - 1; ++column) {
         m_tree->resizeColumnToContents(column);
-        const int least = m_model->columnAt(column).field == PlanField::station ? narrowestStation : 0;
-        m_tree->setColumnWidth(column,
-                               std::clamp(m_tree->columnWidth(column) + grid::unit, least, widestColumn));
+        const PlanField field = m_model->columnAt(column).field;
+        const int least = field == PlanField::station ? narrowestStation : 0;
+        const int most = field == PlanField::device ? QWIDGETSIZE_MAX : widestColumn;
+        m_tree->setColumnWidth(column, std::clamp(m_tree->columnWidth(column) + grid::unit, least, most));
     }
 }
 
 void StructureEditor::arrange()
 {
     m_findings->setAutoRaise(true);
+    m_finding->setTextFormat(Qt::PlainText); // names stand in it
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setShortcut(Qt::Key_F3);
     auto *below = new QWidget; // below the tree
     m_below = layOut<QVBoxLayout>(below, grid::unit);
     m_below->addWidget(m_insert);
-    m_below->addWidget(m_findings, 0, Qt::AlignLeft);
+    m_below->addLayout(layOutRow({{m_findings, 0, Qt::AlignTop}, {m_finding, 1}}, {.spacing = grid::margin}));
     auto *column = new QVBoxLayout;
     column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
     column->setSpacing(grid::unit);
