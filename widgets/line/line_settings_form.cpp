@@ -10,7 +10,9 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -22,6 +24,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -39,6 +42,31 @@ void choose(QComboBox &box, int value)
 {
     box.setCurrentIndex(std::max(0, box.findData(value)));
 }
+
+// What tells it from others, beside the name of its port.
+QString adapterText(const PortRow &port)
+{
+    QStringList parts;
+    if (!port.description.isEmpty())
+        parts << port.description;
+    if (!port.serialNumber.isEmpty())
+        parts << sentence(LineSettingsForm::tr("serial number %1"), {port.serialNumber});
+    return parts.join(QStringLiteral(", "));
+}
+
+// In the opened list a port is told with its adapter.
+class WholePort final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->text = index.data(Qt::AccessibleTextRole).toString();
+    }
+};
 
 void setPeriod(QSpinBox &field)
 {
@@ -140,6 +168,7 @@ void LineSettingsForm::makePort(QFormLayout &form)
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_port->setMinimumContentsLength(20);
+    m_port->setItemDelegate(new WholePort(m_port));
     m_port->lineEdit()->setMaxLength(longestPort);
     m_port->lineEdit()->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
     m_refresh = new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), m_content);
@@ -149,9 +178,13 @@ void LineSettingsForm::makePort(QFormLayout &form)
     row->setSpacing(grid::unit);
     row->addWidget(m_port, 1);
     row->addWidget(m_refresh);
-    form.addRow(tr("&Port"), row);
-    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(m_port);
+    m_adapter = wrappedLabel(m_content, "adapter");
+    m_adapter->setTextFormat(Qt::PlainText);
+    auto *port = layOutColumn({row, m_adapter}, {.spacing = grid::unit});
+    form.addRow(tr("&Port"), port);
+    qobject_cast<QLabel *>(form.labelForField(port))->setBuddy(m_port);
     form.addRow(m_trouble);
+    connect(m_port, &QComboBox::editTextChanged, this, &LineSettingsForm::showAdapter);
     connect(m_refresh, &QPushButton::clicked, this, &LineSettingsForm::refreshWanted);
     connect(m_port, &QComboBox::editTextChanged, m_problem, &InlineMessage::withdraw);
     connect(m_port, &QComboBox::activated, this, &LineSettingsForm::pick);
@@ -251,9 +284,7 @@ void LineSettingsForm::setFractionBits(int bits)
 
 QString LineSettingsForm::chosenPort() const
 {
-    const QString typed = m_port->currentText().trimmed();
-    const int listed = m_port->findText(typed, Qt::MatchExactly);
-    return listed < 0 ? typed : m_port->itemData(listed).toString();
+    return m_port->currentText().trimmed();
 }
 
 void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
@@ -279,14 +310,25 @@ void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString
 void LineSettingsForm::showPorts()
 {
     m_port->clear();
+    int widest = 0;
     for (const PortRow &port : m_ports) {
-        QStringList parts{port.name};
-        if (!port.description.isEmpty())
-            parts << port.description;
-        if (!port.serialNumber.isEmpty())
-            parts << sentence(tr("serial number %1"), {port.serialNumber});
-        m_port->addItem(parts.join(QStringLiteral(", ")), port.name);
+        const QString adapter = adapterText(port);
+        const QString whole =
+            adapter.isEmpty() ? port.name : QStringLiteral("%1, %2").arg(port.name, adapter);
+        m_port->addItem(port.name);
+        m_port->setItemData(m_port->count() - 1, whole, Qt::AccessibleTextRole);
+        widest = std::max(widest, m_port->fontMetrics().horizontalAdvance(whole));
     }
+    m_port->view()->setMinimumWidth(widest + 2 * grid::groupGap);
+}
+
+// Of whatever adapter there is; its name alone stands in the field.
+void LineSettingsForm::showAdapter()
+{
+    const auto port = std::ranges::find(m_ports, chosenPort(), &PortRow::name);
+    m_adapter->setText(port == m_ports.end() ? QString() : adapterText(*port));
+    m_adapter->setVisible(!m_adapter->text().isEmpty());
+    m_port->setAccessibleDescription(m_adapter->text());
 }
 
 LineSettings LineSettingsForm::settings() const
@@ -313,11 +355,11 @@ LineSettings LineSettingsForm::settings() const
 
 void LineSettingsForm::setPort(const QString &port)
 {
-    const int listed = m_port->findData(port);
+    const int listed = m_port->findText(port);
     m_port->setCurrentIndex(listed);
     if (listed < 0)
         m_port->setEditText(port);
-    m_port->lineEdit()->setCursorPosition(0); // show the beginning: the name of the port matters
+    showAdapter();
     m_isPicked = false;
 }
 

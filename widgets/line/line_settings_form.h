@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QPushButton;
 class QSpinBox;
 
@@ -81,6 +82,7 @@ private:
     void takeRate();
     void pick() { m_isPicked = true; }
     void showPorts();
+    void showAdapter();
 
     QString m_about;
     std::vector<PortRow> m_ports;
@@ -88,6 +90,7 @@ private:
     QComboBox *m_port = nullptr;
     bool m_isPicked = false; // the port, since setPort()
     QPushButton *m_refresh = nullptr;
+    QLabel *m_adapter = nullptr;
     InlineMessage *m_trouble;
     QComboBox *m_baudRate = nullptr;
     InlineMessage *m_rateTold;

@@ -4,6 +4,7 @@
 #include "widgets/look/inline_message.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -57,8 +58,22 @@ TEST_F(LineSettingsFormTest, BeginsWithTheSettingsOfTheFactory)
     LineSettings factory;
     factory.port = QStringLiteral("/dev/ttyUSB0");
     EXPECT_EQ(wanted.front(), factory);
-    EXPECT_EQ(field<QComboBox>("Port").currentText(),
+    EXPECT_EQ(field<QComboBox>("Port").currentText(), QStringLiteral("/dev/ttyUSB0"));
+}
+
+TEST_F(LineSettingsFormTest, TheAdapterStandsBelowTheNameOfItsPortAndBesideItInTheList)
+{
+    form.setPorts(ports);
+    auto &list = field<QComboBox>("Port");
+    const auto *adapter = form.findChild<QLabel *>(QStringLiteral("adapter"));
+    EXPECT_EQ(adapter->text(), QStringLiteral("USB Serial, serial number FT12345"));
+    EXPECT_EQ(list.accessibleDescription(), adapter->text());
+    EXPECT_EQ(list.itemData(0, Qt::AccessibleTextRole).toString(),
               QStringLiteral("/dev/ttyUSB0, USB Serial, serial number FT12345"));
+    list.setCurrentIndex(1);
+    EXPECT_FALSE(adapter->isVisible()) << "nothing is known of it";
+    list.setEditText(QStringLiteral("/dev/ttyUSB0"));
+    EXPECT_TRUE(adapter->isVisible()) << "typed";
 }
 
 // Pressing the button by its key leaves the focus where it is.
