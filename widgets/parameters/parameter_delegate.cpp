@@ -134,6 +134,14 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
     return {width + 3 * grid::unit, std::max(line + value + grid::unit, qRound(26 * factor))};
 }
 
+int ParameterDelegate::leastWidth(const QModelIndex &index)
+{
+    const QFontMetrics small(textFont(TextSize::small));
+    const bool isMarked = index.data(ParameterModel::detailMarkRole).isValid();
+    return small.horizontalAdvance(index.data(ParameterModel::shortDetailRole).toString()) +
+           (isMarked ? warningMarkSize + grid::unit : 0) + 3 * grid::unit;
+}
+
 QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
                                          const QModelIndex &index) const
 {

@@ -52,7 +52,8 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     m_pages->addWidget(m_tablePage);
     m_pages->addWidget(m_review);
     m_whose->setTextFormat(Qt::PlainText);
-    m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name must not widen the panel
+    m_whose->setWordWrap(true);
+    m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name does not widen the panel
     m_whose->setObjectName(QStringLiteral("whose"));
     layOutColumn(this, {m_whose, {m_pages, 1}});
     connectParts();

@@ -35,13 +35,14 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     horizontalHeader()->setMinimumSectionSize(smallestColumn);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setSectionResizeMode(ParameterModel::nameColumn, QHeaderView::Fixed);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setSectionResizeMode(ParameterModel::wantedColumn, QHeaderView::Stretch);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
     connect(this, &QTableView::clicked, this, &ParameterTable::activateCell);
     connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::spanColumns);
     connect(&model, &QAbstractItemModel::rowsInserted, this, &ParameterTable::spanColumns);
-    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::fitNames);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::fitColumns);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &ParameterTable::fitColumns);
 }
 
 bool ParameterTable::finishEditing()
@@ -128,7 +129,7 @@ void ParameterTable::keyPressEvent(QKeyEvent *event)
 void ParameterTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    fitNames();
+    fitColumns();
 }
 
 void ParameterTable::leaveSelectedAlone()
@@ -138,8 +139,18 @@ void ParameterTable::leaveSelectedAlone()
             model()->setData(row, {}, Qt::EditRole);
 }
 
-// So wide that the longest word of a name fits on one line, if there is room.
-void ParameterTable::fitNames()
+// Its head and what stands in small type below its values, which take no second line.
+int ParameterTable::leastWidth(int column) const
+{
+    int least = horizontalHeader()->sectionSizeHint(column);
+    for (int row = 0; row < m_model.rowCount(); ++row)
+        if (columnSpan(row, column) == 1)
+            least = std::max(least, ParameterDelegate::leastWidth(m_model.index(row, column)));
+    return least;
+}
+
+// The names so wide that their longest word stands on one line, where the values leave room for it.
+void ParameterTable::fitColumns()
 {
     const QFontMetrics small(textFont(TextSize::small));
     int longest = 0;
@@ -152,8 +163,12 @@ void ParameterTable::fitNames()
                                            .split(u' '))
                 longest = std::max(longest, small.horizontalAdvance(word) + 2 * grid::unit);
     const int width = viewport()->width();
-    setColumnWidth(ParameterModel::nameColumn,
-                   std::clamp(longest, qRound(width * nameShare), qRound(width * largestNameShare)));
+    const int known = leastWidth(ParameterModel::knownColumn);
+    const int wanted = leastWidth(ParameterModel::wantedColumn);
+    const int name = std::clamp(longest, qRound(width * nameShare), qRound(width * largestNameShare));
+    const int values = std::max(width - name, known + wanted);
+    setColumnWidth(ParameterModel::nameColumn, width - values);
+    setColumnWidth(ParameterModel::knownColumn, std::clamp(values / 2, known, values - wanted));
     scheduleDelayedItemsLayout(); // values take more lines in a narrower column
 }
 
@@ -161,7 +176,7 @@ void ParameterTable::changeEvent(QEvent *event)
 {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        fitNames();
+        fitColumns();
 }
 
 } // namespace codewheel

@@ -36,7 +36,8 @@ private:
     void activateCell(const QModelIndex &index);
     void leaveSelectedAlone();
     void spanColumns();
-    void fitNames();
+    void fitColumns();
+    int leastWidth(int column) const;
 
     ParameterModel &m_model;
 };
