@@ -14,8 +14,10 @@
 namespace codewheel {
 namespace {
 
-constexpr LogTable::Letters lineMeaning{.fewest = 20, .wanted = 28};
-constexpr int shownBytes = 12; // of an answer of 8 digits; the tooltip shows longer ones in full
+constexpr int fewestLetters = 14; // of the meaning
+constexpr int wantedLetters = 28;
+constexpr int fewestBytes = 4;
+constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest
 
 } // namespace
 
@@ -78,8 +80,14 @@ void LineRowTable::setColumnWidths()
     setWidth(TrafficColumn::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
     setWidth(TrafficColumn::direction, grid::smallIcon + gap);
     setWidth(TrafficColumn::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
-    setWidth(TrafficColumn::bytes, numbers.horizontalAdvance(QString(qsizetype{3} * shownBytes, u'0')) + gap);
-    setTextColumn(m_rows.columnOf(TrafficColumn::meaning), lineMeaning);
+    setTextColumn(m_rows.columnOf(TrafficColumn::meaning), fewestLetters);
+    const auto widthOf = [&](int bytes) {
+        return numbers.horizontalAdvance(QString(qsizetype{3} * bytes, u'0')) + gap;
+    };
+    setElasticColumn({.column = m_rows.columnOf(TrafficColumn::bytes),
+                      .least = widthOf(fewestBytes),
+                      .most = widthOf(shownBytes),
+                      .wantedLetters = wantedLetters});
 }
 
 void LineRowTable::copy() const

@@ -41,7 +41,12 @@ LogTable::LogTable(const QString &name, QWidget *parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setHighlightSections(false);
     setLineHeight();
-    // Scrolling up means reading: following ends, and begins again at the end.
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this,
+            [this](int column, int before, int width) {
+                if (before > 0 && width > 0) // else it is hidden, or shown again
+                    keepDragged(column, width);
+            });
+    // Whoever scrolls up wants to read; at the end one follows again.
     QScrollBar *bar = verticalScrollBar();
     connect(bar, &QScrollBar::actionTriggered, this, [this, bar] {
         if (m_follow != nullptr)
@@ -49,12 +54,18 @@ LogTable::LogTable(const QString &name, QWidget *parent)
     });
 }
 
-void LogTable::setTextColumn(int column, Letters letters)
+void LogTable::setTextColumn(int column, int fewestLetters)
 {
     m_textColumn = column;
-    m_letters = letters;
+    m_fewestLetters = fewestLetters;
     if (!mayElide(*this, column))
         allowEliding(*this, column);
+    updateGeometries();
+}
+
+void LogTable::setElasticColumn(const Elastic &elastic)
+{
+    m_elastic = elastic;
     updateGeometries();
 }
 
@@ -143,23 +154,36 @@ void LogTable::scrollContentsBy(int dx, int dy)
         updateGeometries();
 }
 
+int LogTable::widthOf(int column) const
+{
+    return isColumnHidden(column) ? 0 : columnWidth(column);
+}
+
 void LogTable::fitTextColumn()
 {
     if (m_textColumn < 0 || model() == nullptr)
         return;
-    const auto widthOf = [this](int column) { return isColumnHidden(column) ? 0 : columnWidth(column); };
     const int letter = fontMetrics().averageCharWidth();
     int width = viewport()->width();
-    for (int column = 0; column < m_textColumn; ++column)
-        width -= widthOf(column);
-    for (int column = m_textColumn + 1; column < model()->columnCount(); ++column) {
-        if (width - widthOf(column) < m_letters.wanted * letter)
-            break;
-        width -= widthOf(column);
+    for (int column = 0; column < model()->columnCount(); ++column)
+        if (column != m_textColumn && column != m_elastic.column)
+            width -= widthOf(column);
+    if (m_elastic.column >= 0 && !isColumnHidden(m_elastic.column)) {
+        const int left = width - m_elastic.wantedLetters * letter;
+        const int elastic = std::clamp(left, m_elastic.least, m_elastic.most);
+        if (columnWidth(m_elastic.column) != elastic)
+            setColumnWidth(m_elastic.column, elastic);
+        width -= elastic;
     }
-    width = std::max(width, m_letters.fewest * letter);
+    width = std::max(width, m_fewestLetters * letter);
     if (columnWidth(m_textColumn) != width)
         setColumnWidth(m_textColumn, width);
+}
+
+void LogTable::keepDragged(int column, int width)
+{
+    if (column == m_elastic.column && !m_isFitting)
+        m_elastic.least = m_elastic.most = width;
 }
 
 bool LogTable::fitRows()

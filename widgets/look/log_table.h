@@ -19,15 +19,19 @@ class LogTable : public QTableView
 public:
     explicit LogTable(const QString &name, QWidget *parent = nullptr);
 
-    // The text column is never narrower than the fewest letters; the columns after it are in sight as long as
-    // it has the wanted letters, and are scrolled to otherwise.
-    struct Letters
+    // Never narrower than so many letters: the table is scrolled sideways otherwise.
+    void setTextColumn(int column, int fewestLetters);
+    // Another column, which gives way to the text down to its least width as long as that has fewer than the
+    // wanted letters. It stays as the user drags it.
+    struct Elastic
     {
-        int fewest = 0;
-        int wanted = 0;
+        int column = -1;
+        int least = 0; // px
+        int most = 0;
+        int wantedLetters = 0;
     };
-    void setTextColumn(int column, Letters letters);
-    // Checked while the newest row is kept in sight. Scrolling up, or selecting another row, unchecks it.
+    void setElasticColumn(const Elastic &elastic);
+    // Checked while the newest row is kept in sight. Scrolling up, or choosing another row, unchecks it.
     void setFollow(QAction &follow);
     // Rows with one text across all columns.
     void setHeadings(std::function<bool(int row)> isHeading);
@@ -51,14 +55,17 @@ protected:
 
 private:
     bool isFollowing() const;
-    void shiftBy(int pixels); // after rows were added above
+    void shiftBy(int pixels);      // after rows came above
+    int widthOf(int column) const; // as it is seen
     void fitTextColumn();
-    bool fitRows(); // the visible ones; true: one did not fit
+    void keepDragged(int column, int width);
+    bool fitRows(); // those in sight; true: one was not fitting
     int heightOf(int row) const;
     void setLineHeight();
 
     int m_textColumn = -1;
-    Letters m_letters;
+    int m_fewestLetters = 0;
+    Elastic m_elastic;
     QAction *m_follow = nullptr;
     std::function<bool(int)> m_isHeading;
     int m_shift = 0; // px, of rows added or removed above and not laid out yet

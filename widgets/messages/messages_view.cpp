@@ -33,7 +33,7 @@ namespace {
 constexpr std::size_t largestCopy = 100'000; // rows
 constexpr qint64 longExport = 20'000;        // messages; half a second and more
 constexpr int longestPlace = 24;             // characters; longer ones are elided
-constexpr LogTable::Letters sentenceRoom{.fewest = 24};
+constexpr int fewestLetters = 24;
 constexpr int roomForDetails = 260; // px of height
 
 } // namespace
@@ -168,7 +168,7 @@ void MessagesView::setColumnWidths()
                             numbers.horizontalAdvance(QStringLiteral("22:58:58")) + 2 * grid::margin);
     m_table->setColumnWidth(MessageModel::severityColumn, grid::smallIcon + 2 * grid::unit);
     showPlaces();
-    m_table->setTextColumn(MessageModel::textColumn, sentenceRoom);
+    m_table->setTextColumn(MessageModel::textColumn, fewestLetters);
 }
 
 // The column fits the place names, so that they can be told apart.
@@ -183,7 +183,7 @@ void MessagesView::showPlaces()
     const int width = std::min(widest, most) + 2 * grid::margin;
     if (m_table->columnWidth(MessageModel::placeColumn) != width) {
         m_table->setColumnWidth(MessageModel::placeColumn, width);
-        m_table->setTextColumn(MessageModel::textColumn, sentenceRoom);
+        m_table->setTextColumn(MessageModel::textColumn, fewestLetters);
     }
     m_filters->setPlaces(places);
     m_table->viewport()->update();

@@ -27,7 +27,8 @@ namespace codewheel {
 
 namespace {
 
-constexpr LogTable::Letters traceMeaning{.fewest = 20, .wanted = 40};
+constexpr int fewestLetters = 14; // of the meaning
+constexpr int wantedLetters = 40;
 constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
@@ -226,8 +227,12 @@ void TraceView::showModel()
         return;
     for (int column = 0; column < meaningColumn(); ++column)
         m_table->setColumnWidth(column, m_table->horizontalHeader()->sectionSizeHint(column));
-    m_table->setColumnWidth(m_shown->columnOf(TrafficColumn::remark), remarkWidth);
-    m_table->setTextColumn(meaningColumn(), traceMeaning);
+    const int remark = m_shown->columnOf(TrafficColumn::remark);
+    m_table->setTextColumn(meaningColumn(), fewestLetters);
+    m_table->setElasticColumn({.column = remark,
+                               .least = m_table->horizontalHeader()->sectionSizeHint(remark),
+                               .most = remarkWidth,
+                               .wantedLetters = wantedLetters});
     makeRoom(0, m_shown->rowCount() - 1);
     showCounts();
 }
