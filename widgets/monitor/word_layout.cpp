@@ -23,7 +23,7 @@ WordLayout::WordLayout(const WordForm &form, int words, int rows, const Room &ro
     , m_rows(rows)
     , m_room(room)
 {
-    const bool isNarrow = bitsPerRow() > widestNarrowRow;
+    const bool isNarrow = room.isTight || bitsPerRow() > widestNarrowRow;
     m_cell = {qRound((isNarrow ? narrowCellWidth : cellWidth) * room.factor),
               qRound(cellHeight * room.factor)};
     m_groupGap = isNarrow ? narrowGroupGap : grid::groupGap;

@@ -30,8 +30,9 @@ public:
     struct Room
     {
         double factor = 1;    // of the cells: 1.5 with large controls
-        int numberHeight = 0; // of the numbers above the cells
-        int captionWidth = 0; // of the words' names to the left
+        bool isTight = false; // the cells are as narrow as in a row of 32
+        int numberHeight = 0; // of the numbers above them
+        int captionWidth = 0; // of the names of the words, left of them
     };
 
     // rows: 1, 2, or as many as the matrix has.

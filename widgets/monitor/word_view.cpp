@@ -133,12 +133,13 @@ void WordView::toggleBit(WordBit bit)
         Q_EMIT bitToggled(bit);
 }
 
-WordLayout WordView::layoutWith(int rows) const
+WordLayout WordView::layoutWith(int rows, bool isTight) const
 {
     return {m_layout.form(),
             words(),
             rows,
             {.factor = controlFactor(*this),
+             .isTight = isTight,
              .numberHeight = numberHeight(),
              .captionWidth = captionWidth(captions())}};
 }
@@ -148,7 +149,11 @@ WordLayout WordView::layoutFor(int width) const
     if (m_matrix)
         return layoutWith(bits() / WordLayout::matrixBitsPerRow);
     const WordLayout oneRow = layoutWith(1);
-    return bits() == 16 || oneRow.size().width() <= width ? oneRow : layoutWith(2);
+    if (oneRow.size().width() <= width)
+        return oneRow;
+    const int rows = bits() == 16 ? 1 : 2;
+    const WordLayout usual = layoutWith(rows);
+    return usual.size().width() <= width ? usual : layoutWith(rows, true);
 }
 
 QSize WordView::sizeHint() const

@@ -101,7 +101,7 @@ private:
     Shown &at(int word) { return m_words[static_cast<std::size_t>(word)]; }
     bool has(WordBit bit) const;
     QStringList captions() const;
-    WordLayout layoutWith(int rows) const;
+    WordLayout layoutWith(int rows, bool isTight = false) const;
     WordLayout layoutFor(int width) const;
     void arrange();
     std::optional<WordBit> bitForKey(int key) const;
