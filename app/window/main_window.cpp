@@ -9,6 +9,7 @@
 #include "app/window/fault_notice.h"
 #include "app/window/leaving.h"
 #include "app/window/page_head.h"
+#include "app/window/page_stack.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
@@ -22,6 +23,7 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_pin.h"
 #include "widgets/input/wheel_rule.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/messages/message_model.h"
@@ -64,7 +66,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_status(new StatusLine(*statusBar(), this))
     , m_wanted(new WantedValues(project, this))
     , m_notice(new InlineMessage(this))
-    , m_pages(new QStackedWidget(this))
+    , m_pages(new PageStack(this))
     , m_head(new PageHead(*m_pages, *this))
     , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
@@ -74,7 +76,8 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
     rows->addWidget(m_head);
-    rows->addWidget(m_pages, 1);
+    rows->addWidget(new ContentScrollArea(m_pages, center), 1); // a panel may be drawn over most of it
+    m_pages->setObjectName(QStringLiteral("pages"));
     setCentralWidget(center);
     m_notice->setObjectName(QStringLiteral("notice"));
     setDockNestingEnabled(true);

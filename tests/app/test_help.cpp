@@ -65,8 +65,7 @@ TEST_F(HelpTest, TheManualTellsOfEveryPanel)
 
 TEST_F(HelpTest, TheManualTellsOfEveryPage)
 {
-    const auto *pages =
-        window().centralWidget()->findChild<QStackedWidget *>(QString(), Qt::FindDirectChildrenOnly);
+    const auto *pages = window().findChild<QStackedWidget *>(QStringLiteral("pages"));
     EXPECT_GE(pages->count(), 10);
     for (int i = 0; i < pages->count(); ++i)
         checkTopic(*pages->widget(i), QLatin1String(pages->widget(i)->metaObject()->className()));

@@ -97,6 +97,23 @@ TEST_P(SmallWindow, HoldsEveryPanel)
     }
 }
 
+// Below a page it is unfolded again.
+TEST_P(SmallWindow, HoldsEveryPanelAtTheBottomBelowEveryPage)
+{
+    for (QAction *action :
+         {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
+          actions().transfer, actions().replaceEncoder, actions().projectPage}) {
+        action->trigger();
+        for (auto *panel : window().findChildren<QDockWidget *>())
+            if (window().dockWidgetArea(panel) == Qt::BottomDockWidgetArea)
+                for (QAction *shows : actions().docks->actions())
+                    if (shows->text() == panel->windowTitle()) {
+                        shows->trigger();
+                        expectSmall(QStringLiteral("%1, %2").arg(action->text(), panel->windowTitle()));
+                    }
+    }
+}
+
 TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
 {
     actions().structureEditor->trigger();

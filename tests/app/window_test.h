@@ -51,10 +51,7 @@ protected:
     const LineActions &lineActions() { return *window().findChild<LineActions *>(); }
     const QWidget *page() // that is open in the middle
     {
-        return window()
-            .centralWidget()
-            ->findChild<QStackedWidget *>(QString(), Qt::FindDirectChildrenOnly)
-            ->currentWidget();
+        return window().findChild<QStackedWidget *>(QStringLiteral("pages"))->currentWidget();
     }
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }
