@@ -5,7 +5,6 @@
 #include "tests/app/window_test.h"
 #include "tests/support/cut_off.h"
 #include "widgets/look/appearance.h"
-#include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -22,16 +21,6 @@ inline void PrintTo(const Picture &picture, std::ostream *out)
 }
 
 namespace {
-
-// Places where something is still cut off. Do not add to it.
-const QStringList notYet =
-    QStringLiteral("structureDock messagesDock traceDock terminalDock " // panels
-                   "window window-small trace parameters structure-editor structure-insert "
-                   "structure-small transfer " // pictures
-                   "replace messages bus-fault parameters-rod question-preset question-reset "
-                   "wizard-rod-handshake line line-small line-terminal line-settings line-search "
-                   "line-parameters")
-        .split(QLatin1Char(' '));
 
 struct Shown
 {
@@ -89,8 +78,6 @@ TEST_P(NothingIsCutOff, OnAnyPage)
 TEST_P(NothingIsCutOff, InAnyPanel)
 {
     for (auto *panel : window().findChildren<QDockWidget *>()) {
-        if (notYet.contains(panel->objectName()))
-            continue;
         panel->show();
         panel->raise();
         look(*panel, panel->windowTitle());
@@ -149,8 +136,6 @@ private:
 
 TEST_P(NothingOfTheManualIsCutOff, InAnySize)
 {
-    if (notYet.contains(GetParam().name))
-        GTEST_SKIP();
     const QTemporaryDir settings;
     TrainingWindow shown(settings.filePath(QStringLiteral("window.ini")), GetParam().window);
     shown.window().show();

@@ -69,13 +69,35 @@ TEST_F(CutOffWalk, FindsLinesThatHaveNoRoom)
 
 TEST_F(CutOffWalk, WhatCanBeScrolledToIsNotCutOff)
 {
+    auto &area = add(new QScrollArea, {0, 0, 290, 20});
+    auto *label = new QLabel(QStringList(10, sentence).join(u'\n'));
+    label->resize(label->sizeHint());
+    area.setWidget(label);
+    EXPECT_EQ(found(), 0U);
+    area.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    EXPECT_GE(found(), 1U) << "nobody gets there";
+}
+
+TEST_F(CutOffWalk, FindsWhatIsBeyondTheEdgeOfAForm)
+{
     auto &area = add(new QScrollArea, {0, 0, 90, 90});
     auto *label = new QLabel(sentence);
     label->resize(label->sizeHint());
     area.setWidget(label);
+    EXPECT_GE(found(), 1U) << "though one could scroll there";
+    label->setText(QString(90, u' ') + sentence);
+    label->resize(label->sizeHint());
+    EXPECT_GE(found(), 1U) << "all of it is beyond";
+}
+
+TEST_F(CutOffWalk, ATableOfManyColumnsIsLookedAlong)
+{
+    QStandardItemModel model;
+    model.appendRow({new QStandardItem(sentence), new QStandardItem(sentence)});
+    auto &table = add(new QTableView, {0, 0, 190, 190});
+    table.setModel(&model);
+    table.resizeColumnsToContents();
     EXPECT_EQ(found(), 0U);
-    area.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    EXPECT_EQ(found(), 1U) << "nobody gets there";
 }
 
 TEST_F(CutOffWalk, FindsAnElidedTabAndOneBeyondTheOthers)

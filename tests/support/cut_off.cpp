@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
@@ -36,6 +37,12 @@ bool canScroll(const QScrollBar &bar, Qt::ScrollBarPolicy policy)
     return policy != Qt::ScrollBarAlwaysOff && bar.maximum() > bar.minimum();
 }
 
+// A table of many columns is looked along; a form, a card or a log that goes on beyond its edge is not.
+bool mayGoOnAcross(const QAbstractScrollArea &area)
+{
+    return qobject_cast<const QScrollArea *>(&area) == nullptr && !area.inherits("codewheel::LogTable");
+}
+
 Scrolled scrolled(const QWidget &widget)
 {
     const auto *area = qobject_cast<const QAbstractScrollArea *>(widget.parentWidget());
@@ -45,7 +52,8 @@ Scrolled scrolled(const QWidget &widget)
         if (const auto *table = qobject_cast<const QAbstractScrollArea *>(area->parentWidget()))
             area = table;
     const bool isLaidOutLater = qobject_cast<const QTextEdit *>(area) != nullptr; // a long page, bit by bit
-    return {canScroll(*area->horizontalScrollBar(), area->horizontalScrollBarPolicy()),
+    return {mayGoOnAcross(*area) &&
+                canScroll(*area->horizontalScrollBar(), area->horizontalScrollBarPolicy()),
             isLaidOutLater || canScroll(*area->verticalScrollBar(), area->verticalScrollBarPolicy())};
 }
 
@@ -107,6 +115,8 @@ public:
     {
         lookAtTexts(widget);
         lookAtSize(widget);
+        if (auto *area = qobject_cast<QAbstractScrollArea *>(&widget))
+            lookAcross(*area);
         if (auto *box = qobject_cast<QComboBox *>(&widget))
             lookAtItems(*box);
         if (auto *bar = qobject_cast<QTabBar *>(&widget))
@@ -160,6 +170,14 @@ private:
                              .arg(widget.height())
                              .arg(least.width())
                              .arg(least.height()));
+    }
+
+    // What is beyond its edge is not painted.
+    void lookAcross(const QAbstractScrollArea &area)
+    {
+        const QScrollBar &bar = *area.horizontalScrollBar();
+        if (!mayGoOnAcross(area) && bar.maximum() > bar.minimum())
+            tell(area, QStringLiteral("goes on beyond its edge by %1").arg(bar.maximum() - bar.minimum()));
     }
 
     void lookAtItems(const QComboBox &box)
