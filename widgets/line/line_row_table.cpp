@@ -14,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int fewestLetters = 14; // of the meaning
+constexpr int fewestLetters = 20; // of the meaning
 constexpr int wantedLetters = 28;
 constexpr int fewestBytes = 4;
 constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest

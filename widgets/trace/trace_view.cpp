@@ -27,7 +27,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr int fewestLetters = 14; // of the meaning
+constexpr int fewestLetters = 20; // of the meaning
 constexpr int wantedLetters = 40;
 constexpr int remarkWidth = 25 * grid::unit;
 
