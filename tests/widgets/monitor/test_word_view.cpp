@@ -27,6 +27,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr QSize inTwoRows(600, 200); // large cells too
+
 class WordViewTest : public testing::Test
 {
 protected:
@@ -258,7 +260,7 @@ TEST_F(WordViewTest, GroupsStandApart)
                 << "before bit " << inside;
     };
     expectGaps(4);
-    view.resize(view.minimumSizeHint());
+    view.resize(inTwoRows);
     expectGaps(8);
 }
 
@@ -268,7 +270,7 @@ TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
     DeviceDescription rod;
     rod.profile = Profile::la66;
     WordView ofRod(wordForm(32, &rod), {inLine()}, &window);
-    ofRod.resize(ofRod.minimumSizeHint());
+    ofRod.resize(500, 200); // two rows
     const auto gapBefore = [&ofRod](int bit) {
         return ofRod.bitRect({0, bit}).left() - ofRod.bitRect({0, bit + 1}).right() - 1;
     };
@@ -280,11 +282,18 @@ TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
 
 TEST_F(WordViewTest, LargeControlsMakeCellsOneAndAHalfTimesAsLarge)
 {
-    view.resize(view.minimumSizeHint());
+    view.resize(inTwoRows);
     EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(22, 26));
     applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = true});
     QCoreApplication::processEvents();
     EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(33, 39));
+}
+
+TEST_F(WordViewTest, WhereARowHasNoRoomItsCellsAreNarrower)
+{
+    view.resize(view.minimumSizeHint());
+    EXPECT_EQ(view.bitRect({0, 0}).size(), QSize(18, 26));
+    EXPECT_LE(view.bitRect({0, 0}).right(), view.width());
 }
 
 class StatusTips : public QObject
