@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLayout>
 #include <QStackedWidget>
 
 #include <algorithm>
@@ -19,14 +18,7 @@ public:
         const QSize least = QStackedWidget::minimumSizeHint();
         return {least.width(), currentWidget() == nullptr ? least.height() : leastHeight(*currentWidget())};
     }
-    int heightForWidth(int width) const override
-    {
-        const int least = minimumSizeHint().height();
-        const QLayout *parts = currentWidget() == nullptr ? nullptr : currentWidget()->layout();
-        return parts != nullptr && parts->hasHeightForWidth()
-                   ? std::max(least, parts->totalMinimumHeightForWidth(width))
-                   : least;
-    }
+    int heightForWidth(int) const override { return minimumSizeHint().height(); }
 
 private:
     static int leastHeight(const QWidget &page)

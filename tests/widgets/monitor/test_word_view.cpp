@@ -271,6 +271,7 @@ TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
     rod.profile = Profile::la66;
     WordView ofRod(wordForm(32, &rod), {inLine()}, &window);
     ofRod.resize(500, 200); // two rows
+    ofRod.show();
     const auto gapBefore = [&ofRod](int bit) {
         return ofRod.bitRect({0, bit}).left() - ofRod.bitRect({0, bit + 1}).right() - 1;
     };
