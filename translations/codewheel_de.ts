@@ -259,6 +259,15 @@
         <source>It is on outside of these positions.</source>
         <translation>Außerhalb dieser Positionen ist er ein.</translation>
     </message>
+    <message>
+        <source>The encoder had the same.</source>
+        <translation>Im Geber stand dasselbe.</translation>
+    </message>
+    <message>
+        <source>The encoder had %1, %2.</source>
+        <comment>21 to 531, active</comment>
+        <translation>Im Geber stand %1, %2.</translation>
+    </message>
 </context>
 <context>
     <name>CheckProject</name>
@@ -830,6 +839,11 @@
     <message>
         <source>Computer slept</source>
         <translation>Rechner war im Ruhezustand</translation>
+    </message>
+    <message>
+        <source>%1 Last seen: %2.</source>
+        <comment>a sentence, date and time</comment>
+        <translation>%1 Zuletzt gesehen: %2.</translation>
     </message>
 </context>
 <context>
@@ -4063,6 +4077,14 @@
         <source>%1 of %2 cams are active.</source>
         <translation>%1 von %2 Nocken sind aktiv.</translation>
     </message>
+    <message>
+        <source>The encoder had another program.</source>
+        <translation>Im Geber stand ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>The encoder had the same.</source>
+        <translation>Im Geber stand dasselbe.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamProgramStrip</name>
@@ -4406,6 +4428,10 @@
     <message>
         <source>Inverted</source>
         <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>%1, not up to date</source>
+        <translation>%1, nicht aktuell</translation>
     </message>
 </context>
 <context>
@@ -6740,6 +6766,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Connected</source>
         <translation>Angeschlossen</translation>
     </message>
+    <message>
+        <source>%1, not up to date</source>
+        <translation>%1, nicht aktuell</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ComparisonPage</name>
@@ -6805,6 +6835,21 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Compare with the bus</source>
         <translation>Mit dem Bus vergleichen</translation>
+    </message>
+    <message>
+        <source>The bus is as configured.</source>
+        <translation>Der Bus ist wie projektiert.</translation>
+    </message>
+    <message>
+        <source>The bus was as configured.</source>
+        <translation>Der Bus war wie projektiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines differed.</source>
+        <translation>
+            <numerusform>%n Zeile wich ab.</numerusform>
+            <numerusform>%n Zeilen wichen ab.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8944,6 +8989,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+    <message>
+        <source>LEDs: not known. %1</source>
+        <comment>why</comment>
+        <translation>LEDs: unbekannt. %1</translation>
     </message>
 </context>
 <context>
@@ -12753,6 +12803,28 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Approximate cycle time of %1</source>
         <translation>Ungefähre Zykluszeit von %1</translation>
     </message>
+    <message>
+        <source>The connected buses were as configured.</source>
+        <translation>Die angeschlossenen Busse waren wie projektiert.</translation>
+    </message>
+    <message>
+        <source>The connected bus was as configured.</source>
+        <translation>Der angeschlossene Bus war wie projektiert.</translation>
+    </message>
+    <message>
+        <source>Compared as last seen, not up to date: %1</source>
+        <translation>Verglichen wie zuletzt gesehen, nicht aktuell: %1</translation>
+    </message>
+    <message>
+        <source>of the connected encoder, not up to date. %1</source>
+        <comment>why, when</comment>
+        <translation>vom angeschlossenen Geber, nicht aktuell. %1</translation>
+    </message>
+    <message>
+        <source>%1 (not up to date)</source>
+        <comment>result</comment>
+        <translation>%1 (nicht aktuell)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RequestField</name>
@@ -15431,6 +15503,20 @@ Worte: IN %3, OUT %4</translation>
         <source>Values to read: %1. It goes on showing its position.</source>
         <translation>Zu lesende Werte: %1. Dabei zeigt er weiter seine Position.</translation>
     </message>
+    <message>
+        <source>Known values are not up to date: %1</source>
+        <comment>a sentence</comment>
+        <translation>Bekannte Werte sind nicht aktuell: %1</translation>
+    </message>
+    <message>
+        <source>The project has none stored.</source>
+        <translation>Im Projekt ist keiner abgelegt.</translation>
+    </message>
+    <message>
+        <source>As known on %1: %2</source>
+        <comment>date and time, by hand</comment>
+        <translation>So bekannt am %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferModel</name>
@@ -15465,6 +15551,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Sent</source>
         <translation>Gesendet wird</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannt</translation>
     </message>
 </context>
 <context>

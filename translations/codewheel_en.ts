@@ -44,6 +44,13 @@
             <numerusform>%n lines differ.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lines differed.</source>
+        <translation>
+            <numerusform>%n line differed.</numerusform>
+            <numerusform>%n lines differed.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DroppedFiles</name>

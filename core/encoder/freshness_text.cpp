@@ -84,4 +84,10 @@ QString freshnessBrief(Freshness::Reason reason)
     return {};
 }
 
+QString lastSeenText(Freshness::Reason reason, const QString &when)
+{
+    return FreshnessText::tr("%1 Last seen: %2.", "a sentence, date and time")
+        .arg(freshnessText(reason), when);
+}
+
 } // namespace codewheel

@@ -17,4 +17,7 @@ QString freshnessText(Freshness::Reason reason);
 // In two or three words: "Bus stopped".
 QString freshnessBrief(Freshness::Reason reason);
 
+// With the date and time of then, for what is written down: "The bus does not run. Last seen: 14:02."
+QString lastSeenText(Freshness::Reason reason, const QString &when);
+
 } // namespace codewheel

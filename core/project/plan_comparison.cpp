@@ -9,6 +9,17 @@
 
 namespace codewheel {
 
+namespace {
+
+void addDevice(ConnectedBus &connected, const EncoderBus &bus, const Participant &device)
+{
+    connected.devices.push_back(device);
+    if (auto old = notLive(bus, bus.placeOf(device.number)))
+        connected.notLive.emplace(device.number, std::move(*old));
+}
+
+} // namespace
+
 // An encoder that does not answer is not connected.
 ConnectedBus connectedBus(const Project &project, const EncoderBus &bus)
 {
@@ -17,7 +28,7 @@ ConnectedBus connectedBus(const Project &project, const EncoderBus &bus)
         const EncoderSession *encoder = bus.encoder(place);
         const auto found = bus.found(place);
         if (found && !(encoder && encoder->latest().state == EncoderState::silent))
-            connected.devices.push_back(*found);
+            addDevice(connected, bus, *found);
     }
     for (const ProjectDevice &device : devicesOn(project, bus.id()))
         if (auto why = bus.isOther(device.place(), device.participant.deviceKey, device.label.serialNumber))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/comparison.h"
+#include "bus/not_live.h"
 #include "encoder/refusal.h"
 #include "project/finding.h"
 #include "project/project.h"
@@ -77,6 +78,7 @@ struct ConnectedBus
 {
     std::vector<Participant> devices;
     std::map<NodeId, Refusal> others;
+    std::map<NodeId, NotLive> notLive{}; // devices that are not known to be there now, as they were then
 
     friend bool operator==(const ConnectedBus &, const ConnectedBus &) = default;
 };

@@ -99,6 +99,16 @@ ReportTable tableOf(const BusComparisons &compared)
     return table;
 }
 
+QString asConfigured(const BusComparisons &compared)
+{
+    const bool areSeveral = compared.lines.size() > 1;
+    if (!compared.old.isEmpty())
+        return areSeveral ? ReportTexts::tr("The connected buses were as configured.")
+                          : ReportTexts::tr("The connected bus was as configured.");
+    return areSeveral ? ReportTexts::tr("The connected buses are as configured.")
+                      : ReportTexts::tr("The connected bus is as configured.");
+}
+
 void addComparison(ReportSection &section, const ReportInput &input, const Catalog &catalog)
 {
     const BusComparisons compared = busComparisons(input, catalog);
@@ -108,11 +118,12 @@ void addComparison(ReportSection &section, const ReportInput &input, const Catal
         return;
     }
     if (compared.differences() == 0)
-        section.blocks.emplace_back(compared.lines.size() > 1
-                                        ? ReportTexts::tr("The connected buses are as configured.")
-                                        : ReportTexts::tr("The connected bus is as configured."));
+        section.blocks.emplace_back(asConfigured(compared));
     else
         section.blocks.emplace_back(tableOf(compared));
+    for (const QString &old : compared.old)
+        section.blocks.emplace_back(
+            sentence(ReportTexts::tr("Compared as last seen, not up to date: %1"), {old}));
     if (!compared.notCompared.isEmpty())
         section.blocks.emplace_back(sentence(ReportTexts::tr("Not compared with connected ones: %1."),
                                              {compared.notCompared.join(QStringLiteral(", "))}));

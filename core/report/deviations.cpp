@@ -3,7 +3,8 @@
 
 #include "encoder/refusal_text.h"
 #include "project/bus_kind.h"
-#include "project/plan_rules.h"
+#include "project/old_devices.h"
+#include "report/report_words.h"
 
 namespace codewheel {
 namespace {
@@ -87,9 +88,12 @@ BusComparisons busComparisons(const ReportInput &input, const Catalog &catalog)
     BusComparisons all;
     for (const PlannedBus &bus : input.project.buses) {
         const auto connected = input.connected.find(bus.id);
-        if (connected != input.connected.end())
+        if (connected != input.connected.end()) {
             all.lines.emplace_back(bus.name, differencesOf(input.project, bus, connected->second, catalog));
-        else if (!devicesOn(input.project, bus.id).empty())
+            for (const OldDevices &devices : oldDevices(connected->second))
+                all.old << QStringLiteral("%1: %2").arg(
+                    bus.name, withPlaces(devices, report_words::lastSeen(devices.old, input.now)));
+        } else if (!devicesOn(input.project, bus.id).empty())
             all.notCompared << bus.name;
     }
     return all;

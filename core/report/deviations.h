@@ -46,6 +46,7 @@ struct BusComparisons
 {
     std::vector<std::pair<QString, QStringList>> lines; // for each one compared: its name, and in words
     QStringList notCompared;                            // names of others that have devices
+    QStringList old;                                    // what was compared as it was before, and why
 
     std::int64_t differences() const;
 };

@@ -36,7 +36,7 @@ QString labelText(const DeviceLabel &label)
                      label.stepsPerTurn > 0 ? numberText(label.stepsPerTurn) : report_words::unknown()});
 }
 
-ReportFacts factsOf(const ReportedDevice &device)
+ReportFacts factsOf(const ReportedDevice &device, const QDateTime &now)
 {
     const ProjectDevice &planned = *device.planned;
     ReportFacts facts{{ReportTexts::tr("Serial number"), serialNumber(device)}};
@@ -47,9 +47,13 @@ ReportFacts factsOf(const ReportedDevice &device)
     if (const auto range = totalRange(*device.description, device.knownValues()))
         facts.push_back({ReportTexts::tr("Total range"),
                          sentence(ReportTexts::tr("%1 positions"), {numberText(*range)})});
-    facts.push_back({ReportTexts::tr("Known values"),
-                     device.isLive ? ReportTexts::tr("of the connected encoder")
-                                   : ReportTexts::tr("as stored in the project; the encoder was not asked")});
+    facts.push_back(
+        {ReportTexts::tr("Known values"),
+         !device.isConnected ? ReportTexts::tr("as stored in the project; the encoder was not asked")
+         : device.notLive
+             ? sentence(ReportTexts::tr("of the connected encoder, not up to date. %1", "why, when"),
+                        {report_words::lastSeen(*device.notLive, now)})
+             : ReportTexts::tr("of the connected encoder")});
     if (!planned.note.isEmpty())
         facts.push_back({ReportTexts::tr("Note"), planned.note});
     return facts;
@@ -96,7 +100,7 @@ void addParameters(ReportSection &section, const ReportedDevice &device, const Q
 
 ReportSection encoder(const ReportedDevice &device, const QDateTime &now)
 {
-    ReportSection section{ReportSection::Level::part, headingOf(device), {factsOf(device)}};
+    ReportSection section{ReportSection::Level::part, headingOf(device), {factsOf(device, now)}};
     addParameters(section, device, now);
     for (ReportBlock &block : camBlocks(device, now))
         section.blocks.push_back(std::move(block));

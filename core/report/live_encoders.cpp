@@ -35,7 +35,8 @@ void addConnected(ReportInput &input, const Buses &buses)
         if (findBus(input.project, bus->id()) != nullptr && isTheProjects(input.project, *bus))
             input.connected.emplace(bus->id(), connectedBus(input.project, *bus));
     for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
-        LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder)};
+        const EncoderBus &bus = *buses.busOf(encoder->place());
+        LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder), notLive(bus, encoder->place())};
         if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
             input.live[encoder->place()] = std::move(known);
         input.writes[encoder->place()] = encoder->eepromCount();

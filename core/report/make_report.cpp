@@ -50,10 +50,12 @@ QString busText(const ReportInput &input, const Catalog &catalog)
         differences == 0 ? ReportTexts::tr("connected as configured")
                          : sentence(ReportTexts::tr("not connected as configured; lines that differ: %1"),
                                     {numberText(differences)});
+    const QString result =
+        compared.old.isEmpty() ? found : sentence(ReportTexts::tr("%1 (not up to date)", "result"), {found});
     return compared.notCompared.isEmpty()
-               ? found
+               ? result
                : sentence(ReportTexts::tr("%1; not compared: %2", "result, names of buses"),
-                          {found, compared.notCompared.join(QStringLiteral(", "))});
+                          {result, compared.notCompared.join(QStringLiteral(", "))});
 }
 
 ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,

@@ -15,6 +15,7 @@ struct LiveEncoder
 {
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;
+    std::optional<NotLive> notLive{};
 };
 
 // Everything a commissioning report is made of; no other source is used.

@@ -2,6 +2,7 @@
 #include "report/report_words.h"
 
 #include "catalog/value_text.h"
+#include "encoder/freshness_text.h"
 #include "encoder/sentence.h"
 #include "report/texts.h"
 
@@ -60,6 +61,11 @@ QString evidence(Evidence evidence)
 QString unknown()
 {
     return ReportTexts::tr("unknown");
+}
+
+QString lastSeen(const NotLive &old, const QDateTime &now)
+{
+    return old.seen.isValid() ? lastSeenText(old.reason, time(old.seen, now)) : freshnessText(old.reason);
 }
 
 } // namespace codewheel::report_words

@@ -15,5 +15,7 @@ QString value(const ReportedDevice &device, Parameter parameter, std::int64_t va
 QString unit(const ReportedDevice &device, Parameter parameter);
 QString evidence(Evidence evidence);
 QString unknown();
+// Why it is of before, and of when: "The bus does not run. Last seen: 1 Mar 2026 14:02."
+QString lastSeen(const NotLive &old, const QDateTime &now);
 
 } // namespace codewheel::report_words

@@ -89,7 +89,8 @@ std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Cata
                               .values = planned.stored,
                               .cams = planned.storedCams};
         if (const auto live = input.live.find(planned.place()); live != input.live.end()) {
-            device.isLive = true;
+            device.isConnected = true;
+            device.notLive = live->second.notLive;
             device.values = live->second.values;
             device.cams = live->second.cams;
         }

@@ -13,7 +13,8 @@ struct ReportedDevice
     const ProjectDevice *planned = nullptr;
     QString shownPlace{}; // with the name of its bus, if several buses of the project have such places
     const DeviceDescription *description = nullptr; // null: no encoder, or not known to this program
-    bool isLive = false;
+    bool isConnected = false;
+    std::optional<NotLive> notLive{}; // of a connected one: what is known of it is of before
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;
 

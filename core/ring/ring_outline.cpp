@@ -243,7 +243,8 @@ QString RingOutline::codingText(const Participant &participant) const
 QString RingOutline::ledsText(std::size_t node) const
 {
     const Snapshot &ring = m_bus.latest();
-    if (node >= ring.devices.size() || !hasRemoteBusLeds(m_bus.encoder(m_bus.structure()[node].number)))
+    if (!ring.connected || node >= ring.devices.size() ||
+        !hasRemoteBusLeds(m_bus.encoder(m_bus.structure()[node].number)))
         return {};
     return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[node].inRing)));
 }

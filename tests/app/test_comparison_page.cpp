@@ -79,6 +79,40 @@ TEST_F(ComparisonPageTest, AnotherDeviceIsToldAfterReadingInAndTakenOver)
     EXPECT_EQ(page().differences(), 1);
 }
 
+// Nobody hears of the devices while the bus stands: the comparison is of before, and says so.
+TEST_F(ComparisonPageTest, OfABusThatDoesNotRunItSaysHowItWas)
+{
+    const auto &summary = *page().findChild<QLabel *>(QStringLiteral("comparisonSummary"));
+    const auto cell = [&](int row, int role) { return table().model()->index(row, 1).data(role); };
+    EXPECT_EQ(summary.text(), QStringLiteral("The bus is as configured."));
+    EXPECT_FALSE(cell(0, Qt::ForegroundRole).isValid());
+    bus().setRunning(false);
+    advance(1'200);
+    const QString old =
+        QStringLiteral("The bus was as configured. The bus does not run. Shown is how it was ");
+    EXPECT_TRUE(summary.text().startsWith(old)) << summary.text().toStdString();
+    EXPECT_TRUE(cell(0, Qt::ForegroundRole).isValid());
+    EXPECT_TRUE(cell(0, Qt::AccessibleTextRole).toString().endsWith(QStringLiteral("not up to date")));
+    EXPECT_TRUE(cell(0, Qt::ToolTipRole).toString().contains(QStringLiteral("The bus does not run.")));
+    bus().setRunning(true);
+    advance(1'200);
+    EXPECT_EQ(summary.text(), QStringLiteral("The bus is as configured."));
+    bus().alarmStop();
+    advance(1'200);
+    EXPECT_TRUE(summary.text().startsWith(old)) << summary.text().toStdString();
+}
+
+TEST_F(ComparisonPageTest, WhatLiesBehindAFaultIsNamed)
+{
+    bus().switchSegment(4, false);
+    advance(1'200);
+    const QString text = page().findChild<QLabel *>(QStringLiteral("comparisonSummary"))->text();
+    EXPECT_TRUE(text.startsWith(QStringLiteral("The bus was as configured. 4.0"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("The device is not on the bus."))) << text.toStdString();
+    EXPECT_FALSE(table().model()->index(0, 1).data(Qt::ForegroundRole).isValid()) << "1.0 is there";
+    EXPECT_TRUE(table().model()->index(3, 1).data(Qt::ForegroundRole).isValid());
+}
+
 TEST_F(ComparisonPageTest, TheProjectIsDownloadedLoadedBackAndTakenBack)
 {
     const auto before = kept();

@@ -113,6 +113,35 @@ TEST(CommissioningReport, WhatTheConnectedEncoderTellsGoesBeforeTheProject)
                 Contains("Known values: as stored in the project; the encoder was not asked"));
 }
 
+TEST(CommissioningReport, WhatIsNotUpToDateIsSaidWithReasonAndTime)
+{
+    const auto stopped = Freshness::Reason::stopped;
+    ReportInput input = exampleInput();
+    input.project.buses.front().name = QStringLiteral("Crane");
+    input.live["1.0"_ring].values = {{Parameter::steps, 4096, Evidence::read, input.now}};
+    input.live["1.0"_ring].notLive = NotLive{stopped, input.now.addSecs(-60)};
+    const QString seen = QStringLiteral("The bus does not run. Last seen: 1 Mar 2026 13:59:00.");
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), frabaHeading).blocks),
+                Contains("Known values: of the connected encoder, not up to date. " + seen.toStdString()));
+
+    ConnectedBus &connected = input.connected[input.project.buses.front().id];
+    for (const ProjectDevice &device : input.project.devices)
+        connected.devices.push_back(device.participant);
+    EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
+                Contains("The connected bus is as configured."));
+    for (const Participant &device : connected.devices)
+        connected.notLive[device.number] = NotLive{stopped, input.now.addSecs(-60)};
+    const Report old = reportOf(input);
+    EXPECT_THAT(
+        paragraphsOf(sectionOf(old, "Deviations")),
+        testing::AllOf(Contains("The connected bus was as configured."),
+                       Contains("Compared as last seen, not up to date: Crane: " + seen.toStdString())));
+    EXPECT_THAT(factsOf({old.facts}), Contains("Bus: connected as configured (not up to date)"));
+    connected.notLive.erase(connected.devices.front().number);
+    EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
+                Contains("Compared as last seen, not up to date: Crane: 2.0, 3.0: " + seen.toStdString()));
+}
+
 TEST(CommissioningReport, DeviationsAndWhatCouldNotBeComparedAreTold)
 {
     const ReportSection section = sectionOf(reportOf(exampleInput()), "Deviations");

@@ -12,6 +12,7 @@
 #include "widgets/cams/cam_texts.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/job_strip.h"
+#include "widgets/job/known_text.h"
 #include "widgets/job/outcome_text.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -25,6 +26,15 @@
 #include <numeric>
 
 namespace codewheel {
+namespace {
+
+QString howCamsAreKnown(const EncoderSession &encoder, const KnownCams &cams)
+{
+    const Known known{.evidence = cams.evidence, .at = cams.at};
+    return howKnown(known, encoder);
+}
+
+} // namespace
 
 CamEditor::Work &CamEditor::workOf(Place number)
 {
@@ -129,7 +139,7 @@ void CamEditor::showKnown()
     CamSheet::KnownPrograms known;
     for (unsigned number = 1; number <= CamProgram::programs; ++number)
         if (const auto there = session() ? session()->cams(number) : std::nullopt)
-            known.at(number - 1) = there->program;
+            known.at(number - 1) = {there->program, howCamsAreKnown(*session(), *there)};
     m_sheet->setKnown(known);
     showRange();
 }

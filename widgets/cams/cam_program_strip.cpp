@@ -44,11 +44,16 @@ void CamProgramButton::describe()
     const CamProgram &program = m_sheet.document().program(m_number);
     const auto active = std::ranges::count(program.cam, true, &Cam::active);
     const auto differs = m_sheet.differs(m_number);
-    const QString encoder = !differs   ? tr("What the encoder has is not known.")
-                            : *differs ? tr("The encoder has another program.")
-                                       : tr("The encoder has the same.");
-    const QString text = tr("%1 of %2 cams are active.").arg(active).arg(m_sheet.abilities().cams) +
-                         QLatin1Char('\n') + encoder;
+    const bool isOld = m_sheet.isOld();
+    QStringList lines{tr("%1 of %2 cams are active.").arg(active).arg(m_sheet.abilities().cams)};
+    lines << (!differs ? tr("What the encoder has is not known.")
+              : *differs
+                  ? isOld ? tr("The encoder had another program.") : tr("The encoder has another program.")
+              : isOld ? tr("The encoder had the same.")
+                      : tr("The encoder has the same."))
+          << m_sheet.howKnown(m_number);
+    lines.removeAll(QString());
+    const QString text = lines.join(u'\n');
     setToolTip(tr("Cam program %1").arg(m_number) + QLatin1Char('\n') + text);
     setAccessibleDescription(text);
     update();
@@ -110,7 +115,7 @@ void CamProgramButton::paintEvent(QPaintEvent *)
     const int right = isMarked ? stateMarkSize + grid::unit : grid::unit;
     drawCams(painter, QRectF(box).adjusted(label.right() + grid::unit, 2, -right, -2));
     if (isMarked)
-        lineIcon(Icon::attention, Role::attention)
+        lineIcon(Icon::attention, m_sheet.isOld() ? Role::inactive : Role::attention)
             .paint(&painter,
                    QRect(box.right() - stateMarkSize - 1, box.top() + 2, stateMarkSize, stateMarkSize));
 

@@ -141,13 +141,13 @@ void CamRulerPainter::drawEdge(const QRectF &bar, CamGrip edge)
 // What the encoder has instead, as a line below the bar.
 void CamRulerPainter::drawEncoders(std::size_t number, const QRect &row)
 {
-    const auto &known = m_sheet.known(m_sheet.number());
+    const auto known = m_sheet.known(m_sheet.number());
     if (!known || known->cam.at(number) == m_sheet.cam(number) || cam_circle::isEmpty(known->cam.at(number)))
         return;
     for (const auto &stretch : cam_circle::stretches(known->cam.at(number), m_sheet.largest())) {
         const QRectF bar = barOf(stretch, row);
         m_painter.fillRect(QRectF(bar.left(), row.bottom() - encoderLine, bar.width(), encoderLine),
-                           roleColor(Role::attention, m_palette));
+                           roleColor(m_sheet.isOld() ? Role::inactive : Role::attention, m_palette));
     }
 }
 

@@ -66,9 +66,21 @@ void CamSheet::setKnown(const KnownPrograms &known)
             Q_EMIT programChanged(number);
 }
 
+std::optional<CamProgram> CamSheet::known(unsigned number) const
+{
+    const auto &known = m_known.at(number - 1);
+    return known ? std::optional(known->program) : std::nullopt;
+}
+
+QString CamSheet::howKnown(unsigned number) const
+{
+    const auto &known = m_known.at(number - 1);
+    return known ? known->how : QString();
+}
+
 std::optional<bool> CamSheet::differs(unsigned number) const
 {
-    const auto &encoder = known(number);
+    const auto encoder = known(number);
     return encoder ? std::optional(*encoder != m_document->program(number)) : std::nullopt;
 }
 
@@ -76,8 +88,13 @@ void CamSheet::setLive(const CamLive &live)
 {
     if (live == m_live)
         return;
-    m_live = live;
+    const bool wasOld = std::exchange(m_live, live).isOld;
     Q_EMIT liveChanged();
+    if (wasOld == isOld())
+        return;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (known(number))
+            Q_EMIT programChanged(number);
 }
 
 std::optional<bool> CamSheet::isOn(std::size_t cam) const

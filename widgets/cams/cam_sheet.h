@@ -18,7 +18,15 @@ class CamSheet : public QObject
 
 public:
     using Gesture = CamDocument::Gesture;
-    using KnownPrograms = std::array<std::optional<CamProgram>, CamProgram::programs>;
+    // What the encoder is known to have, and how: "It was read from the encoder. 14:02".
+    struct KnownProgram
+    {
+        CamProgram program;
+        QString how{};
+
+        friend bool operator==(const KnownProgram &, const KnownProgram &) = default;
+    };
+    using KnownPrograms = std::array<std::optional<KnownProgram>, CamProgram::programs>;
 
     // Belongs to no encoder of the project until setDocument().
     explicit CamSheet(ProjectDocument &project, QObject *parent = nullptr);
@@ -44,12 +52,14 @@ public:
     Result<void> check(std::size_t number, const Cam &cam) const;
 
     void setKnown(const KnownPrograms &known);
-    const std::optional<CamProgram> &known(unsigned number) const { return m_known.at(number - 1); }
+    std::optional<CamProgram> known(unsigned number) const;
+    QString howKnown(unsigned number) const; // empty: it is not
     // Nothing: the encoder's program is not known.
     std::optional<bool> differs(unsigned number) const;
 
     void setLive(const CamLive &live);
     const CamLive &live() const { return m_live; }
+    bool isOld() const { return m_live.isOld; }      // what the encoder has is of before, too
     std::optional<bool> isOn(std::size_t cam) const; // now; nothing: not known
 
     // Undo steps. Where the positions do not form a circle, no cam passes through zero.

@@ -6,6 +6,9 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
+#include <QGuiApplication>
+#include <QPalette>
+
 namespace codewheel {
 namespace {
 
@@ -35,13 +38,14 @@ CamTableModel::CamTableModel(CamSheet &sheet, QObject *parent)
 
 CamRow CamTableModel::rowOf(std::size_t cam) const
 {
-    const auto &known = m_sheet.known(m_sheet.number());
+    const auto known = m_sheet.known(m_sheet.number());
     return {.number = cam,
             .cam = m_sheet.cam(cam),
             .isOn = m_sheet.isOn(cam),
             .mayBeEither = m_sheet.live().position && !m_sheet.isOn(cam),
             .isTold = m_sheet.live().isTold,
-            .known = known ? std::optional(known->cam.at(cam)) : std::nullopt};
+            .known = known ? std::optional(known->cam.at(cam)) : std::nullopt,
+            .isOld = known && m_sheet.isOld()};
 }
 
 void CamTableModel::refresh()
@@ -133,8 +137,11 @@ QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
 {
     switch (role) {
     case Qt::DisplayRole:
-    case Qt::AccessibleTextRole:
         return text(row, column);
+    case Qt::AccessibleTextRole:
+        return isOld(row, column) ? tr("%1, not up to date").arg(text(row, column)) : text(row, column);
+    case Qt::ForegroundRole:
+        return isOld(row, column) ? QVariant(QGuiApplication::palette().placeholderText()) : QVariant();
     case Qt::EditRole:
         return isPosition(column) ? QVariant(qlonglong{positionIn(row.cam, column)}) : QVariant();
     case Qt::CheckStateRole:
@@ -152,6 +159,11 @@ QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
     default:
         return {};
     }
+}
+
+bool CamTableModel::isOld(const CamRow &row, int column)
+{
+    return row.isOld && column == encoderColumn;
 }
 
 QString CamTableModel::text(const CamRow &row, int column) const
@@ -182,7 +194,7 @@ QVariant CamTableModel::icon(const CamRow &row, int column) const
     if (column == stateColumn && row.isOn)
         return *row.isOn ? lineIcon(Icon::setBit, Role::setBit) : lineIcon(Icon::inactive, Role::inactive);
     if (column == encoderColumn && row.known && *row.known != row.cam)
-        return lineIcon(Icon::attention, Role::attention);
+        return lineIcon(Icon::attention, row.isOld ? Role::inactive : Role::attention);
     if (isPosition(column) && positionIn(row.cam, column) > m_sheet.largest())
         return lineIcon(Icon::fault, Role::fault);
     return {};

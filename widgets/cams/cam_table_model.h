@@ -14,6 +14,7 @@ struct CamRow
     bool mayBeEither = false; // the position is known too coarsely
     bool isTold = false;      // isOn: by the encoder itself
     std::optional<Cam> known; // what the encoder has
+    bool isOld = false;       // ... or had: nobody hears from it now
 
     friend bool operator==(const CamRow &, const CamRow &) = default;
 };
@@ -53,6 +54,7 @@ private:
     CamRow rowOf(std::size_t cam) const;
     void refresh();
     void setPosition(Cam &cam, int column, std::int64_t position) const;
+    static bool isOld(const CamRow &row, int column);
     QString text(const CamRow &row, int column) const;
     QVariant icon(const CamRow &row, int column) const;
 

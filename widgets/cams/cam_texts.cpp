@@ -18,13 +18,17 @@ struct CamTexts
 
 QString encoderText(const CamSheet &sheet, std::size_t cam)
 {
-    const auto &known = sheet.known(sheet.number());
+    const auto known = sheet.known(sheet.number());
     if (!known)
         return CamTexts::tr("What the encoder has is not known.");
     const Cam &there = known->cam.at(cam);
-    if (there == sheet.cam(cam))
-        return CamTexts::tr("The encoder has the same.");
-    return CamTexts::tr("The encoder has %1, %2.", "21 to 531, active").arg(range(there), activity(there));
+    const QString has = there == sheet.cam(cam)
+                            ? sheet.isOld() ? CamTexts::tr("The encoder had the same.")
+                                            : CamTexts::tr("The encoder has the same.")
+                            : (sheet.isOld() ? CamTexts::tr("The encoder had %1, %2.", "21 to 531, active")
+                                             : CamTexts::tr("The encoder has %1, %2.", "21 to 531, active"))
+                                  .arg(range(there), activity(there));
+    return has + u'\n' + sheet.howKnown(sheet.number());
 }
 
 } // namespace

@@ -3,7 +3,11 @@
 
 #include "catalog/hex_code.h"
 #include "widgets/look/roles.h"
+#include "widgets/models/age_text.h"
 #include "widgets/structure_editor/plan_edits.h"
+
+#include <QGuiApplication>
+#include <QPalette>
 
 namespace codewheel {
 namespace {
@@ -47,8 +51,12 @@ void ComparisonModel::compare(const PlanEdits &plan, const ConnectedBus &connect
         if (line.configured)
             row.configured =
                 placeText(devicesOn(plan.project(), plan.bus())[*line.configured].participant, plan);
-        if (line.connected)
-            row.connected = placeText(connected.devices[*line.connected], plan);
+        if (line.connected) {
+            const Participant &there = connected.devices[*line.connected];
+            row.connected = placeText(there, plan);
+            if (const auto old = connected.notLive.find(there.number); old != connected.notLive.end())
+                row.old = old->second;
+        }
         if (!isSame)
             row.text = rules.comparisonText(line, plan.project(), plan.bus(), connected, plan.catalog());
     }
@@ -61,15 +69,35 @@ QVariant ComparisonModel::headerCell(int column, int role) const
     return role == Qt::DisplayRole ? heads.at(column) : QVariant();
 }
 
+// Of before are the connected device and what follows from it.
 QVariant ComparisonModel::cell(const ComparisonRow &row, int column, int role) const
 {
     const bool isDifference = column == differenceColumn;
-    if (role == Qt::DecorationRole && isDifference)
-        return lineIcon(roleIcon(roleOf(row.kind)), roleOf(row.kind));
-    if (role == Qt::ToolTipRole || (role == Qt::DisplayRole && isDifference))
+    const bool isOld = row.old && column != configuredColumn;
+    switch (role) {
+    case Qt::DecorationRole:
+        return isDifference && !isOld ? lineIcon(roleIcon(roleOf(row.kind)), roleOf(row.kind)) : QVariant();
+    case Qt::ForegroundRole:
+        return isOld ? QVariant(QGuiApplication::palette().placeholderText()) : QVariant();
+    case Qt::ToolTipRole: {
+        const QString text = row.text.isEmpty() ? comparisonKindName(row.kind) : row.text;
+        return row.old ? text + u'\n' + ageSentence(*row.old) : text;
+    }
+    case Qt::AccessibleTextRole:
+        return isOld ? tr("%1, not up to date").arg(textOf(row, column)) : textOf(row, column);
+    case Qt::DisplayRole:
+        return textOf(row, column);
+    default:
+        return {};
+    }
+}
+
+QString ComparisonModel::textOf(const ComparisonRow &row, int column)
+{
+    if (column == differenceColumn)
         return row.text.isEmpty() ? comparisonKindName(row.kind) : row.text;
     const QString &device = column == configuredColumn ? row.configured : row.connected;
-    return role != Qt::DisplayRole ? QVariant() : device.isEmpty() ? QStringLiteral("-") : device;
+    return device.isEmpty() ? QStringLiteral("-") : device;
 }
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/comparison.h"
+#include "bus/not_live.h"
 #include "widgets/models/table_model_base.h"
 
 namespace codewheel {
@@ -15,7 +16,8 @@ struct ComparisonRow
     ComparisonKind kind = ComparisonKind::same;
     QString configured; // "3.0  FRABA OCD-IB K3  37h"; empty: it has none
     QString connected;
-    QString text; // in words; empty: the same
+    QString text;                 // in words; empty: the same
+    std::optional<NotLive> old{}; // of the connected one
 };
 
 // The configured bus beside the connected one, line by line.
@@ -37,6 +39,8 @@ protected:
     QVariant cell(const ComparisonRow &row, int column, int role) const override;
 
 private:
+    static QString textOf(const ComparisonRow &row, int column);
+
     Comparison m_comparison;
 };
 

@@ -2,6 +2,7 @@
 #include "widgets/comparison/comparison_page.h"
 
 #include "bus/encoder_bus.h"
+#include "project/old_devices.h"
 #include "widgets/comparison/comparison_model.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
@@ -9,6 +10,8 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 
 #include <QCheckBox>
 #include <QHeaderView>
@@ -50,6 +53,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
     , m_message(named(new InlineMessage(this), "comparisonMessage"))
     , m_empty(new EmptyState(Icon::compare, tr("The bus is not connected."),
                              tr("Connect to compare it with the project."), this))
+    , m_age(new AgeTimer(this))
     , m_top(new QHBoxLayout)
     , m_buttons(new QGridLayout)
 {
@@ -70,6 +74,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
             [this] { takeIntoProject(allLines(comparison())); });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { showWhatIsPossible(); });
+    connect(m_age, &QTimer::timeout, this, &ComparisonPage::showSummary);
     connect(&document, &ProjectDocument::changed, this, &ComparisonPage::compare);
 }
 
@@ -135,7 +140,8 @@ int ComparisonPage::differences() const
 // The selection stays while nothing changes.
 void ComparisonPage::followAnswers()
 {
-    if (!isVisible() || !isConnected() || m_bus->now() - m_comparedAt < lookInterval)
+    const bool isLive = m_connected.notLive.empty();
+    if (!isVisible() || !isConnected() || (isLive && m_bus->now() - m_comparedAt < lookInterval))
         return;
     m_comparedAt = m_bus->now();
     if (connectedBus(m_edits.project(), *m_bus) != m_connected)
@@ -146,14 +152,32 @@ void ComparisonPage::compare()
 {
     if (!isConnected()) {
         m_summary->clear();
+        m_age->stop();
         showWhatIsPossible();
         return;
     }
     m_connected = connectedBus(m_edits.project(), *m_bus);
     m_model->compare(m_edits, m_connected, m_onlyDifferences->isChecked());
-    m_summary->setText(differences() == 0 ? tr("The bus is as it is configured.")
-                                          : tr("%n lines differ.", nullptr, differences()));
+    showSummary();
     showWhatIsPossible();
+}
+
+// What nobody hears of now is told as it was.
+void ComparisonPage::showSummary()
+{
+    const std::vector<OldDevices> old = oldDevices(m_connected);
+    const bool isSame = differences() == 0;
+    QStringList sentences{old.empty() ? isSame ? tr("The bus is as configured.")
+                                               : tr("%n lines differ.", nullptr, differences())
+                          : isSame ? tr("The bus was as configured.")
+                                      : tr("%n lines differed.", nullptr, differences())};
+    QDateTime seen;
+    for (const OldDevices &devices : old) {
+        sentences << withPlaces(devices, ageSentence(devices.old));
+        seen = devices.old.seen.isValid() ? devices.old.seen : seen;
+    }
+    m_summary->setText(sentences.join(u' '));
+    m_age->follow(seen);
 }
 
 std::vector<std::size_t> ComparisonPage::selectedLines() const

@@ -15,6 +15,7 @@ class QTableView;
 
 namespace codewheel {
 
+class AgeTimer;
 class ComparisonModel;
 class EmptyState;
 class EncoderBus;
@@ -54,6 +55,7 @@ protected:
 private:
     void arrange();
     void followAnswers();
+    void showSummary();
 
     PlanEdits m_edits;
     QPointer<EncoderBus> m_bus;
@@ -67,6 +69,7 @@ private:
     QPushButton *m_allIntoProject;
     InlineMessage *m_message;
     EmptyState *m_empty;
+    AgeTimer *m_age;
     QHBoxLayout *m_top;
     QGridLayout *m_buttons;
 };

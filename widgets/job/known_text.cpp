@@ -4,6 +4,7 @@
 #include "catalog/value_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace codewheel {
 namespace {
@@ -48,6 +49,12 @@ QString evidenceExplanation(const std::optional<Known> &known, bool reads)
                      : KnownText::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
     }
     return {};
+}
+
+QString howKnown(const std::optional<Known> &known, const EncoderSession &encoder)
+{
+    const QString how = evidenceExplanation(known, encoder.can().reads);
+    return known ? how + u'\n' + QLocale().toString(encoder.dateTime(known->at), QLocale::ShortFormat) : how;
 }
 
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,

@@ -11,6 +11,8 @@ namespace codewheel {
 QString evidenceText(const std::optional<Known> &known);
 // In a sentence, with what would make it more certain. reads: the encoder can be read.
 QString evidenceExplanation(const std::optional<Known> &known, bool reads);
+// With the date and time of when it became known.
+QString howKnown(const std::optional<Known> &known, const EncoderSession &encoder);
 
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,

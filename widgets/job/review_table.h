@@ -29,6 +29,7 @@ struct ReviewRow
     bool canBeChosen = false;
     bool isThere = false; // already there: left out
     bool isHindered = false;
+    bool isOld = false; // what is known of the encoder is of before
 
     friend bool operator==(const ReviewRow &, const ReviewRow &) = default;
 };

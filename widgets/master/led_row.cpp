@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/master/led_row.h"
 
+#include "encoder/freshness_text.h"
 #include "ring/ring_session.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
@@ -11,6 +12,12 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+const std::array ledNames{QStringLiteral("UL"), QStringLiteral("RC"), QStringLiteral("BA"),
+                          QStringLiteral("RBDA")};
+
+} // namespace
 
 LedRow::LedRow(const RingSession &ring, QWidget *parent)
     : QWidget(parent)
@@ -49,7 +56,9 @@ void LedRow::refresh()
     const bool isShown =
         m_ring.isOpen() && index < latest.devices.size() && hasRemoteBusLeds(m_ring.encoder(device->number));
     setVisible(isShown);
-    if (isShown)
+    if (isShown && !latest.connected)
+        showUnknown();
+    else if (isShown)
         showLeds(ledsOf(latest.state, latest.devices[index].inRing));
 }
 
@@ -59,17 +68,24 @@ void LedRow::showLeds(const DeviceLeds &leds)
         return;
     m_shown = leds;
     const std::array states{leds.ul, leds.rc, leds.ba, leds.rbda};
-    const std::array names{QStringLiteral("UL"), QStringLiteral("RC"), QStringLiteral("BA"),
-                           QStringLiteral("RBDA")};
     for (std::size_t i = 0; i < m_leds.size(); ++i) {
         const bool isFault = i == 3;
         const Role lit = isFault ? Role::fault : Role::running;
         const Role role = states[i] == LedLight::off        ? Role::inactive
                           : states[i] == LedLight::blinking ? Role::attention
                                                             : lit;
-        m_leds[i]->setState(role, names[i] + u' ' + ledLightName(states[i]));
+        m_leds[i]->setState(role, ledNames[i] + u' ' + ledLightName(states[i]));
     }
     setAccessibleName(tr("LEDs: %1").arg(ledText(leds)));
+}
+
+// What the master would say nobody hears while the link is lost.
+void LedRow::showUnknown()
+{
+    m_shown.reset();
+    for (std::size_t i = 0; i < m_leds.size(); ++i)
+        m_leds[i]->setState(Role::inactive, ledNames[i] + QStringLiteral(" \u2013"));
+    setAccessibleName(tr("LEDs: not known. %1", "why").arg(freshnessText(Freshness::Reason::linkLost)));
 }
 
 } // namespace codewheel

@@ -29,6 +29,7 @@ public:
 private:
     void refresh();
     void showLeds(const DeviceLeds &leds);
+    void showUnknown();
 
     const RingSession &m_ring;
     std::optional<Place> m_place;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/age_text.h"
 
+#include "bus/not_live.h"
 #include "bus/word_channel.h"
 #include "encoder/encoder_session.h"
 #include "encoder/freshness_text.h"
@@ -38,10 +39,17 @@ QString ageText(const WordChannel &word)
 
 QString ageSentence(const EncoderSession &encoder)
 {
-    const QString age = ageText(encoder);
-    return age.isEmpty() ? QString()
-                         : AgeText::tr("%1 Shown is how it was %2.", "reason, 20 s ago")
-                               .arg(freshnessText(encoder.freshness().reason()), age);
+    const Freshness &freshness = encoder.freshness();
+    return freshness.isOld() ? ageSentence({freshness.reason(), encoder.dateTime(freshness.seen())})
+                             : QString();
+}
+
+QString ageSentence(const NotLive &old)
+{
+    const QString why = freshnessText(old.reason);
+    return old.seen.isValid() ? AgeText::tr("%1 Shown is how it was %2.", "reason, 20 s ago")
+                                    .arg(why, agoText(old.seen, QDateTime::currentDateTime()))
+                              : why;
 }
 
 } // namespace codewheel

@@ -7,6 +7,7 @@ namespace codewheel {
 
 class EncoderSession;
 class WordChannel;
+struct NotLive;
 
 // The age of what is shown, in wall clock time: "20 s ago". Empty while it is live or unknown.
 QString ageText(const EncoderSession &encoder);
@@ -14,5 +15,6 @@ QString ageText(const WordChannel &word);
 
 // With the reason: "The bus does not run. Shown is how it was 20 s ago." Empty while it is live or unknown.
 QString ageSentence(const EncoderSession &encoder);
+QString ageSentence(const NotLive &old);
 
 } // namespace codewheel

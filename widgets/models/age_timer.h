@@ -27,12 +27,14 @@ public:
     template <typename Shown> // EncoderSession, WordChannel
     void follow(const Shown &shown)
     {
-        if (!shown.freshness().isOld()) {
+        follow(shown.freshness().isOld() ? shown.dateTime(shown.freshness().seen()) : QDateTime());
+    }
+    void follow(const QDateTime &seen) // not valid: it is live, or was never seen
+    {
+        m_seen = seen;
+        if (!seen.isValid())
             stop();
-            return;
-        }
-        m_seen = shown.dateTime(shown.freshness().seen());
-        if (!isActive())
+        else if (!isActive())
             waitForNextSecond();
     }
 

@@ -302,8 +302,7 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
                    : QStringLiteral("%1\n%2").arg(parameterName(row.parameter.parameter), range);
     if (m_encoder.session() == nullptr)
         return tr("Not connected: what the encoder has is not known.");
-    const QDateTime when = row.known ? m_encoder.session()->dateTime(row.known->at) : QDateTime();
-    QString how = parameter_words::howKnown(row.known, when, m_encoder.can().reads);
+    QString how = howKnown(row.known, *m_encoder.session());
     if (isKnownOfBefore(row))
         how += u'\n' + ageSentence(*m_encoder.session());
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),

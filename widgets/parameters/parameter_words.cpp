@@ -2,10 +2,8 @@
 #include "widgets/parameters/parameter_words.h"
 
 #include "catalog/value_text.h"
-#include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 namespace codewheel::parameter_words {
@@ -30,12 +28,6 @@ QString range(const ParameterDescription &parameter)
 }
 
 } // namespace
-
-QString howKnown(const std::optional<Known> &known, const QDateTime &when, bool reads)
-{
-    const QString how = evidenceExplanation(known, reads);
-    return known ? how + QLatin1Char('\n') + QLocale().toString(when, QLocale::ShortFormat) : how;
-}
 
 QString rangeAndFactory(const ParameterDescription &parameter)
 {

@@ -3,8 +3,8 @@
 
 #include "catalog/value_text.h"
 #include "drivers/write_plan.h"
+#include "widgets/job/known_text.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/parameters/parameter_words.h"
 
 #include <QHeaderView>
 #include <QTableView>
@@ -33,9 +33,7 @@ ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
                       row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.wanted.value),
                       sentText(*row.step)},
             .tips = {{},
-                     parameter_words::howKnown(row.known,
-                                               row.known ? encoder.dateTime(row.known->at) : QDateTime(),
-                                               encoder.can().reads),
+                     howKnown(row.known, encoder),
                      {},
                      row.step->line.isEmpty() ? WriteReview::tr("The word that will stand in OUT")
                                               : WriteReview::tr("What will be sent, between ESC and CR LF")}};

@@ -5,12 +5,15 @@
 #include "catalog/catalog.h"
 #include "drivers/values_to_write.h"
 #include "drivers/write_plan.h"
+#include "encoder/freshness_text.h"
 #include "encoder/refusal_text.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
+#include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 
@@ -22,12 +25,6 @@ struct TransferLines
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferLines)
 };
-
-const DeviceDescription *deviceAt(const Buses &buses, Place place)
-{
-    const EncoderSession *encoder = buses.encoder(place);
-    return encoder ? &encoder->device() : nullptr;
-}
 
 QString lineName(const QString &device, const QString &station)
 {
@@ -51,8 +48,40 @@ ReviewRow headOf(const EncoderPlan &plan)
             .isHindered = plan.hindrance.has_value()};
 }
 
-ReviewRow lineOf(const DeviceDescription *device, Place place, const WriteRow &row)
+ReviewRow note(Place place, const QString &text, bool isHindered = false)
 {
+    return {.cells = {{}, text},
+            .tip = text,
+            .kind = ReviewRow::Kind::note,
+            .place = place,
+            .isHindered = isHindered};
+}
+
+bool isOld(const EncoderSession *encoder)
+{
+    return encoder != nullptr && encoder->freshness().isOld();
+}
+
+// The plan is of a moment: it names that at which the encoder was seen last.
+std::optional<ReviewRow> ageNote(const EncoderSession *encoder)
+{
+    if (!isOld(encoder))
+        return std::nullopt;
+    const Freshness &freshness = encoder->freshness();
+    const QString when = QLocale().toString(encoder->dateTime(freshness.seen()), QLocale::ShortFormat);
+    return note(encoder->place(), TransferLines::tr("Known values are not up to date: %1", "a sentence")
+                                      .arg(lastSeenText(freshness.reason(), when)));
+}
+
+// In the column of what is known: how. In the others: what becomes of it.
+QStringList tipsOf(const EncoderSession *encoder, const std::optional<Known> &known, const QString &tip)
+{
+    return {tip, tip, encoder != nullptr ? howKnown(known, *encoder) : tip, tip, tip, tip};
+}
+
+ReviewRow lineOf(const EncoderSession *encoder, Place place, const WriteRow &row)
+{
+    const DeviceDescription *device = encoder != nullptr ? &encoder->device() : nullptr;
     const QString thereAlready = TransferLines::tr("already there");
     return {.cells = {{},
                       parameterName(row.wanted.parameter),
@@ -62,14 +91,16 @@ ReviewRow lineOf(const DeviceDescription *device, Place place, const WriteRow &r
                       : row.step  ? sentText(*row.step)
                                   : QString(),
                       row.step ? QStringLiteral("1") : QString()},
-            .tip = row.hindrance ? refusalText(*row.hindrance)
-                   : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
-                   : row.goesAlong
-                       ? TransferLines::tr("Computed from the other values, which act once it is sent")
-                       : TransferLines::tr("What will be sent for it"),
+            .tips = tipsOf(encoder, row.known,
+                           row.hindrance   ? refusalText(*row.hindrance)
+                           : row.isThere   ? TransferLines::tr("The encoder has it: it is left out.")
+                           : row.goesAlong ? TransferLines::tr(
+                                                 "Computed from the other values, which act once it is sent")
+                                           : TransferLines::tr("What will be sent for it")),
             .place = place,
             .isThere = row.isThere,
-            .isHindered = row.hindrance.has_value()};
+            .isHindered = row.hindrance.has_value(),
+            .isOld = isOld(encoder)};
 }
 
 ReviewRow lineOf(Place place, const TransferCamRow &row)
@@ -87,20 +118,22 @@ ReviewRow lineOf(Place place, const TransferCamRow &row)
             .isThere = row.isThere};
 }
 
-ReviewRow note(Place place, const QString &text, bool isHindered = false)
-{
-    return {.cells = {{}, text},
-            .tip = text,
-            .kind = ReviewRow::Kind::note,
-            .place = place,
-            .isHindered = isHindered};
-}
-
 QString storedText(const DeviceDescription *device, const ProjectDevice &planned, Parameter parameter)
 {
     const auto found = std::ranges::find(planned.stored, parameter, &StoredValue::parameter);
     return found == planned.stored.end() ? QString()
                                          : transfer_words::value(device, {parameter, found->value});
+}
+
+// "Stored on 1 Mar 2026 14:02: read".
+QString howStored(const ProjectDevice &planned, Parameter parameter)
+{
+    const auto found = std::ranges::find(planned.stored, parameter, &StoredValue::parameter);
+    return found == planned.stored.end()
+               ? TransferLines::tr("The project has none stored.")
+               : TransferLines::tr("As known on %1: %2", "date and time, by hand")
+                     .arg(QLocale().toString(found->at.toLocalTime(), QLocale::ShortFormat),
+                          evidenceText(Known{.evidence = found->evidence}));
 }
 
 QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)
@@ -125,6 +158,8 @@ void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, co
                      .kind = ReviewRow::Kind::head,
                      .place = place,
                      .canBeChosen = !jobs.jobs.empty() || !allKnown(encoder).empty()});
+    if (const auto old = ageNote(&encoder))
+        lines.push_back(*old);
     lines.push_back(note(place, reading));
     if (withCams && encoder.can().cams)
         lines.push_back(note(place, TransferLines::tr("Its cam programs are read in the cam mode of each. A "
@@ -135,8 +170,9 @@ void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, co
                                    parameterName(known.parameter),
                                    transfer_words::known(&encoder.device(), known.parameter, known),
                                    storedText(&encoder.device(), planned, known.parameter)},
-                         .tip = TransferLines::tr("Known now, beside what the project has stored"),
-                         .place = place});
+                         .tips = {{}, {}, howKnown(known, encoder), howStored(planned, known.parameter)},
+                         .place = place,
+                         .isOld = isOld(&encoder)});
 }
 
 // Nothing is stored for an encoder that may not be the project's.
@@ -175,9 +211,11 @@ std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan)
     std::vector<ReviewRow> lines;
     for (const EncoderPlan &encoder : plan) {
         lines.push_back(headOf(encoder));
-        const DeviceDescription *device = deviceAt(buses, encoder.place);
+        const EncoderSession *there = buses.encoder(encoder.place);
+        if (const auto old = ageNote(there))
+            lines.push_back(*old);
         for (const WriteRow &row : encoder.write.rows)
-            lines.push_back(lineOf(device, encoder.place, row));
+            lines.push_back(lineOf(there, encoder.place, row));
         for (const TransferCamRow &row : encoder.cams)
             lines.push_back(lineOf(encoder.place, row));
         if (!encoder.isWritten())

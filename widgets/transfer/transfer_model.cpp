@@ -38,7 +38,7 @@ void TransferModel::setHeads(Heads heads)
     m_heads = heads;
     setColumns({{tr("Place")},
                 {tr("Encoder and parameter")},
-                {tr("Now"), Kind::value},
+                {tr("Known"), Kind::value},
                 {heads == Heads::store ? tr("In the project") : tr("Wanted"), Kind::value},
                 {tr("Sent"), Kind::code},
                 {tr("EEPROM"), Kind::value}});
@@ -120,7 +120,8 @@ QVariant TransferModel::cell(const ReviewRow &line, int column, int role) const
         return column == place && line.kind == LineKind::head ? tr("%1 %2").arg(line.place.shown(), line.tip)
                                                               : line.cells.value(column);
     case Qt::ForegroundRole:
-        return line.kind == LineKind::value && (line.isThere || !isChosen(line.place))
+        return line.kind == LineKind::value &&
+                       ((line.isOld && column == now) || line.isThere || !isChosen(line.place))
                    ? QVariant(QGuiApplication::palette().placeholderText())
                    : QVariant();
     case Qt::DecorationRole:

@@ -46,6 +46,8 @@ void TransferPage::followEncoders()
             connect(encoder, &EncoderSession::knownChanged, this, &TransferPage::planSoon,
                     Qt::UniqueConnection);
             connect(encoder, &EncoderSession::finished, this, &TransferPage::planSoon, Qt::UniqueConnection);
+            connect(encoder, &EncoderSession::freshnessChanged, this, &TransferPage::planSoon,
+                    Qt::UniqueConnection);
         }
 }
 

@@ -94,7 +94,7 @@ TEST_F(CamSheetStates, OnlyWhatIsKnownOfTheEncoderIsCompared)
 {
     EXPECT_EQ(sheet.differs(1), std::nullopt);
     CamSheet::KnownPrograms known;
-    known.at(0) = sheet.program();
+    known.at(0) = CamSheet::KnownProgram{sheet.program()};
     sheet.setKnown(known);
     EXPECT_EQ(sheet.differs(1), false);
     EXPECT_EQ(sheet.differs(2), std::nullopt);

@@ -3,8 +3,12 @@
 #include "tests/app/question.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_mode_bar.h"
+#include "widgets/cams/cam_program_strip.h"
+#include "widgets/cams/cam_table.h"
+#include "widgets/cams/cam_table_model.h"
 
 #include <QCheckBox>
+#include <QLocale>
 #include <QPushButton>
 #include <QTest>
 #include <QWidget>
@@ -63,6 +67,35 @@ TEST_F(CamEditorJobs, LeavingAChangedProgramIsCountedAsAnEepromWrite)
     writeManualCam();
     EXPECT_EQ(encoder().eepromWrites(), before + 1);
     EXPECT_TRUE(message().contains(QStringLiteral("EEPROM writes: 1"))) << message().toStdString();
+}
+
+// What was read once may have been changed by somebody else since: when it was read stands beside it.
+TEST_F(CamEditorJobs, WhatTheEncoderHasSaysHowAndWhenItIsKnownAndLooksOldWhileTheBusStops)
+{
+    tellAll();
+    setManualCam();
+    const auto &strip = *editor.findChild<CamProgramButton *>();
+    EXPECT_TRUE(strip.toolTip().endsWith(QStringLiteral("What the encoder has is not known.")));
+    writeManualCam();
+    const auto &table = *editor.findChild<CamTable *>()->model();
+    const QModelIndex cell = table.index(manualCam, CamTableModel::encoderColumn);
+    const auto tip = [&] { return cell.data(Qt::ToolTipRole).toString(); };
+    const QString how = QStringLiteral("It was read from the encoder.\n") +
+                        QLocale().toString(encoder().dateTime(encoder().cams(1)->at), QLocale::ShortFormat);
+    EXPECT_TRUE(tip().endsWith(QStringLiteral("The encoder has the same.\n") + how)) << tip().toStdString();
+    EXPECT_TRUE(strip.toolTip().endsWith(how)) << strip.toolTip().toStdString();
+    EXPECT_FALSE(cell.data(Qt::ForegroundRole).isValid());
+
+    ring.bus.setRunning(false);
+    advance(60);
+    EXPECT_TRUE(cell.data(Qt::ForegroundRole).isValid());
+    EXPECT_EQ(cell.data(Qt::AccessibleTextRole).toString(), QStringLiteral("same, not up to date"));
+    EXPECT_TRUE(tip().endsWith(QStringLiteral("The encoder had the same.\n") + how));
+    EXPECT_TRUE(strip.toolTip().contains(QStringLiteral("The encoder had the same.")));
+    ring.bus.setRunning(true);
+    advance(60);
+    EXPECT_FALSE(cell.data(Qt::ForegroundRole).isValid());
+    EXPECT_TRUE(strip.toolTip().contains(QStringLiteral("The encoder has the same.")));
 }
 
 TEST_F(CamEditorJobs, ReadingTakesTheProgramAndCanBeTakenBack)

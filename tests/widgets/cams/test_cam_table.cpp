@@ -162,8 +162,8 @@ TEST_F(CamTableTest, AClickOnTheTickMakesACamActive)
 TEST_F(CamTableTest, SaysWhatDiffersFromTheEncoder)
 {
     CamSheet::KnownPrograms known;
-    known.at(0) = sheet.program();
-    known.at(0)->cam.at(manualCam).stop = 500;
+    known.at(0) = CamSheet::KnownProgram{sheet.program()};
+    known.at(0)->program.cam.at(manualCam).stop = 500;
     sheet.setKnown(known);
     EXPECT_EQ(text(manualCam, CamTableModel::encoderColumn), QStringLiteral("differs"));
     EXPECT_EQ(text(0, CamTableModel::encoderColumn), QStringLiteral("same"));

@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
+#include "tests/support/scripted_link.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
@@ -236,6 +237,33 @@ TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
     ring.bus.advance(2);
     EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));
     EXPECT_EQ(leds.findChildren<RoleLabel *>().last()->word(), QStringLiteral("RBDA on"));
+}
+
+TEST(TheLedsInTheDevicePanel, AreNotKnownWhileTheLinkIsLost)
+{
+    const Catalog catalog = Catalog::builtIn();
+    RingStructure structure = ScriptedLink::ringOf(1);
+    structure.front().deviceKey = QStringLiteral("fraba-ocd-ib");
+    auto link = std::make_unique<ScriptedLink>(structure);
+    ScriptedLink &peer = *link;
+    RingSession bus(std::move(link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2)));
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
+    bus.advance(10);
+    LedRow leds(bus);
+    leds.setPlace("1.0"_ring);
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
+    peer.lose();
+    bus.advance(100);
+    ASSERT_EQ(bus.state(), BusState::lost);
+    EXPECT_FALSE(leds.isHidden());
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: not known. The port is gone."));
+    EXPECT_FALSE(leds.findChildren<RoleLabel *>().first()->word().contains(QStringLiteral("on")));
+    StructureModel model;
+    model.addBus(bus);
+    EXPECT_FALSE(model.indexOf("1.0"_ring).data(Qt::ToolTipRole).toString().contains(QStringLiteral("LEDs")));
+    peer.comeBack();
+    bus.advance(2'000);
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
 }
 
 TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)

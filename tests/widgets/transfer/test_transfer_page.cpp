@@ -103,6 +103,28 @@ TEST_F(TransferPageTest, ShowsWhatDiffersEncoderByEncoder)
     page.choose(What::write, fraba);
 }
 
+// Nobody tells the page: it follows its encoders.
+TEST_F(TransferPageTest, WhatIsKnownSaysHowAndLooksOldWhileTheBusDoesNotRun)
+{
+    const auto toolTip = [&](int row) { return model().index(row, 2).data(Qt::ToolTipRole).toString(); };
+    EXPECT_TRUE(toolTip(1).startsWith(QStringLiteral("Not known")));
+    session.encoder(fraba).tell(Parameter::steps, 512);
+    session.bus.advance(5);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cell(1, 2) == QStringLiteral("512 (by hand)"); }));
+    EXPECT_TRUE(toolTip(1).startsWith(QStringLiteral("Set manually"))) << toolTip(1).toStdString();
+    EXPECT_TRUE(toolTip(1).contains(QLatin1Char('\n'))) << "and when";
+    EXPECT_FALSE(model().index(1, 2).data(Qt::ForegroundRole).isValid());
+
+    session.bus.setRunning(false);
+    session.bus.advance(5);
+    const QString why = QStringLiteral("Known values are not up to date: The bus does not run. Last seen: ");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cell(1, 1).startsWith(why); })) << cell(1, 1).toStdString();
+    EXPECT_EQ(cell(2, 2), QStringLiteral("512 (by hand)"));
+    EXPECT_TRUE(model().index(2, 2).data(Qt::ForegroundRole).isValid());
+    page.choose(What::store, {});
+    EXPECT_TRUE(cell(1, 1).startsWith(why)) << cell(1, 1).toStdString();
+}
+
 TEST_F(TransferPageTest, WritesToTheChosenEncodersOnlyAndAccountsForIt)
 {
     toggle("1.0");
