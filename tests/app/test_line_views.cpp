@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/simulated_line.h"
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
+#include "widgets/comparison/comparison_page.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -16,6 +18,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableView>
@@ -279,6 +282,31 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
     EXPECT_TRUE(isTold);
     EXPECT_NE(shown->line().training(), nullptr);
     EXPECT_TRUE(line().isOperating());
+}
+
+TEST_F(LineViewsTest, WithoutItsAdapterTheComparisonSaysHowTheLineWas)
+{
+    view<StructureView>().choose(firstLine);
+    advance(2'000);
+    window().showComparison();
+    advance(50);
+    const auto shownPage = [this] {
+        for (auto *each : window().findChildren<ComparisonPage *>())
+            if (each->isVisible())
+                return each;
+        return static_cast<ComparisonPage *>(nullptr);
+    };
+    ASSERT_NE(shownPage(), nullptr);
+    const auto &summary = *shownPage()->findChild<QLabel *>(QStringLiteral("comparisonSummary"));
+    EXPECT_EQ(summary.text(), QStringLiteral("3 lines differ."));
+    shown->line().training()->setUnplugged(true);
+    advance(3'000);
+    EXPECT_TRUE(
+        summary.text().startsWith(QStringLiteral("3 lines differed. The port is gone. Shown is how it was ")))
+        << summary.text().toStdString();
+    shown->line().training()->setUnplugged(false);
+    advance(4'000);
+    EXPECT_EQ(summary.text(), QStringLiteral("3 lines differ."));
 }
 
 TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)

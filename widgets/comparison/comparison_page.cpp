@@ -124,6 +124,7 @@ void ComparisonPage::showState()
     m_empty->setVisible(!isConnected());
     m_table->setVisible(isConnected());
     m_message->withdraw();
+    m_comparedAt.reset(); // how its devices stand is told with the next frame; the clock may stand still
     compare();
 }
 
@@ -140,8 +141,10 @@ int ComparisonPage::differences() const
 // The selection stays while nothing changes.
 void ComparisonPage::followAnswers()
 {
+    if (!isVisible() || !isConnected())
+        return;
     const bool isLive = m_connected.notLive.empty();
-    if (!isVisible() || !isConnected() || (isLive && m_bus->now() - m_comparedAt < lookInterval))
+    if (m_comparedAt && isLive && m_bus->now() - *m_comparedAt < lookInterval)
         return;
     m_comparedAt = m_bus->now();
     if (connectedBus(m_edits.project(), *m_bus) != m_connected)

@@ -6,6 +6,8 @@
 
 #include <QPointer>
 
+#include <optional>
+
 class QCheckBox;
 class QGridLayout;
 class QHBoxLayout;
@@ -60,7 +62,7 @@ private:
     PlanEdits m_edits;
     QPointer<EncoderBus> m_bus;
     ConnectedBus m_connected;
-    Instant m_comparedAt{};
+    std::optional<Instant> m_comparedAt;
     ComparisonModel *m_model;
     QTableView *m_table;
     QLabel *m_summary;
