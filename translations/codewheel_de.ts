@@ -6,7 +6,7 @@
     <message>
         <source>%1 Shown is how it was %2.</source>
         <comment>reason, 20 s ago</comment>
-        <translation>%1 Gezeigt ist der Stand %2.</translation>
+        <translation>%1 Stand: %2.</translation>
     </message>
 </context>
 <context>
@@ -287,6 +287,10 @@
         <source>Devices of this ID code stand on the local bus of a bus terminal.</source>
         <translation>Geräte mit diesem ID-Code gehören an den Lokalbus einer Busklemme.</translation>
     </message>
+    <message>
+        <source>Devices with this ID code belong on the local bus of a bus terminal.</source>
+        <translation>Geräte mit diesem ID-Code gehören an den Lokalbus einer Busklemme.</translation>
+    </message>
 </context>
 <context>
     <name>Choice</name>
@@ -504,6 +508,10 @@
     <message>
         <source>Raw word %1. The mode is not known: set the start-up mode manually under Parameters.</source>
         <translation>Rohwort %1. Betriebsart unbekannt: Die Anlaufbetriebsart unter Parameter eintragen.</translation>
+    </message>
+    <message>
+        <source>IN holds a read-out value: there is no position.</source>
+        <translation>In IN steht ein Auslesewert: keine Position.</translation>
     </message>
 </context>
 <context>
@@ -1032,6 +1040,14 @@
     <message>
         <source>Set manually or by the plan of the bus; the encoder cannot be read.</source>
         <translation>Von Hand oder durch den Busplan gesetzt; der Geber lässt sich nicht auslesen.</translation>
+    </message>
+    <message>
+        <source>It has its earlier values again: they were read back and match.</source>
+        <translation>Er hat wieder die vorigen Werte: Sie wurden zurückgelesen und stimmen überein.</translation>
+    </message>
+    <message>
+        <source>It has confirmed its earlier values and runs with them; it cannot be read.</source>
+        <translation>Er hat die vorigen Werte quittiert und läuft damit; auslesen lässt er sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -1885,6 +1901,30 @@
     <message>
         <source>The link to the ring is back. The bus is in Watch.</source>
         <translation>Die Verbindung zum Ring ist wieder da. Der Bus steht auf Beobachten.</translation>
+    </message>
+    <message>
+        <source>This encoder is now treated as: %1. What was known of it is forgotten.</source>
+        <translation>Dieser Geber gilt jetzt als: %1. Was über ihn bekannt war, ist vergessen.</translation>
+    </message>
+    <message>
+        <source>The bus fault is cleared. Start the bus again.</source>
+        <translation>Der Busfehler ist behoben. Den Bus wieder starten.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of %1 were recovered.</source>
+        <translation>Nicht gespeicherte Änderungen von %1 wurden zurückgeholt.</translation>
+    </message>
+    <message>
+        <source>The message file had reached its size limit: the oldest %1 messages were dropped.</source>
+        <translation>Die Meldungsdatei hatte ihre Größe erreicht: Die ältesten %1 Meldungen wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>The earlier values were written again and read back: %1 (EEPROM writes: %2).</source>
+        <translation>Die vorigen Werte wurden wieder geschrieben und zurückgelesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
+    </message>
+    <message>
+        <source>The earlier values were written again, confirmed and activated, but cannot be read: %1 (EEPROM writes: %2).</source>
+        <translation>Die vorigen Werte wurden wieder geschrieben, quittiert und aktiviert, lassen sich aber nicht auslesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
     </message>
 </context>
 <context>
@@ -2831,6 +2871,22 @@
         <source>The shift cannot be %1: this encoder does not shift its position. Set it to 0.</source>
         <translation>Die Verschiebung kann nicht %1 sein: Dieser Geber verschiebt seine Position nicht. Auf 0 setzen.</translation>
     </message>
+    <message>
+        <source>The resolution would be finer than the encoder&apos;s %3 steps per turn (steps: %1, revolutions: %2). Choose fewer steps or more revolutions.</source>
+        <translation>Die Auflösung wäre feiner als die %3 Schritte je Umdrehung des Gebers (Schritte: %1, Umdrehungen: %2). Weniger Schritte oder mehr Umdrehungen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 contains cam program %2, not %3. Choose program %2, or another file.</source>
+        <translation>%1 enthält Nockenprogramm %2, nicht %3. Programm %2 oder eine andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in more than one. Leave the number of fraction bits unchanged, or write the scaling again.</source>
+        <translation>Der Skalierungsfaktor %1 passt zu %2 Schritten je Umdrehung und einem Messbereich von %3 in keinem oder in mehreren Formaten. Die Anzahl der Nachkommabits unverändert lassen oder die Skalierung neu schreiben.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read here. It was left unchanged; nothing was saved. Read it again.</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb unverändert; nichts wurde gespeichert. Die Datei neu lesen.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3351,6 +3407,10 @@
         <source>Means</source>
         <translation>Bedeutung</translation>
     </message>
+    <message>
+        <source>State afterwards</source>
+        <translation>Zustand danach</translation>
+    </message>
 </context>
 <context>
     <name>WordFormat</name>
@@ -3462,6 +3522,10 @@
     <message>
         <source>Copied.</source>
         <translation>Kopiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
     </message>
 </context>
 <context>
@@ -3608,6 +3672,18 @@
         <source>Link</source>
         <translation>Verbindung</translation>
     </message>
+    <message>
+        <source>A bus needs a name: type one. Esc gives back the previous name.</source>
+        <translation>Ein Bus braucht einen Namen: einen eingeben. Esc stellt den vorigen wieder her.</translation>
+    </message>
+    <message>
+        <source>The name of a bus has no &quot;/&quot;, which separates it from the place of a device.</source>
+        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+    </message>
+    <message>
+        <source>Another bus is called &quot;%1&quot;: a name can be used only once in a project.</source>
+        <translation>Ein anderer Bus heißt schon „%1“: Jeder Name kann in einem Projekt nur einmal vorkommen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::BusOutline</name>
@@ -3686,6 +3762,10 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Which part of the positions is visible</source>
+        <translation>Welcher Teil der Positionen zu sehen ist</translation>
     </message>
 </context>
 <context>
@@ -3992,6 +4072,46 @@
         <source>Cams</source>
         <translation>Nocken</translation>
     </message>
+    <message>
+        <source>Loaded from %1: program %2.</source>
+        <translation>Aus %1 übernommen: Programm %2.</translation>
+    </message>
+    <message>
+        <source>Read this program from the encoder; no position is shown meanwhile</source>
+        <translation>Dieses Programm aus dem Geber auslesen; solange fehlt die Position</translation>
+    </message>
+    <message>
+        <source>Write…</source>
+        <translation>Schreiben…</translation>
+    </message>
+    <message>
+        <source>Load the cam programs from a file</source>
+        <translation>Die Nockenprogramme einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Write all programs…</source>
+        <translation>Alle Programme &amp;schreiben…</translation>
+    </message>
+    <message>
+        <source>&amp;Open this program alone…</source>
+        <translation>Nur dieses Programm ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Load the program shown from a file</source>
+        <translation>Das gezeigte Programm aus einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save this program alone…</source>
+        <translation>Nur dieses Programm spei&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Save the program shown in a file</source>
+        <translation>Das gezeigte Programm in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>Save all eight programs in a file of their own</source>
+        <translation>Alle acht Programme in einer eigenen Datei ablegen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
@@ -4017,6 +4137,18 @@
     </message>
     <message>
         <source>%1 holds cam programs for the device %2; this encoder is %3. Nothing was taken from the file.</source>
+        <translation>%1 enthält Nockenprogramme für das Gerät %2; dieser Geber ist %3. Aus der Datei wurde nichts übernommen.</translation>
+    </message>
+    <message>
+        <source>Cam program %1 is already given above.</source>
+        <translation>Nockenprogramm %1 steht schon weiter oben.</translation>
+    </message>
+    <message>
+        <source>Cam %1 is already given above.</source>
+        <translation>Nocken %1 steht schon weiter oben.</translation>
+    </message>
+    <message>
+        <source>%1 contains cam programs for the device %2; this encoder is %3. Nothing was taken from the file.</source>
         <translation>%1 enthält Nockenprogramme für das Gerät %2; dieser Geber ist %3. Aus der Datei wurde nichts übernommen.</translation>
     </message>
 </context>
@@ -4139,6 +4271,26 @@
         <source>How many positions there are is not known.</source>
         <translation>Wie viele Positionen es gibt, ist unbekannt.</translation>
     </message>
+    <message>
+        <source>&amp;Use it</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Reads steps and revolutions. That sends words, and hides the position for some cycles.</source>
+        <translation>Liest Schritte und Umdrehungen. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Uses the largest position as given; nothing is sent</source>
+        <translation>Übernimmt die eingegebene größte Position; gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>The positions go up to %1, set manually; the encoder was not asked.</source>
+        <translation>Die Positionen gehen bis %1, von Hand eingetragen; der Geber wurde nicht gefragt.</translation>
+    </message>
+    <message>
+        <source>The number of positions is not known.</source>
+        <translation>Wie viele Positionen es gibt, ist unbekannt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamReview</name>
@@ -4225,6 +4377,14 @@
     <message>
         <source>A program that is changed is stored in EEPROM when it is left: one write.</source>
         <translation>Ein Programm, das geändert wurde, wird im EEPROM gespeichert, wenn es verlassen wird: ein Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Cams are written in cam mode: no position is shown meanwhile. A program is stored in EEPROM when it is left.</source>
+        <translation>Nocken werden im Nockenbetrieb geschrieben: Solange fehlt die Position. Ein Programm wird im EEPROM gespeichert, wenn es verlassen wird.</translation>
+    </message>
+    <message>
+        <source>Sent although already there: %1. Outside cam mode the word after it would mean something else.</source>
+        <translation>Wird gesendet, obwohl es schon gilt: %1. Außerhalb des Nockenbetriebs hätte das Wort danach eine andere Bedeutung.</translation>
     </message>
 </context>
 <context>
@@ -4543,6 +4703,26 @@
         <source>Cancel the handshake</source>
         <translation>Handshake abbrechen</translation>
     </message>
+    <message>
+        <source>In which state should the encoder %1 be left?</source>
+        <translation>In welchem Zustand soll der Geber %1 bleiben?</translation>
+    </message>
+    <message>
+        <source>Restore writes the earlier values again and runs with them.</source>
+        <translation>Wiederherstellen schreibt die vorigen Werte neu, dann Run.</translation>
+    </message>
+    <message>
+        <source>The earlier values are not all known, so they cannot be restored.</source>
+        <translation>Die vorigen Werte sind nicht alle bekannt und lassen sich deshalb nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore earlier values</source>
+        <translation>&amp;Vorige Werte wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Writes the earlier values again</source>
+        <translation>Schreibt die vorigen Werte wieder</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Catalog</name>
@@ -4581,6 +4761,14 @@
     <message>
         <source>The file begins with a byte order mark: save it as UTF-8 without one.</source>
         <translation>Die Datei beginnt mit einer Byte-Order-Mark (BOM): als UTF-8 ohne BOM speichern.</translation>
+    </message>
+    <message>
+        <source>This key is here twice.</source>
+        <translation>Dieser Schlüssel steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>There is a NUL character here, which is not part of a text: remove it.</source>
+        <translation>Hier steht ein NUL-Zeichen, das nicht in einen Text gehört: entfernen.</translation>
     </message>
 </context>
 <context>
@@ -6673,6 +6861,156 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>esc:training, the simulated line alone; esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600</source>
         <translation>esc:training, die simulierte Leitung allein; esc:PORT, eine serielle Leitung mit Kübler-Gebern, etwa esc:ttyUSB0,baud=9600</translation>
     </message>
+    <message>
+        <source>how long a word stays that nothing acknowledges (3)</source>
+        <translation>wie lange ein Wort steht, das nichts quittiert (3)</translation>
+    </message>
+    <message>
+        <source>This is lost: %1.</source>
+        <translation>Verloren gehen: %1.</translation>
+    </message>
+    <message>
+        <source>treat the encoder as this one: a name from &quot;devices&quot;, or the key on its label</source>
+        <translation>der Geber gilt als dieser: ein Name aus „devices“ oder der Schlüssel auf dem Typenschild</translation>
+    </message>
+    <message>
+        <source>whether a description file is valid</source>
+        <translation>ob eine Beschreibungsdatei in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>%1 is valid: %2 (%3)</source>
+        <translation>%1 ist in Ordnung: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 is only on the label of the %2: it is neither read nor written over the bus. There are: %3.</source>
+        <translation>%1 steht nur auf dem Typenschild (%2): wird über den Bus weder gelesen noch geschrieben. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>Reads the encoder at FROM, which hides its position for some cycles, and writes its values to
+encoders of the same kind, as &quot;transfer&quot; does. The zero offset is not taken along: it belongs to
+the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its
+own; leaving one that was changed before costs an EEPROM write.</source>
+        <translation>Liest den Geber an FROM aus, der dabei für einige Zyklen keine Position zeigt, und schreibt seine Werte
+wie „transfer“ in Geber derselben Art. Die Nullpunkt-Verschiebung wird nicht mitgenommen: Sie hängt vom
+Anbau des Gebers ab. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen Nockenbetrieb
+gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>store in a project what encoders have</source>
+        <translation>die Werte der Geber in einem Projekt ablegen</translation>
+    </message>
+    <message>
+        <source>start no other encoder after one has refused</source>
+        <translation>keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1. Afterwards: %2.</source>
+        <translation>EEPROM-Schreibvorgänge: %1. Danach: %2.</translation>
+    </message>
+    <message>
+        <source>with this text anywhere in the line</source>
+        <translation>mit diesem Text irgendwo in der Zeile</translation>
+    </message>
+    <message>
+        <source>write all that match to FILE, .csv or .html</source>
+        <translation>alle passenden in FILE schreiben, .csv oder .html</translation>
+    </message>
+    <message>
+        <source>No messages are stored in %1.</source>
+        <translation>In %1 sind keine Meldungen aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>list or export the stored messages</source>
+        <translation>die aufbewahrten Meldungen auflisten oder exportieren</translation>
+    </message>
+    <message>
+        <source>%1 is not treated as &quot;%2&quot; of the project: there is no such description, or it is for another device code.</source>
+        <translation>%1 gilt nicht als „%2“ des Projekts: Es gibt keine solche Beschreibung, oder sie hat einen anderen Gerätecode.</translation>
+    </message>
+    <message>
+        <source>ask the encoders of the bus what they have; hides their positions meanwhile</source>
+        <translation>die Geber am Bus auslesen; solange zeigen sie keine Position</translation>
+    </message>
+    <message>
+        <source>Shows what is known of the parameters, what they are to become, and the words for it; asks; writes them
+in the order given, and tells by which evidence they are there. What the encoder already has is not
+written again, unless --all is given: it is read first where that is possible, else it is what was
+written from here. Where nobody can be asked, --yes is needed: without it nothing is sent, exit code 2.
+
+Parameters: steps revolutions direction coding preset zero-offset offset measuring-range; of a linear
+encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).
+A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
+        <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
+sie in der angegebenen Reihenfolge und sagt, wodurch belegt ist, dass sie wirken. Was der Geber schon
+hat, wird nicht noch einmal geschrieben, außer mit --all: Wo es geht, wird er zuerst ausgelesen, sonst
+gilt, was von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Sonst wird nichts
+gesendet, Rückgabewert 2.
+
+Parameter: steps revolutions direction coding preset zero-offset offset measuring-range; bei einem
+Lineargeber direction measuring-length external-preset; soweit der Geber sie hat (devices NAME).
+VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
+    </message>
+    <message>
+        <source>the new encoder: a name of &quot;devices&quot;; else it is like the previous one</source>
+        <translation>der neue Geber: ein Name aus „devices“; sonst ist er wie der vorige</translation>
+    </message>
+    <message>
+        <source>It fits: as far as the project shows, it is like the previous one.</source>
+        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
+    </message>
+    <message>
+        <source>give a new encoder the values and the position of the previous one</source>
+        <translation>einem neuen Geber Werte und Position des vorigen geben</translation>
+    </message>
+    <message>
+        <source>No earlier values of %1 are kept for a write at %2. See codewheel-cli restore %1 --list.</source>
+        <translation>Um %2 wurde nichts an %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
+    </message>
+    <message>
+        <source>The scaling factor is computed from them: they take effect once it is sent.</source>
+        <translation>Der Skalierungsfaktor wird daraus berechnet: Diese Werte wirken, sobald er gesendet ist.</translation>
+    </message>
+    <message>
+        <source>No stored message matches.</source>
+        <translation>Keine der aufbewahrten Meldungen passt dazu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there twice. Give it once.</source>
+        <translation>„%1“ steht zweimal da. Einmal angeben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written to any encoder.</source>
+        <translation>Es wurde in keinen Geber etwas geschrieben.</translation>
+    </message>
+    <message>
+        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
+(mode, coding, the word the other way) widens it to all meanings the word can have.
+A K1 or K2 counts as the standard one, unless its --label tells otherwise.
+
+Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
+the answer to it: its digits, or CRLF for a bare line end. Of several lines of the link it goes by
+the one named before the request (&quot;Gate 2/05P&quot;), else by the only one that has its address.
+
+Needs no bus and sends nothing.</source>
+        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
+die das Wort haben kann. Ein K1 oder K2 gilt als Standardgeber, wenn --label nichts anderes sagt.
+
+Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
+--other REQUEST, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende. Von mehreren
+Leitungen der Verbindung gilt die, die vor der Anfrage steht („Gate 2/05P“), sonst die einzige, die
+ihre Adresse hat.
+
+Braucht keinen Bus und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>The bus &quot;%1&quot; differs from the project, so &quot;%2&quot; may be elsewhere. See codewheel-cli compare, or give the device number.</source>
+        <translation>Der Bus „%1“ weicht vom Projekt ab, also kann „%2“ woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
+    </message>
+    <message>
+        <source>%1: nothing answers there. The encoders that are planned on it stay in the project.</source>
+        <translation>%1: Dort antwortet niemand. Die Geber, die dort geplant sind, bleiben im Projekt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -6882,6 +7220,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Copy as &amp;two words of a PLC</source>
         <translation>Als &amp;zwei SPS-Worte kopieren</translation>
     </message>
+    <message>
+        <source>&amp;Binary: 2#0000_0010_…</source>
+        <translation>&amp;Binär: 2#0000_0010_…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DecimalText</name>
@@ -6982,6 +7324,30 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>This command stands here twice.</source>
+        <translation>Dieser Befehl steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This value is here twice.</source>
+        <translation>Dieser Wert steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This key is here twice.</source>
+        <translation>Dieser Schlüssel steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This parameter is here twice.</source>
+        <translation>Dieser Parameter steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This number is here twice.</source>
+        <translation>Diese Nummer steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This readOut code is here twice.</source>
+        <translation>Dieser readOut-Code steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This command is here twice.</source>
         <translation>Dieser Befehl steht hier doppelt.</translation>
     </message>
 </context>
@@ -7456,6 +7822,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Not up to date</source>
         <translation>Nicht aktuell</translation>
     </message>
+    <message>
+        <source>Forget the movements seen so far.</source>
+        <translation>Die bisherigen Bewegungen vergessen.</translation>
+    </message>
+    <message>
+        <source>The other direction is added to the wanted values.</source>
+        <translation>Die andere Zählrichtung kommt zu den gewünschten Werten.</translation>
+    </message>
+    <message>
+        <source>When moved this way, the position should:</source>
+        <translation>Bei dieser Bewegung soll die Position:</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DisplayMenu</name>
@@ -7542,6 +7920,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>%1 is none of the files that can be dropped here: projects, cams, sequences and device descriptions.</source>
+        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
+    </message>
+    <message>
+        <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences and device descriptions can.</source>
+        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be dropped here. Projects, cams, sequences and device descriptions can.</source>
         <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
     </message>
 </context>
@@ -7642,6 +8028,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Other encoders as well: %1.</source>
         <translation>Auch andere Geber: %1.</translation>
     </message>
+    <message>
+        <source>Starts what you asked for</source>
+        <translation>Beginnt mit dem, was verlangt wurde</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EncoderFaults</name>
@@ -7674,6 +8064,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>%1 takes long to confirm OUT %2, or does not know the word. Wait; if nothing comes, check which encoder it is, and switch it off and on.</source>
         <translation>%1 braucht lange, um OUT %2 zu quittieren, oder kennt das Wort nicht. Warten; kommt nichts, prüfen, welcher Geber es ist, und ihn aus- und einschalten.</translation>
+    </message>
+    <message>
+        <source>IN of %1 fell to 00000000: the encoder has no supply, or is at position 0. Check its supply, or turn the shaft to see it change.</source>
+        <translation>IN von %1 fiel auf 00000000: Der Geber hat keine Versorgung oder steht auf Position 0. Versorgung prüfen, oder die Welle drehen und sehen, ob sich IN ändert.</translation>
     </message>
 </context>
 <context>
@@ -7808,6 +8202,34 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
+        <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>FRABA &amp;preset…</source>
+        <translation>FRABA-&amp;Preset…</translation>
+    </message>
+    <message>
+        <source>Reset to &amp;factory settings…</source>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>This is lost: %1.</source>
+        <translation>Verloren gehen: %1.</translation>
+    </message>
+    <message>
+        <source>Continues, since you have made sure</source>
+        <translation>Geht weiter, weil das sicher ist</translation>
+    </message>
+    <message>
+        <source>It cannot be read: afterwards it is assumed to have the factory settings of its manual.</source>
+        <translation>Er lässt sich nicht auslesen: Danach gelten die Werkseinstellungen laut Handbuch.</translation>
+    </message>
+    <message>
+        <source>Sends 0E000000, then run. This cannot be undone.</source>
+        <translation>Sendet 0E000000, dann Run. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Only if you are sure: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
         <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
     </message>
 </context>
@@ -7963,6 +8385,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
             <numerusform>%1: %n Schritte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Fault plan…</source>
+        <translation>Fehlerplan…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::FaultPlanReader</name>
@@ -8001,6 +8427,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Lost parameters come back by parameterizing the encoder only.</source>
         <translation>Verlorene Parameter lassen sich nur durch Parametrieren des Gebers wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The step above comes later: the steps must be in the order of their times.</source>
+        <translation>Der Schritt darüber kommt später: Die Schritte müssen nach ihrer Zeit geordnet sein.</translation>
     </message>
 </context>
 <context>
@@ -8052,6 +8482,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>%1 of %2</source>
         <comment>3 of 12 places</comment>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The previous one (Shift+F3)</source>
+        <translation>Die Stelle davor (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Ends the search (Esc)</source>
+        <translation>Beendet die Suche (Esc)</translation>
     </message>
 </context>
 <context>
@@ -8169,6 +8607,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>From mm and gear</source>
         <translation>Von mm und Getriebe</translation>
+    </message>
+    <message>
+        <source>Turns of the encoder …</source>
+        <translation>Umdrehungen des Gebers …</translation>
+    </message>
+    <message>
+        <source>… while the driven part makes so many turns.</source>
+        <translation>… bei so vielen Umdrehungen des angetriebenen Teils.</translation>
+    </message>
+    <message>
+        <source>Adds these steps and revolutions to the wanted values.</source>
+        <translation>Übernimmt diese Schritte und Umdrehungen in die gewünschten Werte.</translation>
     </message>
 </context>
 <context>
@@ -8336,6 +8786,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>The remaining steps follow each other as the encoder confirms them.</source>
         <translation>Die übrigen Schritte laufen nacheinander ab, sobald der Geber quittiert.</translation>
     </message>
+    <message>
+        <source>Rest&amp;ore earlier values</source>
+        <translation>&amp;Vorige Werte wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Writes the earlier values again.</source>
+        <translation>Schreibt die vorigen Werte wieder.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::HelpBrowser</name>
@@ -8448,6 +8906,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>The manual is not there: %1 is missing. It comes with the program; build or install the program again.</source>
         <translation>Das Handbuch ist nicht da: %1 fehlt. Es gehört zum Programm; das Programm neu bauen oder installieren.</translation>
     </message>
+    <message>
+        <source>To the page you came back from</source>
+        <translation>Zur Seite, die mit Zurück verlassen wurde</translation>
+    </message>
+    <message>
+        <source>Next match</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Previous match</source>
+        <translation>Vorige Stelle</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::InlineMessage</name>
@@ -8559,6 +9029,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Every place of this bus is taken.</source>
         <translation>Jeder Platz an diesem Bus ist belegt.</translation>
     </message>
+    <message>
+        <source>Where the device is inserted, relative to the chosen one</source>
+        <translation>Wo das Gerät eingefügt wird, vom gewählten aus gesehen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::JobReview</name>
@@ -8641,6 +9115,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>No other is begun.</source>
         <translation>Kein weiterer wird begonnen.</translation>
     </message>
+    <message>
+        <source>Ends the job; asks in which state to leave the encoder</source>
+        <translation>Beendet den Auftrag; fragt, in welchem Zustand der Geber bleiben soll</translation>
+    </message>
+    <message>
+        <source>Ends the job, after asking in which state to leave the encoder; the others are not started</source>
+        <translation>Beendet den Auftrag, nach der Frage, in welchem Zustand der Geber bleiben soll; die anderen werden nicht begonnen</translation>
+    </message>
+    <message>
+        <source>No other is started.</source>
+        <translation>Kein weiterer wird begonnen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Journal</name>
@@ -8719,6 +9205,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Only version %1 of the format can be read.</source>
         <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>it contains more than fits into memory.</source>
+        <translation>sie enthält mehr, als in den Speicher passt.</translation>
+    </message>
+    <message>
+        <source>it was made by a newer Codewheel (version %1 of the file; this one reads up to version %2).</source>
+        <translation>sie stammt von einem neueren Codewheel (Dateiversion %1; dieses liest bis %2).</translation>
     </message>
 </context>
 <context>
@@ -8913,6 +9407,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Known by</source>
         <translation>Herkunft</translation>
     </message>
+    <message>
+        <source>Reads all values. Each one hides the position for some cycles.</source>
+        <translation>Liest alle Werte aus. Die Position fehlt jeweils für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Reading sends words: the position is hidden for some cycles. Needs Operate.</source>
+        <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur in Bedienen möglich.</translation>
+    </message>
+    <message>
+        <source>Reading, step %1 of %2…</source>
+        <translation>Auslesen, Schritt %1 von %2…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LabelKey</name>
@@ -9070,6 +9576,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>The encoder is not asked any more; what it has stays as it is</source>
         <translation>Der Geber wird nicht mehr abgefragt; sein Stand bleibt unverändert</translation>
     </message>
+    <message>
+        <source>&amp;Port and settings…</source>
+        <translation>&amp;Anschluss und Einstellungen…</translation>
+    </message>
+    <message>
+        <source>&amp;Search for encoders…</source>
+        <translation>Geber &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Shows the traffic on the line, and sends what you type</source>
+        <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineEncoderBox</name>
@@ -9211,6 +9729,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>%1 warns: %2. See to it before it becomes an alarm.</source>
         <translation>%1 warnt: %2. Beheben, bevor ein Alarm daraus wird.</translation>
+    </message>
+    <message>
+        <source>Let it cool down, and find out what heats it.</source>
+        <translation>Abkühlen lassen und nachsehen, was ihn erwärmt.</translation>
+    </message>
+    <message>
+        <source>%1 reports an alarm: %2. %3</source>
+        <translation>%1 meldet einen Alarm: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -9416,6 +9942,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>%1 Bd</source>
         <translation>%1 Bd</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <comment>name of a new bus</comment>
+        <translation>Leitung</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineOutline</name>
@@ -9618,6 +10149,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Another adapter is plugged in</source>
         <translation>Ein anderer Adapter ist eingesteckt</translation>
     </message>
+    <message>
+        <source>Whether the encoders are asked in turn</source>
+        <translation>Ob die Geber reihum abgefragt werden</translation>
+    </message>
+    <message>
+        <source>no adapter to ask</source>
+        <translation>kein Adapter da</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LinePlanRules</name>
@@ -9710,6 +10249,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>This session holds no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
+        <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
+    </message>
+    <message>
+        <source>This session contains no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
         <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
     </message>
 </context>
@@ -10120,6 +10663,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Port and settings</source>
         <translation>Anschluss und Einstellungen</translation>
     </message>
+    <message>
+        <source>Opens the line, and asks for positions from then on. Nothing is written (Alt+C)</source>
+        <translation>Öffnet die Leitung und fragt ab dann Positionen ab. Nichts wird geschrieben (Alt+V)</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbindet…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineStatus</name>
@@ -10297,6 +10848,26 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Traffic on the line</source>
+        <translation>Was über die Leitung ging</translation>
+    </message>
+    <message>
+        <source>What is sent and answered on a serial line is shown here. Connect one, or open a saved session.</source>
+        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
+    </message>
+    <message>
+        <source>Hold the table; new rows are kept and shown afterwards</source>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
+    </message>
+    <message>
+        <source>Save all rows in a file, to look at and send again</source>
+        <translation>Alle Zeilen in einer Datei ablegen, zum Ansehen und erneuten Senden</translation>
     </message>
 </context>
 <context>
@@ -10739,6 +11310,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Any time</source>
         <translation>Jederzeit</translation>
     </message>
+    <message>
+        <source>From … to …</source>
+        <translation>Von … bis …</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MessageModel</name>
@@ -10836,7 +11411,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation>Exportieren...</translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -10954,6 +11529,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Show all of the chosen message below the list (Enter)</source>
         <translation>Die gewählte Meldung ganz unter der Liste zeigen (Eingabe)</translation>
     </message>
+    <message>
+        <source>Keep the newest message in view (Ctrl+End)</source>
+        <translation>Automatisch folgen: Die neueste Meldung bleibt im Blick (Strg+Ende)</translation>
+    </message>
+    <message>
+        <source>No message matches the filter</source>
+        <translation>Keine Meldung passt zum Filter</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MissingValues</name>
@@ -10968,6 +11551,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Read what the dial needs</source>
         <translation>Auslesen, was die Anzeige braucht</translation>
+    </message>
+    <message>
+        <source>Reads what the dial needs from the encoder. That sends words, and hides the position for some cycles.</source>
+        <translation>Liest aus dem Geber, was die Anzeige braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
     </message>
 </context>
 <context>
@@ -10998,6 +11585,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>A monitor shows the words of a device, and lets you set the bits of its OUT word. Choose a device in the bus structure.</source>
         <translation>Ein Monitor zeigt die Worte eines Geräts und setzt die Bits seines OUT-Worts. Ein Gerät im Busaufbau wählen.</translation>
+    </message>
+    <message>
+        <source>%1 has no words: its position is in the panels, the traffic of its bus in the terminal.</source>
+        <translation>%1 hat keine Worte: Die Position steht in den Bereichen am Rand, der Verkehr auf dem Bus im Terminal.</translation>
     </message>
 </context>
 <context>
@@ -11049,6 +11640,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source> or </source>
         <translation> oder </translation>
+    </message>
+    <message>
+        <source>Treats the device as this encoder from now on. Nothing is sent; what was known of it is forgotten.</source>
+        <translation>Das Gerät gilt ab jetzt als dieser Geber. Gesendet wird nichts; was über ihn bekannt war, ist vergessen.</translation>
+    </message>
+    <message>
+        <source>%1 has been named. Choose &quot;make not known&quot; to undo that.</source>
+        <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
     </message>
 </context>
 <context>
@@ -11175,6 +11774,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>&quot;%1&quot; in the example is not understood by the parts.</source>
         <translation>„%1“ im Beispiel passt zu keinem der Teile.</translation>
     </message>
+    <message>
+        <source>This code is here twice.</source>
+        <translation>Dieser Code steht hier doppelt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::PageHead</name>
@@ -11202,6 +11805,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>What is typed there will be discarded.</source>
+        <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
     </message>
 </context>
 <context>
@@ -11359,6 +11966,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>cannot be read</source>
         <translation>nicht lesbar</translation>
     </message>
+    <message>
+        <source>%1, closed</source>
+        <translation>%1, zugeklappt</translation>
+    </message>
+    <message>
+        <source>Click, or Enter: hides the registers</source>
+        <translation>Klick oder Eingabe: klappt die Register zu</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterPanel</name>
@@ -11503,6 +12118,30 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>There are no words to copy. Select parameters that can be written, and of which a value is wanted or known.</source>
         <translation>Hier gibt es keine Worte zu kopieren. Parameter wählen, die sich schreiben lassen und von denen ein Wert gewünscht oder bekannt ist.</translation>
     </message>
+    <message>
+        <source>&amp;Write…</source>
+        <translation>&amp;Schreiben…</translation>
+    </message>
+    <message>
+        <source>Wi&amp;zard…</source>
+        <translation>Assis&amp;tent…</translation>
+    </message>
+    <message>
+        <source>Set &amp;manually what the encoder has…</source>
+        <translation>&amp;Eintragen, was der Geber hat…</translation>
+    </message>
+    <message>
+        <source>Reading hides the position for some cycles.</source>
+        <translation>Beim Auslesen fehlt die Position für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>&amp;Set the position…</source>
+        <translation>Position &amp;setzen…</translation>
+    </message>
+    <message>
+        <source>Sets the value manually; nothing is sent. An empty field clears it.</source>
+        <translation>Trägt den Wert von Hand als bekannt ein; gesendet wird nichts. Ein leeres Feld nimmt ihn zurück.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterTable</name>
@@ -11525,6 +12164,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Leaves the selected parameters alone</source>
         <translation>Lässt die gewählten Parameter, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Leaves the parameter unchanged</source>
+        <translation>Lässt den Parameter, wie er ist</translation>
     </message>
 </context>
 <context>
@@ -11576,6 +12219,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>What was set in the wizard is taken back: %1.</source>
+        <translation>Was im Assistenten eingestellt wurde, wird zurückgenommen: %1.</translation>
+    </message>
+    <message>
+        <source>Undoes what was set here, and leaves the wizard. During a handshake it first asks in which state to leave the encoder.</source>
+        <translation>Nimmt zurück, was hier eingestellt wurde, und verlässt den Assistenten. Während eines Handshakes erst nach der Frage, wie der Geber verlassen werden soll.</translation>
+    </message>
+    <message>
+        <source>What was set in the wizard is undone: %1.</source>
         <translation>Was im Assistenten eingestellt wurde, wird zurückgenommen: %1.</translation>
     </message>
 </context>
@@ -11768,6 +12419,26 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Saves the project in place of what the file holds</source>
         <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
     </message>
+    <message>
+        <source>%1 no longer holds what was read or saved here: another program has changed it.</source>
+        <translation>%1 enthält etwas anderes, als hier gelesen oder gespeichert wurde: Ein anderes Programm hat die Datei geändert.</translation>
+    </message>
+    <message>
+        <source>It was changed at %1. If it is replaced, the project in it is kept as %2.</source>
+        <translation>Geändert: %1. Wird die Datei ersetzt, bleibt das Projekt darin als %2 erhalten.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Saves the project in another file; this one stays unchanged</source>
+        <translation>Speichert das Projekt in einer anderen Datei; diese bleibt unverändert</translation>
+    </message>
+    <message>
+        <source>Saves the project in place of what is in the file</source>
+        <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectPage</name>
@@ -11818,6 +12489,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Project</source>
         <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>The heading of the commissioning report</source>
+        <translation>Steht über dem Inbetriebnahmebericht</translation>
+    </message>
+    <message>
+        <source>What the next person to open the project should know</source>
+        <translation>Hinweise für den, der das Projekt als Nächstes öffnet</translation>
+    </message>
+    <message>
+        <source>Edits title and note of the project, and its list of buses. Nothing is sent here.</source>
+        <translation>Bearbeitet Angaben und Busse des Projekts. Hier wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -11882,6 +12565,26 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>A bus needs a name, such as &quot;Ring&quot;.</source>
         <translation>Ein Bus braucht einen Namen, etwa „Ring“.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be here: by its place in the list this device is %2 on the remote bus, or %3 on a local bus.</source>
+        <translation>„%1“ kann hier nicht stehen: Nach seinem Platz in der Liste ist dieser Teilnehmer %2 am Fernbus oder %3 an einem Lokalbus.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; is already given above.</source>
+        <translation>Der Parameter „%1“ steht schon weiter oben.</translation>
+    </message>
+    <message>
+        <source>The address &quot;%1&quot; is already given above.</source>
+        <translation>Die Adresse „%1“ steht schon weiter oben.</translation>
+    </message>
+    <message>
+        <source>Every encoder answers to &quot;esc:00&quot;: one that is there must be alone on its line.</source>
+        <translation>Auf &quot;esc:00&quot; antwortet jeder Geber: Einer, der dort steht, muss allein an seiner Leitung sein.</translation>
+    </message>
+    <message>
+        <source>The name of a bus has no &quot;/&quot;, which separates it from the place of a device.</source>
+        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectRecovery</name>
@@ -11900,6 +12603,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Codewheel ended unexpectedly. Changes of %1 are kept as of %2.</source>
+        <translation>Codewheel wurde unerwartet beendet. Die Änderungen an %1 sind erhalten, Stand: %2.</translation>
     </message>
 </context>
 <context>
@@ -12045,6 +12752,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>The encoders of the catalog that can stand at this place</source>
         <translation>Die Geber des Katalogs, die auf diesem Platz stehen können</translation>
     </message>
+    <message>
+        <source>It fits: as far as the project shows, it is like the previous one.</source>
+        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
+    </message>
+    <message>
+        <source>The encoders of the catalog that fit this place</source>
+        <translation>Die Geber des Katalogs, die auf diesem Platz stehen können</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplacePage</name>
@@ -12184,6 +12899,34 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>The position the encoder before showed last</source>
         <translation>Die Position, die der vorige Geber zuletzt zeigte</translation>
     </message>
+    <message>
+        <source>&amp;Position of the previous encoder</source>
+        <translation>&amp;Position des vorigen Gebers</translation>
+    </message>
+    <message>
+        <source>The shaft must stand where it stood then. The zero offset of the previous encoder is not written: setting the position makes a new one. A preset that the project wants is written last, and does not act by itself.</source>
+        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunkt-Verschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt wünscht, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
+    </message>
+    <message>
+        <source>From your notes, or from where the machine stands</source>
+        <translation>Aus Notizen oder nach dem Stand der Maschine</translation>
+    </message>
+    <message>
+        <source>Give the position as a whole number, 0 or more, or leave it unchanged.</source>
+        <translation>Die Position als ganze Zahl ab 0 angeben oder unverändert lassen.</translation>
+    </message>
+    <message>
+        <source>The last position of the previous encoder when the project was saved</source>
+        <translation>Die Position, die der vorige Geber zuletzt zeigte, als das Projekt gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>The encoder has not been away since: it may still be the previous one</source>
+        <translation>Der Geber war seitdem ununterbrochen da: Es kann noch der vorige sein</translation>
+    </message>
+    <message>
+        <source>The last position of the previous encoder</source>
+        <translation>Die Position, die der vorige Geber zuletzt zeigte</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplaceStep</name>
@@ -12297,6 +13040,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>&amp;Open</source>
         <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>No program on this computer opens %1. The report is saved.</source>
+        <translation>Kein Programm dieses Rechners öffnet %1. Der Bericht ist gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -12951,6 +13698,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>What happens</source>
         <translation>Was geschieht</translation>
     </message>
+    <message>
+        <source>Each write uses up one of the writes of the encoder&apos;s EEPROM.</source>
+        <translation>Jedes Schreiben kostet das EEPROM des Gebers einen seiner Schreibvorgänge.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingActions</name>
@@ -13001,6 +13752,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>No device with a segment of this ring is chosen.</source>
         <translation>Kein Gerät mit einem Segment dieses Rings ist gewählt.</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring again; data cycles stop meanwhile. Needs Operate.</source>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still. Nur in Bedienen möglich.</translation>
     </message>
 </context>
 <context>
@@ -13077,6 +13832,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Changes the project, or the master, as you choose; the master in Operate alone.</source>
         <translation>Ändert je nach Wahl das Projekt oder den Master; den Master nur in Bedienen.</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring again; data cycles stop meanwhile</source>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still</translation>
     </message>
 </context>
 <context>
@@ -13179,6 +13938,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Many data cycles are faulty: %1 in segment %2. Check plugs and shield of the cable between %3 and %4, and what disturbs it.</source>
         <translation>Viele Datenzyklen sind fehlerhaft: %1 in Segment %2. Stecker und Schirm des Kabels zwischen %3 und %4 prüfen, und was es stört.</translation>
+    </message>
+    <message>
+        <source>A K2 is there instead of what is configured: the bus fails</source>
+        <translation>Dort steht ein K2 statt des projektierten Geräts: Der Bus fällt aus</translation>
+    </message>
+    <message>
+        <source>%1 is not found as configured: it has no supply, the cable between %2 and %1 is interrupted, or another device is there. Check 24 V, plug, and which device it is.</source>
+        <translation>%1 wird nicht wie projektiert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort ist ein anderes Gerät. 24 V, Stecker und Gerät prüfen.</translation>
     </message>
 </context>
 <context>
@@ -13393,6 +14160,10 @@ Zustand: %7</translation>
     <message>
         <source>Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)</source>
         <translation>Zyklus etwa %1 ms bei 500 kBd, %2 ms bei 2 MBd (G3 / G4)</translation>
+    </message>
+    <message>
+        <source>With a Step 5 PLC, encoders must be above P127: this is checked</source>
+        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: Das wird geprüft</translation>
     </message>
 </context>
 <context>
@@ -13747,6 +14518,14 @@ Worte: IN %3, OUT %4</translation>
         <source>mm unknown: set the rod length from its label.</source>
         <translation>mm unbekannt: Die Stablänge vom Typenschild eintragen.</translation>
     </message>
+    <message>
+        <source>Sets the length manually. Nothing is sent.</source>
+        <translation>Trägt die Länge von Hand ein. Gesendet wird nichts.</translation>
+    </message>
+    <message>
+        <source>The position was set by a preset: where the magnet is on the rod is not known.</source>
+        <translation>Die Position wurde durch einen Preset gesetzt: Wo der Magnet auf dem Stab steht, ist unbekannt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RodPanel</name>
@@ -13793,6 +14572,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The encoder cannot resolve this. Choose more mm per step.</source>
         <translation>So fein löst der Geber nicht auf. Mehr mm je Schritt wählen.</translation>
+    </message>
+    <message>
+        <source>Adds this measuring length to the wanted values, and sets the length of the rod manually.</source>
+        <translation>Übernimmt diese Messlänge in die gewünschten Werte und trägt die Stablänge von Hand ein.</translation>
     </message>
 </context>
 <context>
@@ -14172,6 +14955,22 @@ Worte: IN %3, OUT %4</translation>
         <source>No words yet</source>
         <translation>Noch keine Worte</translation>
     </message>
+    <message>
+        <source>Save this sequence in a file</source>
+        <translation>Diese Sequenz in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>How long a word stays that nothing acknowledges; others stay until they are acknowledged</source>
+        <translation>Wie lange ein Wort steht, das nichts quittiert; andere stehen bis zur Quittung</translation>
+    </message>
+    <message>
+        <source>End the sequence, and choose in which state the encoder is left</source>
+        <translation>Die Sequenz beenden und wählen, in welchem Zustand der Geber bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the encoder unchanged, OUT back to 0</source>
+        <translation>Geber un&amp;verändert lassen, OUT zurück auf 0</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::SettingsAtWork</name>
@@ -14190,6 +14989,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Your own device descriptions</source>
         <translation>Eigene Gerätebeschreibungen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes, kept in case of a crash</source>
+        <translation>Nicht gespeicherte Änderungen, für den Fall eines Absturzes</translation>
     </message>
 </context>
 <context>
@@ -14350,6 +15153,42 @@ Worte: IN %3, OUT %4</translation>
         <source>Sets everything as it is after the installation; Cancel takes that back</source>
         <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
     </message>
+    <message>
+        <source>Language and appearance</source>
+        <translation>Sprache und Aussehen</translation>
+    </message>
+    <message>
+        <source>Of all texts. The window is rebuilt; the buses keep running.</source>
+        <translation>Aller Texte. Das Fenster wird neu aufgebaut; die Busse laufen weiter.</translation>
+    </message>
+    <message>
+        <source>Same as the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>As usual in the language</source>
+        <translation>Wie in der Sprache üblich</translation>
+    </message>
+    <message>
+        <source>From this share of the writes stated in an encoder&apos;s manual, each write has to be confirmed. It cannot be above the usual 75 %. Beyond what the manual guarantees, the place always has to be typed.</source>
+        <translation>Ab diesem Anteil der im Handbuch eines Gebers genannten Schreibvorgänge ist jedes Schreiben zu bestätigen. Er kann nicht über den üblichen 75 % liegen. Jenseits dessen, was das Handbuch garantiert, ist immer der Platz einzutippen.</translation>
+    </message>
+    <message>
+        <source>Beyond this, the oldest messages are dropped. Takes effect at the next start.</source>
+        <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Kept for each encoder while the program runs; the oldest are dropped.</source>
+        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
+    </message>
+    <message>
+        <source>How often unsaved changes are kept in case of a crash. They are offered at the next start until they are recovered or discarded.</source>
+        <translation>Wie oft nicht Gespeichertes für den Fall eines Absturzes aufgehoben wird. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
+    </message>
+    <message>
+        <source>Sets everything as it is after installation; Cancel undoes that</source>
+        <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>
@@ -14480,6 +15319,10 @@ Worte: IN %3, OUT %4</translation>
         <source>&amp;Replace the chosen one</source>
         <translation>Den gewählten &amp;ersetzen</translation>
     </message>
+    <message>
+        <source>Replace an encoder: connect the bus that the new encoder is on.</source>
+        <translation>Geber ersetzen: den Bus verbinden, an dem der neue Geber steht.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StartPage</name>
@@ -14562,6 +15405,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The planned encoders, with the values they should have.</source>
+        <translation>Die geplanten Geber, mit den Werten, die sie haben sollen.</translation>
+    </message>
+    <message>
+        <source>Gives a new encoder the values and the position of the previous one, from the project.</source>
+        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
     </message>
 </context>
 <context>
@@ -14859,6 +15710,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Edits the planned bus. Nothing is sent here.</source>
         <translation>Bearbeitet den geplanten Bus. Hier wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>Insert…</source>
+        <translation>Einfügen…</translation>
+    </message>
+    <message>
+        <source>Goes to the devices with this text; Enter and Shift+Enter to the next and the previous one (Ctrl+F)</source>
+        <translation>Geht zu den Teilnehmern mit diesem Text; Eingabe und Umschalt+Eingabe zum nächsten und zum vorigen (Strg+F)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>
@@ -14953,6 +15812,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Buses, their states and devices</source>
         <translation>Busse, ihre Zustände und Geräte</translation>
     </message>
+    <message>
+        <source>The project as it is now, unsaved changes included</source>
+        <translation>Das Projekt, wie es jetzt ist, mit dem, was nicht gespeichert ist</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::SupportDialog</name>
@@ -15027,6 +15890,29 @@ Worte: IN %3, OUT %4</translation>
         <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the name of the user in paths and that of this computer are taken out. Nothing is sent: give the file to whom you want.</source>
         <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
     </message>
+    <message>
+        <source>What the chosen file contains</source>
+        <translation>Was in der gewählten Datei steht</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>What it contains</source>
+        <translation>Was darin steht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, %1 uncompressed</source>
+        <translation>
+            <numerusform>%n Datei, %1 unkomprimiert</numerusform>
+            <numerusform>%n Dateien, %1 unkomprimiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the user name in paths and the name of this computer are removed. Nothing is sent: whom you give the file to is up to you.</source>
+        <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TablesReader</name>
@@ -15041,6 +15927,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&quot;%1&quot; cannot be on and blink.</source>
         <translation>„%1“ kann nicht zugleich leuchten und blinken.</translation>
+    </message>
+    <message>
+        <source>This is here twice.</source>
+        <translation>Das steht hier doppelt.</translation>
     </message>
 </context>
 <context>
@@ -15141,6 +16031,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>What passes is shown once its bus is connected.</source>
         <translation>Was gesendet und empfangen wird, erscheint hier, sobald der Bus verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Hold the table; new rows are kept and shown afterwards</source>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
+    </message>
+    <message>
+        <source>It has no words. The traffic of its line is in the terminal.</source>
+        <translation>Er hat keine Worte. Was über seine Leitung geht, steht im Terminal.</translation>
     </message>
 </context>
 <context>
@@ -15377,6 +16275,10 @@ Worte: IN %3, OUT %4</translation>
         <source>The device has no parameter &quot;%1&quot;.</source>
         <translation>Das Gerät hat keinen Parameter „%1“.</translation>
     </message>
+    <message>
+        <source>The participants must be in the order of the ring.</source>
+        <translation>Die Teilnehmer müssen in der Reihenfolge des Rings stehen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferChoice</name>
@@ -15438,6 +16340,18 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Nothing is kept of %1.</source>
+        <translation>Von %1 ist nichts aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Restore earlier values</source>
+        <translation>Vorige Werte wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Earlier values</source>
+        <translation>Vorige Werte</translation>
+    </message>
+    <message>
+        <source>No earlier values of %1 are kept.</source>
         <translation>Von %1 ist nichts aufbewahrt.</translation>
     </message>
 </context>
@@ -15516,6 +16430,14 @@ Worte: IN %3, OUT %4</translation>
         <source>As known on %1: %2</source>
         <comment>date and time, by hand</comment>
         <translation>So bekannt am %1: %2</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+    <message>
+        <source>Computed from the other values, which take effect once it is sent</source>
+        <translation>Aus den anderen Werten berechnet, die wirken, sobald er gesendet ist</translation>
     </message>
 </context>
 <context>
@@ -15651,6 +16573,22 @@ Worte: IN %3, OUT %4</translation>
         <source>Writes to encoders. Nothing is sent before Write.</source>
         <translation>Schreibt in Geber. Vor Schreiben wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>Chooses no encoder</source>
+        <translation>Wählt keinen</translation>
+    </message>
+    <message>
+        <source>Start no other encoder after one has refused</source>
+        <translation>Keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>Reads the chosen encoders, and stores in the project what they have. Those on a ring show no position meanwhile</source>
+        <translation>Liest die gewählten Geber aus und legt ihre Werte im Projekt ab. Die eines Rings zeigen solange keine Position</translation>
+    </message>
+    <message>
+        <source>Stores in the project what encoders have. Nothing is sent before Read and store.</source>
+        <translation>Legt im Projekt ab, was Geber haben. Vor Lesen und Ablegen wird nichts gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferPages</name>
@@ -15668,7 +16606,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Restore &amp;values of %1...</source>
-        <translation>&amp;Werte von %1 wiederherstellen...</translation>
+        <translation>&amp;Werte von %1 wiederherstellen…</translation>
     </message>
     <message>
         <source>Shows what the encoder had before this program wrote to it, and writes it again</source>
@@ -15677,6 +16615,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Not connected: nothing can be sent.</source>
         <translation>Nicht verbunden: Es lässt sich nichts senden.</translation>
+    </message>
+    <message>
+        <source>Gives the new encoder at this place the values and the position of the previous one</source>
+        <translation>Gibt einem neuen Geber an diesem Platz die Werte und die Position des vorigen</translation>
+    </message>
+    <message>
+        <source>Restore earlier &amp;values…</source>
+        <translation>Vorige &amp;Werte wiederherstellen…</translation>
     </message>
 </context>
 <context>
@@ -15780,6 +16726,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Software</source>
         <translation>Software</translation>
+    </message>
+    <message>
+        <source>Earlier values restored</source>
+        <translation>Vorige Werte wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>State afterwards</source>
+        <translation>Zustand danach</translation>
     </message>
 </context>
 <context>
@@ -15923,6 +16877,46 @@ Worte: IN %3, OUT %4</translation>
         <source>Sent: it is not known whether the encoder has it</source>
         <translation>Gesendet: ob der Geber es hat, ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>Earlier value restored</source>
+        <translation>Voriger Wert wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>At the end, the position is set to %1.</source>
+        <translation>Am Ende wird die Position auf %1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>Nothing is wanted for it.</source>
+        <translation>Von ihm wird nichts gewünscht.</translation>
+    </message>
+    <message>
+        <source>It has everything already: nothing is sent.</source>
+        <translation>Alles ist schon vorhanden: Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Not started.</source>
+        <translation>Nicht begonnen.</translation>
+    </message>
+    <message>
+        <source>It had everything already: nothing was sent.</source>
+        <translation>Alles war schon vorhanden: Es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>A %1 was planned; the new one is a %2.</source>
+        <translation>Geplant war ein %1; der neue ist ein %2.</translation>
+    </message>
+    <message>
+        <source>It has %2 physical steps per turn, the previous one had %1.</source>
+        <translation>Er hat %2 physikalische Schritte je Umdrehung, der vorige hatte %1.</translation>
+    </message>
+    <message>
+        <source>It has %2 turns, the previous one had %1.</source>
+        <translation>Er hat %2 Umdrehungen, der vorige hatte %1.</translation>
+    </message>
+    <message>
+        <source>Accepted, but not valid until run is sent</source>
+        <translation>Übernommen, aber erst nach Run gültig</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TreeFilter</name>
@@ -15941,6 +16935,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Shows all devices</source>
         <translation>Zeigt alle Geräte</translation>
+    </message>
+    <message>
+        <source>Shows the devices whose station, place, make or state contains these words; Esc shows all</source>
+        <translation>Zeigt die Geräte, in deren Station, Platz, Hersteller oder Zustand diese Wörter stehen; Esc zeigt alle</translation>
     </message>
 </context>
 <context>
@@ -15966,6 +16964,10 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Leaves everything as it is (Esc)</source>
+        <translation>Lässt alles unverändert (Esc)</translation>
+    </message>
+    <message>
+        <source>Leaves everything unchanged (Esc)</source>
         <translation>Lässt alles unverändert (Esc)</translation>
     </message>
 </context>
@@ -16466,6 +17468,74 @@ Worte: IN %3, OUT %4</translation>
         <source>Keeps the dial of the chosen encoder when another one is chosen</source>
         <translation>Behält die Anzeige des gewählten Gebers, wenn ein anderer gewählt wird</translation>
     </message>
+    <message>
+        <source>Export handshake &amp;trace…</source>
+        <translation>Handshake-&amp;Protokoll exportieren…</translation>
+    </message>
+    <message>
+        <source>Export &amp;messages…</source>
+        <translation>&amp;Meldungen exportieren…</translation>
+    </message>
+    <message>
+        <source>Quits the program</source>
+        <translation>Beendet das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Undoes the last change to the project</source>
+        <translation>Nimmt die letzte Änderung des Projekts zurück</translation>
+    </message>
+    <message>
+        <source>Redoes what was undone</source>
+        <translation>Stellt die zurückgenommene Änderung wieder her</translation>
+    </message>
+    <message>
+        <source>&amp;Commissioning report…</source>
+        <translation>&amp;Inbetriebnahmebericht…</translation>
+    </message>
+    <message>
+        <source>Restore earlier &amp;values…</source>
+        <translation>Vorige &amp;Werte wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>&amp;Project…</source>
+        <translation>Pro&amp;jekt…</translation>
+    </message>
+    <message>
+        <source>Keeps the monitor of the chosen device open when another one is chosen</source>
+        <translation>Behält den Monitor des gewählten Geräts, wenn ein anderes gewählt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Language, appearance, numbers, EEPROM warnings, and where files are kept</source>
+        <translation>Sprache, Aussehen, Zahlen, EEPROM-Warnungen und wo Dateien liegen</translation>
+    </message>
+    <message>
+        <source>Shows the monitors; you can return to an open page</source>
+        <translation>Zeigt die Monitore; auf einer offenen Seite kann danach weitergearbeitet werden</translation>
+    </message>
+    <message>
+        <source>Opens the manual at the section about what has the focus</source>
+        <translation>Öffnet das Handbuch dort, wo es vom Element mit dem Fokus handelt</translation>
+    </message>
+    <message>
+        <source>&amp;Collect for support…</source>
+        <translation>Für den &amp;Support sammeln…</translation>
+    </message>
+    <message>
+        <source>Pr&amp;int…</source>
+        <translation>D&amp;rucken…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -16530,6 +17600,11 @@ Worte: IN %3, OUT %4</translation>
         <comment>a word</comment>
         <translation>%1 senden</translation>
     </message>
+    <message>
+        <source>Display of %1</source>
+        <comment>Show of 1.0</comment>
+        <translation>Anzeige von %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WordLine</name>
@@ -16588,6 +17663,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Send each change as it is made. Words with a parameter number or a command bit still ask.</source>
         <translation>Jede Änderung sofort senden. Bei Worten mit Parameternummer oder Befehlsbit wird trotzdem gefragt.</translation>
+    </message>
+    <message>
+        <source>Send this word to the encoder; it stays there until another is sent (Ctrl+Return)</source>
+        <translation>Dieses Wort an den Geber senden; es steht dort, bis ein anderes gesendet wird (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Back to the word on the bus (Esc)</source>
+        <translation>Zurück zum Wort, das auf dem Bus steht (Esc)</translation>
     </message>
 </context>
 <context>
@@ -16702,6 +17785,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Word</source>
         <translation>Wort</translation>
+    </message>
+    <message>
+        <source>The word that will be in OUT</source>
+        <translation>Das Wort, das dann in OUT steht</translation>
     </message>
 </context>
 <context>

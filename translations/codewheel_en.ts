@@ -266,7 +266,7 @@
 <context>
     <name>codewheel::SupportDialog</name>
     <message numerus="yes">
-        <source>%n files, %1 before they are compressed</source>
+        <source>%n files, %1 uncompressed</source>
         <translation>
             <numerusform>%n file, %1 before it is compressed</numerusform>
             <numerusform>%n files, %1 before they are compressed</numerusform>

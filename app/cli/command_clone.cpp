@@ -80,7 +80,7 @@ const Subcommand cloneCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "give other encoders the values of one"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
-        "Reads the encoder at FROM, which takes its position away for some cycles, and writes its values to\n"
+        "Reads the encoder at FROM, which hides its position for some cycles, and writes its values to\n"
         "encoders of the same kind, as \"transfer\" does. The zero offset is not taken along: it belongs to\n"
         "the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its\n"
         "own; leaving one that was changed before costs an EEPROM write."),

@@ -25,7 +25,7 @@ constexpr const char *devicesExamples[] = {"devices", "devices fraba-ocd-ib", "d
 constexpr Option devicesOptions[] = {
     {"--label", "KEY",
      QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the key on a label says, and whose it is")},
-    {"--check", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whether a description file is sound")},
+    {"--check", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whether a description file is valid")},
     busOption,
 };
 

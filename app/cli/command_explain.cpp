@@ -227,7 +227,7 @@ const Subcommand explainCommand{
         "codewheel::CommandLine",
         "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "
         "is not told\n(mode, coding, the word the other way) widens it to all meanings "
-        "the word can have.\nA K1 or K2 is taken for the standard one, unless its --label tells "
+        "the word can have.\nA K1 or K2 counts as the standard one, unless its --label tells "
         "otherwise.\n\nOf an encoder on a serial line it explains a "
         "request (03GP00005200), or, with --other REQUEST,\nthe answer to it: its digits, or "
         "CRLF for a bare line end. Of several lines of the link it goes by\nthe one named before the request "

@@ -41,7 +41,7 @@ QString jsonText(const QJsonObject &json, const QString &command)
 QString whatWasDone(const Subcommand &command, const Answer &answer)
 {
     const QString done = (command.textIsAccount ? answer.text : QString()) + answer.done;
-    return done.isEmpty() ? CommandLine::tr("Nothing was written to an encoder.")
+    return done.isEmpty() ? CommandLine::tr("Nothing was written to any encoder.")
                           : CommandLine::tr("This was done:") + u'\n' + done.trimmed();
 }
 

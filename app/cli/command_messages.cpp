@@ -41,10 +41,10 @@ constexpr std::array messagesOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01 or 2026-03-01T14:02")},
     Option{"--until", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "before this time")},
     Option{"--text", "TEXT",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "with this text somewhere in the line")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "with this text anywhere in the line")},
     Option{"--last", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "the newest N (100); 0: all")},
     Option{"--export", "FILE",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write them to FILE, .csv or .html, all that fit")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write all that match to FILE, .csv or .html")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
 };
 
@@ -211,8 +211,8 @@ Answer listedMessages(const Call &call, const std::vector<StoredMessage> &messag
                    messageText(message)});
         json.append(toJson(message));
     }
-    return {.text = messages.empty() ? CommandLine::tr("No message is kept that fits.") + u'\n'
-                                     : table.toString(),
+    return {.text =
+                messages.empty() ? CommandLine::tr("No stored message matches.") + u'\n' : table.toString(),
             .json = {{QStringLiteral("messages"), json}}};
 }
 
@@ -287,8 +287,8 @@ Checked<Answer> runMessages(const Call &call)
     if (!last)
         return tl::unexpected(last.error());
     const QString file = call.arguments.value("--file").value_or(messageFile(userJournalFolder()));
-    if (!QFileInfo::exists(file)) // looking creates none
-        return Answer{.text = sentence(CommandLine::tr("No messages are kept in %1."), {file}) + u'\n',
+    if (!QFileInfo::exists(file)) // looking makes none
+        return Answer{.text = sentence(CommandLine::tr("No messages are stored in %1."), {file}) + u'\n',
                       .json = {{QStringLiteral("messages"), QJsonArray()}}};
     const auto table = MessageTable::open(DatabasePlace::file(file));
     if (!table)
@@ -310,7 +310,7 @@ const Subcommand messagesCommand{
     .name = "messages",
     .usage = "[--severity SEVERITY] [--place PLACE] [--bus BUS] [--from TIME] [--until TIME] [--text TEXT] "
              "[--last N] [--export FILE [--yes]]",
-    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list or export the messages that are kept"),
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list or export the stored messages"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Lists the messages that the window keeps on disk, oldest first: those that fit all "

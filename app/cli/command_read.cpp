@@ -73,7 +73,7 @@ Checked<NamedValues> namedValues(const DeviceDescription &device, bool tellsVers
     const auto versions = tellsVersion ? names.removeAll(versionName) : 0;
     if (versions > 1)
         return badInput(QStringLiteral("parameterGivenTwice"),
-                        CommandLine::tr("\"%1\" stands there twice. Give it once."), {versionName});
+                        CommandLine::tr("\"%1\" is there twice. Give it once."), {versionName});
     auto parameters = parametersToRead(device, names);
     if (!parameters)
         return tl::unexpected(parameters.error());

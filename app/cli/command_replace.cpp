@@ -32,7 +32,7 @@ constexpr const char *replaceExamples[] = {
 constexpr std::array replaceOptions{
     Option{"--device", "NAME",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "the new encoder: a name of \"devices\"; else it is like the one before")},
+                             "the new encoder: a name of \"devices\"; else it is like the previous one")},
     Option{"--label", "KEY",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "the new encoder: the key on its label")},
     Option{"--serial", "NUMBER",
@@ -150,10 +150,10 @@ void showDifferences(const Call &call, const ProjectDevice &planned, const Repla
                                       planned.lastPosition->at.toLocalTime().toString(Qt::ISODate)}) +
                             u'\n');
     const auto differences = differencesOf(planned, call.catalog.find(planned.participant.deviceKey), now);
-    const QStringList lines =
-        differences.areNone()
-            ? QStringList{CommandLine::tr("It fits: as far as the project shows, it is like the one before.")}
-            : transfer_words::differences(differences, now);
+    const QStringList lines = differences.areNone()
+                                  ? QStringList{CommandLine::tr(
+                                        "It fits: as far as the project shows, it is like the previous one.")}
+                                  : transfer_words::differences(differences, now);
     call.terminal.print(lines.join(u'\n') + u'\n');
 }
 
@@ -213,7 +213,7 @@ const Subcommand replaceCommand{
         "PLACE --project FILE [--device NAME | --label KEY] [--serial NUMBER] [--position N] [--dry-run] "
         "[--report FILE] [--yes] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                                 "give a new encoder the values and the position of the one before"),
+                                 "give a new encoder the values and the position of the previous one"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Tells how the new encoder differs from the one the project has at PLACE, shows what will be "

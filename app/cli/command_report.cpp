@@ -32,9 +32,8 @@ constexpr std::array reportOptions{
     Option{"-o", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "where to save the report: a name in .html or .pdf")},
     Option{"--read", nullptr,
-           QT_TRANSLATE_NOOP(
-               "codewheel::CommandLine",
-               "ask the encoders of the bus what they have; takes their positions away meanwhile")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "ask the encoders of the bus what they have; hides their positions meanwhile")},
     Option{"--yes", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there; do not ask where "
                                                        "the budget of an EEPROM is used")},

@@ -37,7 +37,7 @@ QString warningText(const EncoderSession &encoder)
     QString text =
         sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
                  {encoder.place().shown(), encoder.device().fullName()}) +
-        u'\n' + sentence(CommandLine::tr("Lost are: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
+        u'\n' + sentence(CommandLine::tr("This is lost: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
     if (encoder.can().cams)
         text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
                                 "afterwards.") +

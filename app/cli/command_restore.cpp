@@ -100,10 +100,11 @@ Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefo
     const auto found = std::ranges::find_if(
         all, [&](const ValuesBefore &one) { return one.at >= span->from && one.at < span->until; });
     if (found == all.end())
-        return badInput(QStringLiteral("noWriteThen"),
-                        CommandLine::tr("Nothing was written to %1 at %2 of which the values from before are "
-                                        "kept. See codewheel-cli restore %1 --list."),
-                        {all.front().place.shown(), *call.arguments.value("--at")});
+        return badInput(
+            QStringLiteral("noWriteThen"),
+            CommandLine::tr(
+                "No earlier values of %1 are kept for a write at %2. See codewheel-cli restore %1 --list."),
+            {all.front().place.shown(), *call.arguments.value("--at")});
     return *found;
 }
 

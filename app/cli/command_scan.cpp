@@ -99,8 +99,8 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
     const Project found = foundProject(call, buses);
     for (const BusAccess *bus : buses)
         if (bus->hasFoundNobody() && !devicesOn(found, bus->bus().id()).empty())
-            answer.done += sentence(CommandLine::tr("%1: nobody answers there. The encoders that are planned "
-                                                    "on it stay in the project."),
+            answer.done += sentence(CommandLine::tr("%1: nothing answers there. The encoders that are "
+                                                    "planned on it stay in the project."),
                                     {bus->name()}) +
                            u'\n';
     const auto saved =

@@ -168,7 +168,7 @@ Checked<Answer> runStore(const Call &call)
 const Subcommand storeCommand{
     .name = "store",
     .usage = "PROJECT [PLACE...] [--cams] [--trace]",
-    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "keep what encoders have in a project"),
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "store in a project what encoders have"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its\n"

@@ -28,7 +28,7 @@ constexpr std::array wordsOptions{
     ledgerOption,
     Option{
         "--hold", "CYCLES",
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stands that nothing acknowledges (3)")},
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stays that nothing acknowledges (3)")},
     Option{"--after-error", "stop|go-on",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "whether an error of the encoder ends the sequence (stop)")},

@@ -174,7 +174,7 @@ const Subcommand writeCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write parameters, after showing what and asking"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
-        "Shows what is known of the parameters, what they shall become, and the words for it; asks; writes "
+        "Shows what is known of the parameters, what they are to become, and the words for it; asks; writes "
         "them\n"
         "in the order given, and tells by which evidence they are there. What the encoder already has is "
         "not\n"

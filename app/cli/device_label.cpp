@@ -89,7 +89,7 @@ Answer checkAnswer(const QString &path)
         return answer;
     }
     const DeviceDescription &device = catalog.devices()[before];
-    answer.text = CommandLine::tr("%1 is sound: %2 (%3)").arg(path, device.fullName(), device.key) + u'\n';
+    answer.text = CommandLine::tr("%1 is valid: %2 (%3)").arg(path, device.fullName(), device.key) + u'\n';
     answer.json = {{QStringLiteral("file"), path}, {QStringLiteral("name"), device.key}};
     return answer;
 }

@@ -59,8 +59,8 @@ Checked<const ParameterDescription *> parameterNamed(const DeviceDescription &de
             condition);
     if (description->onLabel)
         return badInput(QStringLiteral("parameterOnLabel"),
-                        CommandLine::tr("%1 stands on the label of the %2 only: it is neither read nor "
-                                        "written over the bus. There are: %3."),
+                        CommandLine::tr("%1 is only on the label of the %2: it is neither read nor written "
+                                        "over the bus. There are: %3."),
                         {*parameter, device.fullName(), namesOf(device, condition)});
     if (!condition(*description)) // can only be read
         return lacking(device,

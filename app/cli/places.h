@@ -15,7 +15,7 @@ namespace codewheel {
 inline constexpr Option deviceOption{
     "--device", "NAME",
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                      "take the encoder for this one: a name of \"devices\", or the key on its label")};
+                      "treat the encoder as this one: a name from \"devices\", or the key on its label")};
 
 // The place typed as `typed`: a place as its kind of bus writes it, on the one bus of the call that has it;
 // the station of a device of the project; or either of them after the name of a bus or its number, "Crane

@@ -3,6 +3,8 @@
 
 #include "encoder/shown_text.h"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace codewheel {
@@ -58,7 +60,7 @@ QString TextTable::toString(int indent) const
 QString rowTime(Instant at)
 {
     constexpr double microseconds = 1'000; // a millisecond
-    return QString::number(static_cast<double>(at.count()) / microseconds, 'f', 1);
+    return QLocale().toString(static_cast<double>(at.count()) / microseconds, 'f', 1);
 }
 
 } // namespace codewheel

@@ -79,7 +79,7 @@ inline constexpr Option transferDryRun{
     QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and write nothing")};
 inline constexpr Option transferStop{
     "--stop", nullptr,
-    QT_TRANSLATE_NOOP("codewheel::CommandLine", "begin no other encoder after one has refused")};
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "start no other encoder after one has refused")};
 inline constexpr Option transferReport{
     "--report", "FILE",
     QT_TRANSLATE_NOOP("codewheel::CommandLine",

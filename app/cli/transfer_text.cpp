@@ -178,7 +178,7 @@ QString accountText(const Call &call, const TransferAccount &account)
         if (encoder.isBegun)
             text +=
                 QStringLiteral("  ") +
-                sentence(CommandLine::tr("EEPROM writes: %1. Left %2."),
+                sentence(CommandLine::tr("EEPROM writes: %1. Afterwards: %2."),
                          {QString::number(encoder.eepromWrites), transfer_words::leftIn(encoder.leftIn)}) +
                 u'\n';
     }

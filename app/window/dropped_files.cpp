@@ -88,13 +88,11 @@ void DroppedFiles::take(const QStringList &paths)
     if (kind == FileKind::notReadable)
         Q_EMIT refused(tr("%1 cannot be read.").arg(name));
     else if (kind == FileKind::ofProgram)
-        Q_EMIT refused(
-            tr("%1 is a file of Codewheel, but none that is opened by dropping it: projects, cams, "
-               "sequences and device descriptions are.")
-                .arg(name));
+        Q_EMIT refused(tr("%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, "
+                          "cams, sequences and device descriptions can.")
+                           .arg(name));
     else if (kind == FileKind::other)
-        Q_EMIT refused(tr("%1 is none of the files that can be dropped here: projects, cams, sequences and "
-                          "device descriptions.")
+        Q_EMIT refused(tr("%1 cannot be dropped here. Projects, cams, sequences and device descriptions can.")
                            .arg(name));
     else
         Q_EMIT dropped(kind, paths.front());

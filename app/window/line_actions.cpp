@@ -19,12 +19,12 @@ LineActions::LineActions(WindowActions &window)
     const auto add = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
         return described(menu->addAction(lineIcon(icon), text), key, what);
     };
-    settings = add(Icon::parameters, tr("&Port and settings..."), Qt::SHIFT | Qt::Key_F6,
+    settings = add(Icon::parameters, tr("&Port and settings…"), Qt::SHIFT | Qt::Key_F6,
                    tr("Connects a serial port; nothing is written"));
-    search = add(Icon::search, tr("&Search for encoders..."), Qt::SHIFT | Qt::Key_F7,
+    search = add(Icon::search, tr("&Search for encoders…"), Qt::SHIFT | Qt::Key_F7,
                  tr("Asks one address after the other; nothing is written"));
     terminal = add(Icon::trace, tr("&Terminal"), Qt::SHIFT | Qt::Key_F8,
-                   tr("Shows what passes on the line, and sends what you type"));
+                   tr("Shows the traffic on the line, and sends what you type"));
     figures = add(Icon::information, tr("Line st&atistics"), Qt::CTRL | Qt::Key_F6,
                   tr("Port, state, answers and time-outs of the line"));
     settings->setObjectName(QStringLiteral("lineSettings"));

@@ -113,7 +113,7 @@ bool PageHead::mayClose(Page &page)
         QWidget *field = m_window.focusWidget(); // the refused one
         if (wrong.isEmpty() || field == nullptr || field == refused)
             break;
-        if (!ask(wrong + QStringLiteral("\n\n") + tr("What is typed there is not taken.")))
+        if (!ask(wrong + QStringLiteral("\n\n") + tr("What is typed there will be discarded.")))
             return false;
         refused = field;
         giveValueBefore(*field);

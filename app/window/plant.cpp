@@ -50,7 +50,7 @@ void Plant::callBuses()
     };
     for (const auto &bus : m_buses) {
         const auto last = before.find(bus->id());
-        const QString name = last == before.end() ? busKind(bus->kind())->usualName() : last->second;
+        const QString name = last == before.end() ? busKind(bus->kind())->nameOfNew() : last->second;
         if (!m_called.contains(bus->id()))
             m_called[bus->id()] = freeName(name, isTaken);
     }

@@ -130,18 +130,17 @@ bool ProjectFiles::saveBesideAnother()
 {
     const QFileInfo file(m_document.file());
     QMessageBox box(QMessageBox::Question, tr("Project"),
-                    tr("%1 holds something else than was read or saved here: another program has changed it.")
+                    tr("%1 no longer holds what was read or saved here: another program has changed it.")
                         .arg(file.fileName()),
                     QMessageBox::NoButton, &m_window);
     box.setObjectName(QStringLiteral("changedFileQuestion"));
     setHelpTopic(box, "project.md#files");
-    box.setInformativeText(
-        tr("It was changed at %1. If it is replaced, the project that it holds is kept as %2.")
-            .arg(QLocale().toString(file.lastModified(), QLocale::ShortFormat),
-                 QFileInfo(backupPath(file.canonicalFilePath())).fileName()));
+    box.setInformativeText(tr("It was changed at %1. If it is replaced, the project in it is kept as %2.")
+                               .arg(QLocale().toString(file.lastModified(), QLocale::ShortFormat),
+                                    QFileInfo(backupPath(file.canonicalFilePath())).fileName()));
     const Answer answer =
-        ask(box, {tr("Save &as..."), tr("Saves the project in another file; this one stays as it is")},
-            {tr("&Replace"), tr("Saves the project in place of what the file holds")});
+        ask(box, {tr("Save &as…"), tr("Saves the project in another file; this one stays unchanged")},
+            {tr("&Replace"), tr("Saves the project in place of what is in the file")});
     return answer == Answer::safe ? saveAs() : answer == Answer::losing && keep(m_document.file());
 }
 

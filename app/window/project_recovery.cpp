@@ -76,8 +76,7 @@ void ProjectRecovery::showNext()
         left.path().isEmpty() ? tr("a project that was never saved") : QFileInfo(left.path()).fileName();
     const QString when = QLocale().toString(left.keptAt().toLocalTime(), QLocale::ShortFormat);
     m_notice->showMessage(
-        Role::attention,
-        tr("Codewheel ended without asking. Changes of %1 are kept as they were at %2.").arg(name, when),
+        Role::attention, tr("Codewheel ended unexpectedly. Changes of %1 are kept as of %2.").arg(name, when),
         tr("Recover"), tr("Discard"));
 }
 

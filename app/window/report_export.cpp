@@ -40,7 +40,7 @@ void ReportExport::openSaved()
         m_notice.withdraw();
     else
         m_notice.showMessage(Role::attention,
-                             tr("No program of this computer opens %1. The report is saved.").arg(m_saved));
+                             tr("No program on this computer opens %1. The report is saved.").arg(m_saved));
 }
 
 QString ReportExport::proposedPath() const

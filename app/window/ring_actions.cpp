@@ -15,9 +15,9 @@ RingActions::RingActions(WindowActions &window)
                            tr("Connects to the ring; nothing is sent"));
     disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), Qt::CTRL | Qt::SHIFT | Qt::Key_F5,
                               tr("Leaves the ring: work goes on offline"));
-    readIn = described(action(Icon::read, tr("&Read in the ring")), Qt::CTRL | Qt::SHIFT | Qt::Key_R,
-                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile. "
-                          "Needs Operate."));
+    readIn = described(
+        action(Icon::read, tr("&Read in the ring")), Qt::CTRL | Qt::SHIFT | Qt::Key_R,
+        tr("The master finds the devices of the ring again; data cycles stop meanwhile. Needs Operate."));
     confirmDiagnostics =
         described(action(Icon::ok, tr("&Confirm diagnostics")), Qt::CTRL | Qt::Key_F9,
                   tr("Confirms peripheral faults; one whose cause is still there comes back. Needs "

@@ -57,7 +57,7 @@ void SettingsAtWork::show(QWidget &window)
         const std::vector<KeptFolder> folders{
             {tr("Settings of the window"), m_settings.folder()},
             {tr("Messages and account of EEPROM writes"), m_folders.messages},
-            {tr("Unsaved changes, for after a crash"), m_folders.recovery},
+            {tr("Unsaved changes, kept in case of a crash"), m_folders.recovery},
             {tr("Your own device descriptions"), m_folders.devices},
         };
         m_dialog = new SettingsDialog(m_now, folders, &window);

@@ -179,7 +179,7 @@ void Start::showReplacing()
         return;
     if (!isAnyOpen())
         m_replacing->showMessage(Role::attention,
-                                 tr("Replace an encoder: connect the bus on which the new encoder stands."),
+                                 tr("Replace an encoder: connect the bus that the new encoder is on."),
                                  tr("&Connect"));
     else if (m_parts.actions.replaceEncoder->isEnabled())
         m_replacing->showMessage(Role::attention,

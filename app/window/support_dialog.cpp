@@ -41,7 +41,7 @@ QPlainTextEdit *noteField(QWidget *parent)
 QPlainTextEdit *contentView(QWidget *parent)
 {
     auto *content = describe(new QPlainTextEdit(parent), "supportContent", SupportDialog::tr("Content"),
-                             SupportDialog::tr("What the chosen file holds"));
+                             SupportDialog::tr("What the chosen file contains"));
     content->setReadOnly(true);
     content->setTabChangesFocus(true);
     content->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -65,7 +65,7 @@ SupportDialog::SupportDialog(std::vector<SupportFile> files, QWidget *parent)
     setWindowTitle(tr("Collect for support"));
     setHelpTopic(*this, "help.md#collect-for-support");
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_save = buttons->addButton(tr("&Save..."), QDialogButtonBox::ActionRole);
+    m_save = buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole);
     describe(m_save, "supportSave", tr("Asks where to save the file; nothing is sent"));
     m_save->setDefault(true);
     layOutParts(buttons);
@@ -84,8 +84,8 @@ void SupportDialog::layOutParts(QWidget *buttons)
 {
     auto *what = wrappedLabel(this);
     what->setText(tr("One file with what is needed to look into a problem. It holds what is ticked here and "
-                     "nothing else. The home folder, the name of the user in paths and that of this computer "
-                     "are taken out. Nothing is sent: give the file to whom you want."));
+                     "nothing else. The home folder, the user name in paths and the name of this computer "
+                     "are removed. Nothing is sent: whom you give the file to is up to you."));
     layOutColumn(this, {what, m_note, {m_list, 2}, {m_content, 2}, m_total, m_message, buttons},
                  {grid::margin, allAround(grid::margin)});
 }
@@ -96,7 +96,7 @@ QTreeWidget *SupportDialog::makeList()
                           tr("What will be in the file; what is not ticked is left out (Space)"));
     list->setRootIsDecorated(false);
     list->setUniformRowHeights(true);
-    list->setHeaderLabels({tr("File"), tr("Size"), tr("What it tells")});
+    list->setHeaderLabels({tr("File"), tr("Size"), tr("What it contains")});
     for (const SupportFile &file : m_files) {
         auto *row = new QTreeWidgetItem(
             list, {file.file.name, QLocale().formattedDataSize(file.file.bytes.size()), file.what});
@@ -125,7 +125,7 @@ void SupportDialog::showChosen()
     const auto files = chosen();
     for (const ZipEntry &file : files)
         size += file.bytes.size();
-    m_total->setText(tr("%n files, %1 before they are compressed", nullptr, static_cast<int>(files.size()))
+    m_total->setText(tr("%n files, %1 uncompressed", nullptr, static_cast<int>(files.size()))
                          .arg(QLocale().formattedDataSize(size)));
     m_save->setEnabled(!files.empty());
     m_message->withdraw();

@@ -121,7 +121,7 @@ std::vector<SupportFile> supportFiles(const SupportSources &sources)
         files.push_back({{name, withoutPrivateNames(QString::fromUtf8(bytes), names).toUtf8()}, what});
     };
     add(QStringLiteral("project.codewheel"), projectToJson(sources.project.project()),
-        Support::tr("The project as it is now, with what is not saved"));
+        Support::tr("The project as it is now, unsaved changes included"));
     add(QStringLiteral("messages.csv"), messageTable(sources.messages),
         Support::tr("The newest messages, %1 at most").arg(QLocale().toString(mostMessages)));
     for (const Place place : sources.traces.places())

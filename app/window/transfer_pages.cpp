@@ -73,12 +73,12 @@ void TransferPages::showActions()
     m_actions.replaceEncoder->setEnabled(canBeWritten);
     describe(*m_actions.replaceEncoder,
              canBeWritten
-                 ? tr("Gives a new encoder in its place the values and the position of the one before")
+                 ? tr("Gives the new encoder at this place the values and the position of the previous one")
                  : why);
     const auto before = canBeWritten ? m_findBefore(*m_number) : std::vector<ValuesBefore>();
     m_actions.restoreValues->setEnabled(!before.empty());
     m_actions.restoreValues->setText(
-        before.empty() ? tr("Restore &values from before...")
+        before.empty() ? tr("Restore earlier &values…")
                        : tr("Restore &values of %1...").arg(timeOf(before.front(), m_buses.now(*m_number))));
     describe(
         *m_actions.restoreValues,

@@ -64,30 +64,30 @@ void WindowActions::makeFileMenu()
 {
     QMenu *menu = addMenu(tr("&File"));
     newProject = described(menu->addAction(tr("&New")), QKeySequence::New, tr("Starts an empty project"));
-    openProject = described(menu->addAction(lineIcon(Icon::open), tr("&Open...")), QKeySequence::Open,
+    openProject = described(menu->addAction(lineIcon(Icon::open), tr("&Open…")), QKeySequence::Open,
                             tr("Opens a project"));
     recentFiles = menu->addMenu(tr("&Recent files"));
     recentFiles->setToolTipsVisible(true);
     saveProject = described(menu->addAction(lineIcon(Icon::save), tr("&Save")), QKeySequence::Save,
                             tr("Saves the project"));
-    saveProjectAs = described(menu->addAction(tr("Save &as...")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+    saveProjectAs = described(menu->addAction(tr("Save &as…")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
                               tr("Saves the project in another file"));
-    projectPage = described(menu->addAction(lineIcon(Icon::information), tr("&Project...")),
+    projectPage = described(menu->addAction(lineIcon(Icon::information), tr("&Project…")),
                             Qt::SHIFT | Qt::Key_F4, tr("Title, note and link of the project"));
     menu->addSeparator();
     exportReport =
-        described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report...")), {},
+        described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report…")), {},
                   tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
     print = described(
-        menu->addAction(lineIcon(Icon::write), tr("Pr&int...")), QKeySequence::Print,
+        menu->addAction(lineIcon(Icon::write), tr("Pr&int…")), QKeySequence::Print,
         tr("Prints the table or the picture that has the focus, or else the commissioning report, after a "
            "preview"));
-    exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace..."));
+    exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace…"));
     showTrace(false);
-    exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},
+    exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages…")), {},
                                tr("Saves the messages as a CSV file"));
     menu->addSeparator();
-    quit = described(menu->addAction(tr("&Quit")), QKeySequence::Quit, tr("Ends the program"));
+    quit = described(menu->addAction(tr("&Quit")), QKeySequence::Quit, tr("Quits the program"));
 }
 
 // The name of the next step follows the word.
@@ -96,8 +96,8 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
     QMenu *menu = addMenu(tr("&Edit"));
     undo = undoStack.createUndoAction(this, tr("&Undo"));
     redo = undoStack.createRedoAction(this, tr("&Redo"));
-    menu->addAction(described(undo, QKeySequence::Undo, tr("Undoes the last change of the project")));
-    menu->addAction(described(redo, QKeySequence::Redo, tr("Does again what was undone")));
+    menu->addAction(described(undo, QKeySequence::Undo, tr("Undoes the last change to the project")));
+    menu->addAction(described(redo, QKeySequence::Redo, tr("Redoes what was undone")));
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
     menu->addSeparator();
@@ -106,9 +106,8 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
     compare = described(menu->addAction(lineIcon(Icon::compare), tr("&Compare with the bus")), Qt::Key_F9,
                         tr("Shows what is configured for the chosen bus beside what is connected"));
     menu->addSeparator();
-    settings =
-        described(menu->addAction(lineIcon(Icon::operate), tr("&Settings...")), Qt::CTRL | Qt::Key_Comma,
-                  tr("Language, look, numbers, EEPROM warnings, and where files are"));
+    settings = described(menu->addAction(lineIcon(Icon::operate), tr("&Settings…")), Qt::CTRL | Qt::Key_Comma,
+                         tr("Language, appearance, numbers, EEPROM warnings, and where files are kept"));
     settings->setMenuRole(QAction::PreferencesRole);
 }
 
@@ -177,7 +176,7 @@ void WindowActions::makeDeviceMenu()
     openMonitor =
         open(Icon::monitor, tr("M&onitor"), Qt::CTRL | Qt::Key_1, tr("Shows the words of the chosen device"));
     pinMonitor = open(Icon::pin, tr("&Pin monitor"), Qt::CTRL | Qt::Key_2,
-                      tr("Keeps the monitor of the chosen device when another one is chosen"));
+                      tr("Keeps the monitor of the chosen device open when another one is chosen"));
     pinDial = open(Icon::pin, tr("Pin &dial"), Qt::CTRL | Qt::Key_3,
                    tr("Keeps the dial of the chosen encoder when another one is chosen"));
     pinDial->setCheckable(true);
@@ -189,7 +188,7 @@ void WindowActions::makeDeviceMenu()
     cams->setShortcut(Qt::Key_F8);
     replaceEncoder = deviceMenu->addAction(lineIcon(Icon::encoder), tr("&Replace encoder"));
     replaceEncoder->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_X);
-    restoreValues = deviceMenu->addAction(lineIcon(Icon::refresh), tr("Restore &values from before..."));
+    restoreValues = deviceMenu->addAction(lineIcon(Icon::refresh), tr("Restore earlier &values…"));
     restoreValues->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
@@ -249,7 +248,7 @@ void WindowActions::makeViewMenu()
 {
     QMenu *menu = addMenu(tr("&View"));
     monitors = described(menu->addAction(lineIcon(Icon::monitor), tr("&Monitors")), Qt::Key_F7,
-                         tr("Shows the monitors; a page that is open can be gone on with"));
+                         tr("Shows the monitors; you can return to an open page"));
     closePage = described(menu->addAction(lineIcon(Icon::cancel), tr("Close pag&e")), Qt::CTRL | Qt::Key_W,
                           tr("Closes the page that is open, and shows the monitors"));
     closePage->setEnabled(false);
@@ -282,13 +281,14 @@ void WindowActions::makeViewMenu()
 void WindowActions::makeHelpMenu()
 {
     QMenu *menu = addMenu(tr("&Help"));
-    help = described(menu->addAction(lineIcon(Icon::information), tr("&Help on this")),
-                     QKeySequence::HelpContents, tr("Opens the manual where it tells of what has the focus"));
+    help =
+        described(menu->addAction(lineIcon(Icon::information), tr("&Help on this")),
+                  QKeySequence::HelpContents, tr("Opens the manual at the section about what has the focus"));
     manual = described(menu->addAction(tr("&Manual")), {}, tr("Opens the manual at its first page"));
     keys = described(menu->addAction(tr("&Keys")), Qt::CTRL | Qt::Key_F1, tr("Lists the keys of the window"));
     menu->addSeparator();
     collectSupport = described(
-        menu->addAction(lineIcon(Icon::save), tr("&Collect for support...")), {},
+        menu->addAction(lineIcon(Icon::save), tr("&Collect for support…")), {},
         tr("Saves what is needed to look into a problem as one file, after it was shown; sends nothing"));
     about = described(menu->addAction(lineIcon(Icon::information), tr("&About Codewheel")), {},
                       tr("Version and licence"));

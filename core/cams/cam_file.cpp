@@ -117,8 +117,8 @@ bool suits(const CamFile &file, const DeviceDescription &encoder, const DeviceDe
 
 QString otherDeviceText(const CamFile &file, const DeviceDescription &encoder, const QString &name)
 {
-    return sentence(CamFileReader::tr("%1 holds cam programs for the device %2; this encoder is %3. Nothing "
-                                      "was taken from the file."),
+    return sentence(CamFileReader::tr("%1 contains cam programs for the device %2; this encoder is %3. "
+                                      "Nothing was taken from the file."),
                     {name, file.device, encoder.key});
 }
 

@@ -15,7 +15,7 @@ CamProgram CamProgramReader::read(const JsonObject &json)
          json.array("cams", {"cam", "start", "stop", "active", "hysteresis", "inverted"}, CamProgram::cams))
         readCam(row, program, seen);
     if (!m_seen.insert(program.number).second)
-        json.report("program", tr("Cam program %1 stands above already.").arg(program.number));
+        json.report("program", tr("Cam program %1 is already given above.").arg(program.number));
     return program;
 }
 
@@ -24,7 +24,7 @@ void CamProgramReader::readCam(const JsonObject &json, CamProgram &program, unsi
     const auto number = static_cast<std::size_t>(json.number("cam", 0, CamProgram::cams - 1));
     const unsigned bit = 1U << number;
     if ((seen & bit) != 0)
-        json.report("cam", tr("Cam %1 stands above already.").arg(number));
+        json.report("cam", tr("Cam %1 is already given above.").arg(number));
     seen |= bit;
     Cam &cam = program.cam[number];
     cam.start = json.number("start", 0, m_largestPosition);

@@ -164,9 +164,9 @@ void DescriptionReader::readChoices(const JsonObject &row, ParameterDescription 
         if (!isKey(choice.key))
             json.report("key", tr("A key consists of the letters a to z, digits and hyphens."));
         if (parameter.findChoice(choice.value))
-            json.report("value", tr("This value stands here twice."));
+            json.report("value", tr("This value is here twice."));
         if (parameter.findChoice(choice.key))
-            json.report("key", tr("This key stands here twice."));
+            json.report("key", tr("This key is here twice."));
         parameter.choices.push_back(choice);
     }
 }
@@ -227,19 +227,19 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
                                     const DeviceDescription &device)
 {
     if (device.find(parameter.parameter))
-        row.report("parameter", tr("This parameter stands here twice."));
+        row.report("parameter", tr("This parameter is here twice."));
     if (parameter.number && device.findNumber(*parameter.number))
-        row.report("number", tr("This number stands here twice."));
+        row.report("number", tr("This number is here twice."));
     if (parameter.readOut && device.findReadOut(*parameter.readOut))
-        row.report("readOut", tr("This readOut code stands here twice."));
+        row.report("readOut", tr("This readOut code is here twice."));
     const auto &rows = device.parameters;
     if (!parameter.writeCommand.isEmpty() &&
         std::ranges::find(rows, parameter.writeCommand, &ParameterDescription::writeCommand) != rows.end())
-        row.report("write", tr("This command stands here twice."));
+        row.report("write", tr("This command is here twice."));
     if (!parameter.readCommand.isEmpty() && std::ranges::any_of(rows, [&](const ParameterDescription &other) {
             return other.readCommand == parameter.readCommand && other.readBit == parameter.readBit;
         }))
-        row.report("read", tr("This command stands here twice."));
+        row.report("read", tr("This command is here twice."));
 }
 
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
@@ -263,7 +263,7 @@ void DescriptionReader::readErrors(const JsonObject &json, DeviceDescription &de
                                 row.oneOf("meaning", errorMeanings), row.flagOr("warning", false),
                                 row.localTextOr("text", {})};
         if (device.findError(error.number))
-            row.report("number", tr("This number stands here twice."));
+            row.report("number", tr("This number is here twice."));
         device.errors.push_back(error);
     }
 }

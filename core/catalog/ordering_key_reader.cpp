@@ -43,7 +43,7 @@ OrderingKey::Code OrderingKeyReader::readCode(const JsonObject &row, const Order
         row.report("code", tr("A code consists of the letters A to Z and digits."));
     for (const OrderingKey::Code &other : part.codes) {
         if (other.code == code.code)
-            row.report("code", tr("This code stands here twice."));
+            row.report("code", tr("This code is here twice."));
         else if (other.code.startsWith(code.code) || code.code.startsWith(other.code))
             row.report("code", tr("\"%1\" and \"%2\" cannot be told apart: one begins with the other.")
                                    .arg(other.code, code.code));

@@ -59,7 +59,7 @@ bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
         faults.report(lineOf(json, place), QString(),
                       QCoreApplication::translate(
                           "codewheel::Catalog",
-                          "A NUL character stands here, which is not part of a text: remove it."));
+                          "There is a NUL character here, which is not part of a text: remove it."));
     return faults.first().has_value();
 }
 
@@ -73,7 +73,7 @@ void reportSyntaxError(const std::string &report, FaultKeeper &faults)
     const int line = match.hasMatch() ? match.captured(1).toInt() : 1;
     if (const QString key = match.captured(2); !key.isEmpty())
         faults.report(line, key,
-                      QCoreApplication::translate("codewheel::Catalog", "This key stands here twice."));
+                      QCoreApplication::translate("codewheel::Catalog", "This key is here twice."));
     faults.report(
         line, QString(),
         QCoreApplication::translate("codewheel::Catalog",

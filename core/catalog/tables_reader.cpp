@@ -11,7 +11,7 @@ class TablesReader
     Q_DECLARE_TR_FUNCTIONS(codewheel::TablesReader)
 
 public:
-    static QString twice() { return tr("This stands here twice."); }
+    static QString twice() { return tr("This is here twice."); }
     static QString none() { return tr("At least one row is expected here."); }
 
     static LedState readState(const JsonObject &row, const Leds &leds);

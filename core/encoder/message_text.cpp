@@ -40,12 +40,11 @@ constexpr std::array messageRows{
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
     MessageRow{
         MessageId::restoredReadBack, "restoredReadBack",
-        QT_TRANSLATE_NOOP(
-            "Message", "The values from before were written again, and read back: %1 (EEPROM writes: %2).")},
+        QT_TRANSLATE_NOOP("Message",
+                          "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
     MessageRow{MessageId::restoredConfirmed, "restoredConfirmed",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The values from before were written again, confirmed and activated, "
-                                 "but cannot be read: %1 (EEPROM writes: %2).")},
+               QT_TRANSLATE_NOOP("Message", "The earlier values were written again, confirmed and activated, "
+                                            "but cannot be read: %1 (EEPROM writes: %2).")},
     MessageRow{MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
     MessageRow{MessageId::presetDone, "presetDone",
                QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
@@ -88,12 +87,12 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
     MessageRow{MessageId::deviceNamed, "deviceNamed",
                QT_TRANSLATE_NOOP("Message",
-                                 "This encoder is now taken for: %1. What was known of it is forgotten.")},
+                                 "This encoder is now treated as: %1. What was known of it is forgotten.")},
     MessageRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
     MessageRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
     MessageRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
     MessageRow{MessageId::busFaultGone, "busFaultGone",
-               QT_TRANSLATE_NOOP("Message", "The bus fault is gone. Start the bus again.")},
+               QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
     MessageRow{MessageId::peripheralFault, "peripheralFault",
                QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
     MessageRow{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
@@ -126,7 +125,7 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
     MessageRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
     MessageRow{MessageId::projectRecovered, "projectRecovered",
-               QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were brought back.")},
+               QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
     MessageRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
                QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
                                             "states about %2 writes. Each further write is asked about.")},
@@ -144,9 +143,10 @@ constexpr std::array messageRows{
     MessageRow{MessageId::valuesRestored, "valuesRestored",
                QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
     MessageRow{MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
-    MessageRow{MessageId::oldMessagesDropped, "oldMessagesDropped",
-               QT_TRANSLATE_NOOP(
-                   "Message", "The message file had reached its size: the oldest %1 messages were dropped.")},
+    MessageRow{
+        MessageId::oldMessagesDropped, "oldMessagesDropped",
+        QT_TRANSLATE_NOOP(
+            "Message", "The message file had reached its size limit: the oldest %1 messages were dropped.")},
     MessageRow{MessageId::notKept, "notKept",
                QT_TRANSLATE_NOOP("Message",
                                  "%1 cannot be used: %2 What belongs there is kept only until the program "

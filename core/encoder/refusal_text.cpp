@@ -46,9 +46,9 @@ constexpr std::array refusalRows{
                           "The total range would be %1 steps; the largest is %2. Choose fewer steps or more "
                           "revolutions.")},
     RefusalRow{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder "
-                              "has. Choose fewer steps or more revolutions.")},
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The resolution would be finer than the encoder's %3 steps per turn (steps: "
+                                 "%1, revolutions: %2). Choose fewer steps or more revolutions.")},
     RefusalRow{
         RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
         QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
@@ -77,9 +77,9 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::camFileBroken, "camFileBroken",
                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
-    RefusalRow{
-        RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
-        QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
+    RefusalRow{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 contains cam program %2, not %3. Choose program %2, or another file.")},
     RefusalRow{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
                QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
     RefusalRow{RefusalId::deviceFileBroken, "deviceFileBroken",
@@ -97,9 +97,8 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::fileNotWritten, "fileNotWritten",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
     RefusalRow{RefusalId::fileChanged, "fileChanged",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "Another program has changed %1 since it was read here. It was left as it "
-                                 "is; nothing was saved. Read it again.")},
+               QT_TRANSLATE_NOOP("Refusal", "Another program has changed %1 since it was read here. It was "
+                                            "left unchanged; nothing was saved. Read it again.")},
     RefusalRow{
         RefusalId::fileTooLarge, "fileTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
@@ -369,10 +368,10 @@ constexpr std::array refusalRows{
                    "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
     RefusalRow{
         RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no "
-                          "format, or in more than one. Leave the number of fraction bits as it is, or "
-                          "write the scaling anew.")},
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in "
+            "more than one. Leave the number of fraction bits unchanged, or write the scaling again.")},
     RefusalRow{
         RefusalId::encoderSilent, "encoderSilent",
         QT_TRANSLATE_NOOP("Refusal", "%1 does not answer. Check address, baud rate, wiring and supply.")},

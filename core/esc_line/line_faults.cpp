@@ -46,7 +46,7 @@ QString cureOf(const Reading &reading)
         has(esc::Command::warnings, reading.warnings.value_or(0), esc::BitId::batteryLimit))
         return LineFaultText::tr("Have its battery replaced, and check the position.");
     if (has(esc::Command::alarms, alarms, esc::BitId::temperatureExceeded))
-        return LineFaultText::tr("Let it cool down, and look what heats it.");
+        return LineFaultText::tr("Let it cool down, and find out what heats it.");
     return LineFaultText::tr("Switch it off and on; if the alarm comes back, replace the encoder.");
 }
 
@@ -81,7 +81,7 @@ std::optional<Fault> faultOf(const LineSession &line, Place place)
     } else if (const std::uint16_t alarms = reading.alarms.value_or(0); alarms != 0) {
         fault.shown = {Role::fault, LineFaultText::tr("alarm")};
         const QStringList bits = esc::bitTexts(esc::Command::alarms, alarms) + troubles(reading);
-        fault.text = sentence(LineFaultText::tr("%1 gives an alarm: %2. %3"),
+        fault.text = sentence(LineFaultText::tr("%1 reports an alarm: %2. %3"),
                               {node, bits.join(QStringLiteral(", ")), cureOf(reading)});
     } else if (const QStringList warnings = troubles(reading); !warnings.isEmpty()) {
         fault.shown = {Role::attention, LineFaultText::tr("warning")};

@@ -135,7 +135,7 @@ DatabaseError Database::errorOf(const QSqlError &error)
     case sqliteReadOnly:
         return {DatabaseError::Kind::other, Journal::tr("it is not writable.")};
     case sqliteNoMemory:
-        return {DatabaseError::Kind::broken, Journal::tr("it holds more than fits into the memory.")};
+        return {DatabaseError::Kind::broken, Journal::tr("it contains more than fits into memory.")};
     default:
         return {DatabaseError::Kind::other, error.databaseText()};
     }
@@ -246,7 +246,8 @@ Stored<void> Database::check(const DatabaseSchema &schema) const
     if (*version > std::ssize(schema.versions))
         return tl::unexpected(DatabaseError{
             DatabaseError::Kind::newer,
-            Journal::tr("it was made by a newer Codewheel (version %1 of the file; this one reads up to %2).")
+            Journal::tr(
+                "it was made by a newer Codewheel (version %1 of the file; this one reads up to version %2).")
                 .arg(*version)
                 .arg(schema.versions.size())});
     const auto found = objects();

@@ -21,9 +21,12 @@ class BusKind
 public:
     virtual ~BusKind() = default;
 
-    virtual QString key() const = 0;                                // in files: "interbus"
-    virtual QString title() const = 0;                              // in the user's language: "INTERBUS ring"
-    virtual QString usualName() const = 0;                          // of a new bus in a project: "Ring"
+    virtual QString key() const = 0;       // in files: "interbus"
+    virtual QString title() const = 0;     // in the user's language: "INTERBUS ring"
+    // Of a bus without a project, the same in all languages: "Line".
+    virtual QString usualName() const = 0;
+    // Of a bus that is new in a project or a window, in the language of the user.
+    virtual QString nameOfNew() const { return usualName(); }
     virtual std::optional<BusId> trainingBus() const { return {}; } // no other kind gets its number
     virtual KindData usual() const = 0;                             // the defaults where nothing has been set
     virtual QString linkText(const KindData &settings) const = 0;   // "/dev/ttyUSB0, 19200 Bd, 8N2"

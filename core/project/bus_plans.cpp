@@ -48,7 +48,7 @@ PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
     const auto behind = std::ranges::upper_bound(project.buses, bus, {}, &PlannedBus::id);
     return *project.buses.insert(behind, {.id = bus,
                                           .kind = kind.key(),
-                                          .name = freeName(kind.usualName(), isTaken),
+                                          .name = freeName(kind.nameOfNew(), isTaken),
                                           .settings = kind.usual()});
 }
 

@@ -126,7 +126,7 @@ void Check::localBusDevices()
         if (const Participant &participant = m_devices[device].participant;
             standsOnLocalBus(participant.idCode) && !isOnLocalBus(participant))
             add(Severity::attention, device,
-                CheckProject::tr("Devices of this ID code stand on the local bus of a bus terminal."));
+                CheckProject::tr("Devices with this ID code belong on the local bus of a bus terminal."));
 }
 
 } // namespace

@@ -63,14 +63,14 @@ void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
                 ProjectReader::tr("An address from \"esc:01\" to \"esc:1F\" is expected here, or \"esc:00\" "
                                   "for an encoder that is alone on its line."));
         else if (!places.insert(told).second)
-            row.report("place", ProjectReader::tr("The address \"%1\" stands above already.").arg(told));
+            row.report("place", ProjectReader::tr("The address \"%1\" is already given above.").arg(told));
         else if (!encoders.empty() &&
                  (isAtMasterAddress(*place) ||
                   isAtMasterAddress(placeOnLine(LineAddress::of(encoders.front().participant.number)))))
-            row.report("place",
-                       ProjectReader::tr(
-                           "Every encoder answers to \"esc:00\": one that stands there must be alone on its "
-                           "line."));
+            row.report(
+                "place",
+                ProjectReader::tr(
+                    "Every encoder answers to \"esc:00\": one that is there must be alone on its line."));
         encoder.participant.number = place.value_or(placeOnLine({})).node;
         encoder.participant.deviceKey = row.text("device");
         encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);
@@ -122,6 +122,7 @@ public:
     QString key() const override { return QString::fromLatin1(escKind); }
     QString title() const override { return tr("Serial line (ESC)"); }
     QString usualName() const override { return QStringLiteral("Line"); }
+    QString nameOfNew() const override { return tr("Line", "name of a new bus"); }
     std::optional<BusId> trainingBus() const override { return firstLine; }
     KindData usual() const override { return KindData(LinePlan()); }
     QString linkText(const KindData &settings) const override;

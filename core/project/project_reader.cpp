@@ -53,7 +53,7 @@ void ProjectReader::readBus(const JsonObject &json, Project &project)
         json.report("name", tr("Another bus above is called \"%1\".").arg(bus.name));
     if (bus.name.contains(u'/'))
         json.report("name",
-                    tr("The name of a bus has no \"/\", which stands between it and the place of a device."));
+                    tr("The name of a bus has no \"/\", which separates it from the place of a device."));
     std::vector<ProjectDevice> devices;
     if (const BusKind *kind = busKind(bus.kind))
         bus.settings = kind->read(json, devices);

@@ -25,7 +25,7 @@ public:
         if (!parameter)
             json.report("parameter", tr("There is no parameter \"%1\".").arg(key));
         else if (!m_seen.insert(*parameter).second)
-            json.report("parameter", tr("The parameter \"%1\" stands above already.").arg(key));
+            json.report("parameter", tr("The parameter \"%1\" is already given above.").arg(key));
         return parameter.value_or(Parameter::steps);
     }
 

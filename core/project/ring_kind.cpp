@@ -54,11 +54,10 @@ NodeId readPlace(const JsonObject &json, DeviceNumber before)
     const bool onLocalBus = told.contains(u'.') && !told.endsWith(QStringLiteral(".0"));
     const DeviceNumber place = nextNumber(before, onLocalBus);
     if (told != place.toString())
-        json.report(
-            "place",
-            ProjectReader::tr("\"%1\" cannot stand here: by its place in the list this device is %2 on the "
-                              "remote bus, or %3 on a local bus.")
-                .arg(told, nextNumber(before, false).toString(), nextNumber(before, true).toString()));
+        json.report("place", ProjectReader::tr("\"%1\" cannot be here: by its place in the list this device "
+                                               "is %2 on the remote bus, or %3 on a local bus.")
+                                 .arg(told, nextNumber(before, false).toString(),
+                                      nextNumber(before, true).toString()));
     return place.node();
 }
 

@@ -29,7 +29,7 @@ QString titleOf(TransferKind kind)
     case TransferKind::clone:
         return TransferReport::tr("Values of one encoder given to others");
     case TransferKind::restore:
-        return TransferReport::tr("Values from before restored");
+        return TransferReport::tr("Earlier values restored");
     case TransferKind::replace:
         break;
     }
@@ -59,7 +59,7 @@ ReportFacts accountFacts(const EncoderAccount &account)
         facts.push_back({TransferReport::tr("Position to be set"), positionText(account.positionWanted)});
     facts.push_back({TransferReport::tr("Position before"), positionText(account.positionBefore)});
     facts.push_back({TransferReport::tr("Position after"), positionText(account.positionAfter)});
-    facts.push_back({TransferReport::tr("Left"), transfer_words::leftIn(account.leftIn)});
+    facts.push_back({TransferReport::tr("State afterwards"), transfer_words::leftIn(account.leftIn)});
     return facts;
 }
 

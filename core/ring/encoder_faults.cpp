@@ -30,12 +30,11 @@ std::optional<Fault> doubt(const RingSession &bus, std::size_t device)
 {
     const NodeId node = bus.structure()[device].number;
     if (bus.doubts().mayBeOff(device))
-        return ofEncoder(
-            node, {Role::attention, EncoderFaultText::tr("IN is 0")},
-            sentence(EncoderFaultText::tr("IN of %1 fell to 00000000: the encoder has no supply, "
-                                          "or stands at position 0. Check its supply, or turn the "
-                                          "shaft to see it change."),
-                     {node.toString()}));
+        return ofEncoder(node, {Role::attention, EncoderFaultText::tr("IN is 0")},
+                         sentence(EncoderFaultText::tr(
+                                      "IN of %1 fell to 00000000: the encoder has no supply, or is at "
+                                      "position 0. Check its supply, or turn the shaft to see it change."),
+                                  {node.toString()}));
     if (const auto word = bus.doubts().slowlyConfirmed(device))
         return ofEncoder(node, {Role::attention, EncoderFaultText::tr("slow", "to confirm")},
                          sentence(EncoderFaultText::tr(

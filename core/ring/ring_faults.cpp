@@ -41,9 +41,9 @@ QString cableText(const RingBreak &cable)
 QString deviceText(const RingBreak &cable)
 {
     const QString before = cable.before.isEmpty() ? RingFaultText::tr("the master") : cable.before.toString();
-    return sentence(RingFaultText::tr("%1 is not found as configured: it has no supply, the cable between %2 "
-                                      "and %1 is interrupted, or another device stands there. Check 24 V, "
-                                      "plug, and which device it is."),
+    return sentence(RingFaultText::tr(
+                        "%1 is not found as configured: it has no supply, the cable between %2 and %1 is "
+                        "interrupted, or another device is there. Check 24 V, plug, and which device it is."),
                     {cable.behind.toString(), before});
 }
 

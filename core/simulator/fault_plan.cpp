@@ -110,7 +110,7 @@ void FaultPlanReader::readStep(const JsonObject &json)
     FaultStep step;
     step.at = std::chrono::milliseconds(json.number("at", 0, latestStep));
     if (!m_plan.steps.empty() && step.at < m_plan.steps.back().at)
-        json.report("at", tr("The step above comes later: the steps stand in the order of their times."));
+        json.report("at", tr("The step above comes later: the steps must be in the order of their times."));
     step.fault = readFault(json);
     step.value = readValue(json, step.fault);
     if (const TrainingPlace *place = readPlace(json)) {

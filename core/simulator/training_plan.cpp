@@ -83,7 +83,7 @@ void TrainingPlanReader::readPlace(const JsonObject &row, TrainingParticipant &p
     if (!number)
         row.report("place", tr("A device number such as \"6.1\" is expected here."));
     else if (!m_plan.empty() && number->node() <= m_plan.back().number)
-        row.report("place", tr("The participants must stand in the order of the ring."));
+        row.report("place", tr("The participants must be in the order of the ring."));
     else if (number->position > 0 && !hasTerminal(number->segment))
         row.report("place", tr("A branch needs a bus terminal before it: %1.0.").arg(number->segment));
 }

@@ -41,9 +41,9 @@ QString text(Became became)
     case Became::alreadyThere:
         return TransferWords::tr("Already there");
     case Became::restored:
-        return TransferWords::tr("Value from before restored");
+        return TransferWords::tr("Earlier value restored");
     case Became::confirmed:
-        return TransferWords::tr("Taken, but not valid until run is sent");
+        return TransferWords::tr("Accepted, but not valid until run is sent");
     case Became::unknown:
         return TransferWords::tr("Sent: it is not known whether the encoder has it");
     case Became::notDone:
@@ -111,7 +111,7 @@ QStringList notes(const EncoderPlan &plan)
         notes << TransferWords::tr("Cam programs are read, written where they differ, and stored when they "
                                    "are left.");
     if (plan.position)
-        notes << sentence(TransferWords::tr("The position is set to %1 at the end of it."),
+        notes << sentence(TransferWords::tr("At the end, the position is set to %1."),
                           {numberText(*plan.position)});
     if (plan.presetIsRearmed)
         notes << TransferWords::tr("A preset acts once: it is programmed again where it is used up.");
@@ -123,9 +123,9 @@ QString summary(const EncoderPlan &plan)
     if (plan.hindrance)
         return refusalText(*plan.hindrance);
     if (plan.write.rows.empty() && plan.cams.empty() && !plan.position)
-        return TransferWords::tr("Nothing is wanted of it.");
+        return TransferWords::tr("Nothing is wanted for it.");
     if (!plan.isWritten())
-        return TransferWords::tr("All of it is there: nothing is sent.");
+        return TransferWords::tr("It has everything already: nothing is sent.");
     const auto values = std::ranges::count(plan.write.rows, false, &WriteRow::isThere);
     const auto cams = std::ranges::count(plan.cams, false, &TransferCamRow::isThere);
     return sentence(TransferWords::tr("Values and cam programs to write: %1. EEPROM writes: at most %2."),
@@ -137,9 +137,9 @@ QString outcome(const EncoderAccount &account)
     if (account.why)
         return refusalText(*account.why);
     if (!account.isDone())
-        return TransferWords::tr("Not begun.");
+        return TransferWords::tr("Not started.");
     if (!account.isBegun)
-        return TransferWords::tr("All of it was there: nothing was sent.");
+        return TransferWords::tr("It had everything already: nothing was sent.");
     return account.onlyZeroSinceRun ? messageText({.id = MessageId::onlyZeroSinceRun})
                                     : TransferWords::tr("Done.");
 }
@@ -148,14 +148,14 @@ QStringList differences(const ReplacementDifferences &differences, const Replace
 {
     QStringList lines;
     if (!differences.makeBefore.isEmpty())
-        lines << sentence(TransferWords::tr("Planned was a %1; the new one is a %2."),
+        lines << sentence(TransferWords::tr("A %1 was planned; the new one is a %2."),
                           {differences.makeBefore, now.device->fullName()});
     if (differences.stepsPerTurn)
         lines << sentence(
-            TransferWords::tr("It has %2 physical steps per turn, the one before had %1."),
+            TransferWords::tr("It has %2 physical steps per turn, the previous one had %1."),
             {numberText(differences.stepsPerTurn->first), numberText(differences.stepsPerTurn->second)});
     if (differences.turns)
-        lines << sentence(TransferWords::tr("It has %2 turns, the one before had %1."),
+        lines << sentence(TransferWords::tr("It has %2 turns, the previous one had %1."),
                           {numberText(differences.turns->first), numberText(differences.turns->second)});
     for (const ParameterValue &value : differences.notTaken)
         lines << sentence(TransferWords::tr("It has no \"%1\": the value %2 is not written."),

@@ -109,7 +109,7 @@ TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
     (*button)->click(); // no events are processed meanwhile
     EXPECT_TRUE(shown->line().isOpening());
     EXPECT_EQ(shown->line().session(), before);
-    EXPECT_EQ((*button)->text(), QStringLiteral("Connecting ..."));
+    EXPECT_EQ((*button)->text(), QStringLiteral("Connecting…"));
     EXPECT_FALSE((*button)->isEnabled());
     lineActions().disconnectLine->trigger();
     EXPECT_FALSE(shown->line().isOpening());

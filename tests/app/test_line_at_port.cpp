@@ -40,7 +40,7 @@ protected:
         window().findChild<WantedValues *>()->set(number, parameter, value);
         advance(50);
         auto &panel = *window().findChild<ParameterPanel *>();
-        click(panel, QStringLiteral("Write..."));
+        click(panel, QStringLiteral("Write…"));
         auto *confirm = panel.findChild<QPushButton *>(QStringLiteral("confirmWrite"));
         ASSERT_TRUE(confirm->isVisibleTo(&panel));
         QTest::mouseClick(confirm, Qt::LeftButton);

@@ -244,7 +244,7 @@ TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
     window().findChild<WantedValues *>()->set(standing, Parameter::steps, 3600);
     auto &panel = *window().findChild<ParameterPanel *>();
     for (auto *button : panel.findChildren<QPushButton *>())
-        if (button->text() == QStringLiteral("&Write..."))
+        if (button->text() == QStringLiteral("&Write…"))
             QTest::mouseClick(button, Qt::LeftButton);
     advance(50);
     const QAbstractItemModel *review = nullptr;
@@ -279,7 +279,7 @@ TEST_F(LineInWindow, TheReviewSaysWhatCannotBeWrittenAndWhy)
     wanted.set(standing, Parameter::measuringRange, 200'000);
     auto &panel = *window().findChild<ParameterPanel *>();
     for (auto *button : panel.findChildren<QPushButton *>())
-        if (button->text() == QStringLiteral("&Write..."))
+        if (button->text() == QStringLiteral("&Write…"))
             QTest::mouseClick(button, Qt::LeftButton);
     advance(50);
     QStringList said;

@@ -171,7 +171,7 @@ TEST_F(TransferOnLine, CancelBeginsNoOther)
     }
     EXPECT_FALSE(page().isBusy());
     EXPECT_FALSE(registers(at05).countsCcw);
-    EXPECT_THAT(account().toStdString(), HasSubstr("Not begun."));
+    EXPECT_THAT(account().toStdString(), HasSubstr("Not started."));
 }
 
 TEST_F(TransferOnLine, AnUnpluggedAdapterEndsWhatIsForTheLineAlone)

@@ -173,7 +173,8 @@ TEST_F(PagesTest, WhatIsRefusedIsAskedAbout)
         const auto question = test::Question::answeredBy(QStringLiteral("Stay"));
         clickClose();
         EXPECT_TRUE(isOpen());
-        EXPECT_TRUE(question.text().contains(QStringLiteral("not taken"))) << question.text().toStdString();
+        EXPECT_TRUE(question.text().contains(QStringLiteral("will be discarded")))
+            << question.text().toStdString();
     }
     const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
     clickClose();

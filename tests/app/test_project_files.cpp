@@ -307,9 +307,9 @@ TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
     drop(write("words.txt", sequenceToJson({.words = {0x020000FF, 0x80000000}})));
     EXPECT_EQ(window().findChild<SequenceView *>()->list().words.size(), 2u);
     drop(write("steps.json", R"({"format": "codewheel-faults", "version": 1})"));
-    EXPECT_TRUE(notice().contains(QStringLiteral("none that is opened by dropping")));
+    EXPECT_TRUE(notice().contains(QStringLiteral("not one that can be opened by dropping")));
     drop(write("readme.txt", "encoders"));
-    EXPECT_TRUE(notice().contains(QStringLiteral("none of the files")));
+    EXPECT_TRUE(notice().contains(QStringLiteral("cannot be dropped here")));
     drop(write("own.json", R"({"vendor": "Own", "profile": "unheard of"})"));
     EXPECT_TRUE(
         notice("droppedDevice").contains(QStringLiteral("not a device description that can be used")));

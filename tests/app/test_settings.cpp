@@ -111,7 +111,7 @@ TEST_F(Settings, GoOnInTheWindowOfAnotherLanguage)
     dialog()->reject();
     ASSERT_TRUE(QTest::qWaitFor([&] { return german.isNull(); }, mostWait));
     EXPECT_EQ(dialog(), nullptr);
-    EXPECT_EQ(actions().settings->text(), QStringLiteral("&Settings..."));
+    EXPECT_EQ(actions().settings->text(), QStringLiteral("&Settings…"));
 }
 
 TEST_F(Settings, NumbersHaveTheSignThatIsChosen)

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"version\": 1,", "\"version\": 1", 4, "", "not valid JSON"},
         Breakage{"codewheel-cams", "codewheel-sequence", 2, "format", "not a file of cam programs"},
         Breakage{"\"version\": 1,", "\"version\": 2,", 3, "version", "Only version 1"},
-        Breakage{"\"version\": 1,", "\"version\": 1, \"version\": 1,", 3, "version", "stands here twice"},
+        Breakage{"\"version\": 1,", "\"version\": 1, \"version\": 1,", 3, "version", "is here twice"},
         Breakage{"\"device\": \"fraba-ocd-ib\",", "", 1, "device", "missing"},
         Breakage{"8192", "0", 5, "totalRange", "not between"},
         Breakage{"8192", "33554433", 5, "totalRange", "not between"},
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"shift\": 0,", "", 7, "programs[0].shift", "missing"},
         Breakage{"\"cam\": 7", "\"cam\": 8", 12, "programs[0].cams[1].cam", "8 is not between 0 and 7"},
         Breakage{"\"cam\": 7", "\"cam\": -1", 12, "programs[0].cams[1].cam", "not between 0 and 7"},
-        Breakage{"\"cam\": 7", "\"cam\": 3", 12, "programs[0].cams[1].cam", "Cam 3 stands above already"},
+        Breakage{"\"cam\": 7", "\"cam\": 3", 12, "programs[0].cams[1].cam", "Cam 3 is already given above"},
         Breakage{"531", "8192", 11, "programs[0].cams[0].stop", "8192 is not between 0 and 8191"},
         Breakage{"21", "-1", 11, "programs[0].cams[0].start", "not between 0 and 8191"},
         Breakage{"21", "21.0", 11, "programs[0].cams[0].start", "whole number"},
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "not known"},
         Breakage{"    }\n  ]", "    }, 7\n  ]", 14, "programs[1]", "object"},
         Breakage{"    }\n  ]", "    }, {\"program\": 1, \"shift\": 0, \"cams\": []}\n  ]", 14,
-                 "programs[1].program", "Cam program 1 stands above already"}));
+                 "programs[1].program", "Cam program 1 is already given above"}));
 
 TEST(CamFile, WithoutAnyProgramIsRefused)
 {
@@ -152,7 +152,7 @@ TEST(CamFile, GivesTheProgramWantedOrNone)
     const auto other = camProgramOf(*file, 2, fileName);
     ASSERT_FALSE(other);
     EXPECT_EQ(refusalText(other.error()).toStdString(),
-              "press.json holds cam program 1, not 2. Choose program 1, or another file.");
+              "press.json contains cam program 1, not 2. Choose program 1, or another file.");
 }
 
 TEST(CamFile, SavedInStableOrderSaysTheSameWhenLoaded)

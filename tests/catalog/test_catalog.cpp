@@ -61,7 +61,7 @@ constexpr Breakage breakages[] = {
     // the file as a whole
     {R"("inWords": 2,)", R"("inWords": 2)", 11, "",
      "not valid JSON: check brackets, commas and quotation marks."},
-    {R"("inWords": 2,)", R"("outWords": 2,)", 11, "outWords", "stands here twice"},
+    {R"("inWords": 2,)", R"("outWords": 2,)", 11, "outWords", "is here twice"},
     {"  }\n}\n", "  }\n}\n{}", 34, "", "not valid JSON"},
     {"  }\n}\n", "  }\n", 33, "", "not valid JSON"},
     {R"("a manual")", R"('a manual')", 5, "", "not valid JSON"},

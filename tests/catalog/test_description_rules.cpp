@@ -193,7 +193,7 @@ TEST(DescriptionRules, RefuseCommandsThatDoNotBelong)
          "parameters[0].maximum", "between 1 and 33554431"},
         {onLine(R"({"parameter": "steps", "read": "D", "minimum": 1, "maximum": 2},
                    {"parameter": "offset", "read": "D", "minimum": 1, "maximum": 2})"),
-         "parameters[1].read", "stands here twice"},
+         "parameters[1].read", "is here twice"},
         {onLine(R"({"parameter": "address", "bit": 1, "write": "X", "minimum": 1, "maximum": 2})"),
          "parameters[0].bit", "there is none"},
         {onLine(R"({"parameter": "steps", "minimum": 1, "maximum": 2})"), "parameters[0].number",

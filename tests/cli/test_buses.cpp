@@ -377,7 +377,7 @@ TEST_F(CliBuses, OfASilentLineWhatIsPlannedStays)
     const QString saved = folder.filePath(QStringLiteral("found.codewheel"));
     const CliRun scan = run({QStringLiteral("scan"), QStringLiteral("--save"), saved});
     EXPECT_EQ(scan.exit, 0);
-    EXPECT_THAT(scan.out, HasSubstr("Gate 1: nobody answers there. The encoders that are planned on it stay "
+    EXPECT_THAT(scan.out, HasSubstr("Gate 1: nothing answers there. The encoders that are planned on it stay "
                                     "in the project.\nSaved in"));
     const Project found = *loadProject(saved);
     ASSERT_EQ(devicesOn(found, firstLine).size(), 1U);

@@ -138,7 +138,7 @@ TEST_F(CliCams, AFileOfAnotherDeviceIsRefused)
                 QStringLiteral("cams 1.0 %1 %2 --yes --json").arg(QLatin1String(action), name));
             EXPECT_EQ(run.exit, 2) << device;
             EXPECT_EQ(errorKey(run), "camFileOfOtherDevice") << device;
-            EXPECT_THAT(run.err, HasSubstr(std::string("cams.json holds cam programs for the device ") +
+            EXPECT_THAT(run.err, HasSubstr(std::string("cams.json contains cam programs for the device ") +
                                            device + "; this encoder is fraba-ocd-ib. Nothing was taken"));
             EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, Mode::position)
                 << "no cam word went out";

@@ -173,7 +173,7 @@ TEST_F(CliMessages, NoneThatFitsIsTold)
 {
     for (const char *filter : {"--from 2026-12-01 --until 2026-01-01", "--place 99.99"})
         EXPECT_EQ(run(("messages --file %1/messages.sqlite " + std::string(filter)).c_str()).out,
-                  "No message is kept that fits.\n");
+                  "No stored message matches.\n");
 }
 
 TEST_F(CliMessages, AreExported)

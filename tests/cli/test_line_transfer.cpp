@@ -130,7 +130,7 @@ TEST_F(CliLineTransfer, TransferWritesAndASecondTimeNothing)
 
     const CliRun again = run("transfer @");
     EXPECT_EQ(again.exit, 0) << again.err;
-    EXPECT_THAT(again.out, HasSubstr("All of it is there: nothing is sent.\n"));
+    EXPECT_THAT(again.out, HasSubstr("It has everything already: nothing is sent.\n"));
 }
 
 TEST_F(CliLineTransfer, OneThatDoesNotAnswerKeepsNoOtherFromItsValues)

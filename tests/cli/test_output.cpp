@@ -99,10 +99,10 @@ TEST(CliOutput, ThatCannotBeWrittenTellsWhatWasDoneAtTheEncoder)
         const Silenced typed = startWith(QStringLiteral("terminal 05GP1000 05P --yes"), output.make);
         EXPECT_EQ(typed.exit, 1);
         const bool isEndedBySignal = output.make == outputToNobody; // SIGPIPE, before it is sent
-        EXPECT_THAT(typed.err, HasSubstr(isEndedBySignal ? "Nothing was written to an encoder."
+        EXPECT_THAT(typed.err, HasSubstr(isEndedBySignal ? "Nothing was written to any encoder."
                                                          : "05GP00001000 was sent, and answered."));
         EXPECT_THAT(startWith(QStringLiteral("read 05 steps"), output.make).err,
-                    HasSubstr("Nothing was written to an encoder."));
+                    HasSubstr("Nothing was written to any encoder."));
     }
 }
 
@@ -113,7 +113,7 @@ TEST(CliOutput, WhatCouldNotBeShownIsNotSent)
              {"write 1.0 steps=255 --yes", "write 05 steps=864 --yes", "terminal 05P 05GP1000 --yes"}) {
             const Silenced run = startWith(QString::fromLatin1(line), output.make);
             EXPECT_EQ(run.exit, 1) << line;
-            EXPECT_THAT(run.err, HasSubstr("Nothing was written to an encoder.")) << line;
+            EXPECT_THAT(run.err, HasSubstr("Nothing was written to any encoder.")) << line;
         }
     }
 }

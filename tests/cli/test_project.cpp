@@ -126,7 +126,7 @@ TEST_F(CliProject, NothingIsSentToAStationWhereTheBusDiffers)
     m_project.devices[2].participant.number = NodeId("3.0");
     const CliRun hoist = run(wordsCommand, {QStringLiteral("hoist"), QStringLiteral("020000FF")});
     EXPECT_EQ(hoist.exit, 1);
-    EXPECT_THAT(hoist.err, HasSubstr("\"hoist\" may stand elsewhere"));
+    EXPECT_THAT(hoist.err, HasSubstr("\"hoist\" may be elsewhere"));
     const CliRun other = run(wordsCommand, {QStringLiteral("1.0"), QStringLiteral("020000FF")});
     EXPECT_EQ(other.exit, 1);
     EXPECT_THAT(other.err, HasSubstr("1.0: configured is 81BEh, found was 0237h."));
@@ -138,7 +138,7 @@ TEST_F(CliProject, ADeviceWithoutDescriptionIsLeftAsItIs)
     m_project.devices[0].participant.deviceKey = QStringLiteral("my-encoder");
     const CliRun scan = run(scanCommand, {});
     EXPECT_EQ(scan.exit, 0);
-    EXPECT_THAT(scan.err, HasSubstr("1.0 is not taken for \"my-encoder\""));
+    EXPECT_THAT(scan.err, HasSubstr("1.0 is not treated as \"my-encoder\""));
     EXPECT_EQ(nameAt(first), QStringLiteral("generic-k3"));
 }
 

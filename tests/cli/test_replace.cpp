@@ -68,8 +68,8 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     const CliRun done = run("replace 1.0 --project @ --label OCD-IBA1B-1213-C100-PRI --serial 4711 "
                             "--position 3000 --yes --trace");
     EXPECT_EQ(done.exit, 0) << done.err << done.out;
-    EXPECT_THAT(done.out, HasSubstr("It fits: as far as the project shows, it is like the one before.\n"));
-    EXPECT_THAT(done.out, HasSubstr("  The position is set to 3000 at the end of it.\n"));
+    EXPECT_THAT(done.out, HasSubstr("It fits: as far as the project shows, it is like the previous one.\n"));
+    EXPECT_THAT(done.out, HasSubstr("  At the end, the position is set to 3000.\n"));
     EXPECT_THAT(done.out, HasSubstr("  Position: set to 3000.\n"));
     EXPECT_THAT(done.out, HasSubstr("  steps        = 4096     Written, and read back\n"));
     EXPECT_THAT(done.out, HasSubstr("  direction    = ccw (4)  Written, and read back\n"));
@@ -143,7 +143,7 @@ TEST_F(CliReplace, AnotherMakeIsToldToProgramsAndPeople)
     project.devices[0].wanted.push_back({Parameter::offset, 5});
     save();
     EXPECT_THAT(run("replace 1.0 --project @ --device baumer-gxp6w --dry-run").out,
-                HasSubstr("Planned was a FRABA OCD-IB K3; the new one is a Baumer GXP6W K3.\n"));
+                HasSubstr("A FRABA OCD-IB K3 was planned; the new one is a Baumer GXP6W K3.\n"));
     const QJsonObject json = run("replace 1.0 --project @ --dry-run --json").json();
     EXPECT_EQ(json[u"differences"][u"notTaken"][0][u"parameter"], QStringLiteral("offset"));
     EXPECT_EQ(json[u"deviceBefore"], QStringLiteral("fraba-ocd-ib"));

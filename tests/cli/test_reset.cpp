@@ -19,7 +19,7 @@ TEST(CliReset, TellsWhatIsLostAndReadsBack)
     const CliRun run = shared.runLine(QStringLiteral("reset 1.0 --yes"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_EQ(run.out, "1.0, FRABA OCD-IB K3, will be reset to factory settings (0E000000, then run).\n"
-                       "Lost are: steps, revolutions, direction, preset, zero-offset.\n"
+                       "This is lost: steps, revolutions, direction, preset, zero-offset.\n"
                        "All cam programs are lost, too, and the encoder is in position mode afterwards.\n"
                        "EEPROM writes:   1\n"
                        "\n"

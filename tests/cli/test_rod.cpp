@@ -27,7 +27,7 @@ TEST(CliRod, WhatStandsOnTheLabelIsNeitherReadNorWritten)
         const CliRun run = runLine(QString::fromLatin1(line));
         EXPECT_EQ(run.exit, 2) << line;
         EXPECT_EQ(errorKey(run), "parameterOnLabel") << line;
-        EXPECT_THAT(run.err, HasSubstr("Rod length stands on the label of the TR LA-66 only: it is neither "
+        EXPECT_THAT(run.err, HasSubstr("Rod length is only on the label of the TR LA-66: it is neither "
                                        "read nor written over the bus. There are: "))
             << line;
     }

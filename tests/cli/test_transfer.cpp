@@ -89,7 +89,7 @@ TEST_F(CliTransfer, WritesToAllAndASecondTimeToNone)
     EXPECT_EQ(shared.eepromWrites(), 2);
     const CliRun again = runIt("transfer @");
     EXPECT_EQ(again.exit, 0) << again.err;
-    EXPECT_THAT(again.out, HasSubstr("  All of it is there: nothing is sent.\n"));
+    EXPECT_THAT(again.out, HasSubstr("  It has everything already: nothing is sent.\n"));
     EXPECT_EQ(shared.eepromWrites(), 2);
 }
 

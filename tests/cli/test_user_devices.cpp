@@ -86,7 +86,7 @@ TEST_F(CliUserDevices, CheckTellsASoundFile)
     const QString path = write(QStringLiteral("mine.json"), "my-encoder");
     const CliRun run = runLine(QStringLiteral("devices --check %1").arg(path));
     EXPECT_EQ(run.exit, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("is sound: TWK K4 (my-encoder)"));
+    EXPECT_THAT(run.out, HasSubstr("is valid: TWK K4 (my-encoder)"));
     EXPECT_EQ(runLine(QStringLiteral("devices --json --check %1").arg(path)).json()[u"name"],
               QStringLiteral("my-encoder"));
 }

@@ -101,7 +101,7 @@ TEST(CheckProject, ALoop2EncoderStandsOnALocalBus)
     project.devices[1].participant.number = NodeId("2.0");
     EXPECT_EQ(findings(project),
               (QStringList{QStringLiteral(
-                  "1 attention: Devices of this ID code stand on the local bus of a bus terminal.")}));
+                  "1 attention: Devices with this ID code belong on the local bus of a bus terminal.")}));
 }
 
 TEST(CheckProject, LimitsOfTheRingAreFaults)

@@ -275,7 +275,7 @@ TEST_F(ProjectFile, WhatCouldNotBeOpenedAgainIsNotSaved)
     EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
     EXPECT_TRUE(refusalText(saved.error())
                     .contains(QStringLiteral("cannot be written: It could not be opened again. "
-                                             "buses[0].devices[2].place: \"9.9\" cannot stand here")))
+                                             "buses[0].devices[2].place: \"9.9\" cannot be here")))
         << refusalText(saved.error()).toStdString();
     Project large = m_new;
     large.note = QString(largestProjectFile, u'x');

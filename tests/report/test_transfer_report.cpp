@@ -62,9 +62,9 @@ TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
               "The encoder is read first; what it already has is not written again.\n"
               "If the encoder counts steps minus 1, the word for the steps is one less.\n"
               "Cam programs are read, written where they differ, and stored when they are left.\n"
-              "The position is set to 100 at the end of it.\n"
+              "At the end, the position is set to 100.\n"
               "A preset acts once: it is programmed again where it is used up.");
-    EXPECT_EQ(transfer_words::summary(plan[1]).toStdString(), "Nothing is wanted of it.");
+    EXPECT_EQ(transfer_words::summary(plan[1]).toStdString(), "Nothing is wanted for it.");
 }
 
 } // namespace

@@ -40,19 +40,19 @@ const std::vector<PlannedFault> plannedFaults{
     {TrainingFault::wireBreak,
      "1.0"_ring,
      "1.0 is not found as configured: it has no supply, the cable between the master and 1.0 is interrupted, "
-     "or another device stands there. Check 24 V, plug, and which device it is.",
+     "or another device is there. Check 24 V, plug, and which device it is.",
      "0D10 at 1.0 (see IBS SYS FW G4 UM)",
      {FaultAction::start}},
     {TrainingFault::noSupply,
      "2.0"_ring,
      "2.0 is not found as configured: it has no supply, the cable between 1.0 and 2.0 is interrupted, or "
-     "another device stands there. Check 24 V, plug, and which device it is.",
+     "another device is there. Check 24 V, plug, and which device it is.",
      "0C10 at 2.0 (see IBS SYS FW G4 UM)",
      {FaultAction::start, FaultAction::switchOff}},
     {TrainingFault::wrongDevice,
      "5.0"_ring,
      "5.0 is not found as configured: it has no supply, the cable between 4.0 and 5.0 is interrupted, or "
-     "another device stands there. Check 24 V, plug, and which device it is.",
+     "another device is there. Check 24 V, plug, and which device it is.",
      "0C40 at 5.0 (see IBS SYS FW G4 UM)",
      {FaultAction::start, FaultAction::switchOff}},
     {TrainingFault::crcErrors,

@@ -79,8 +79,8 @@ TEST_F(Replacing, TellsHowTheNewOneDiffers)
     now.stepsPerTurn = 4096;
     const auto differences = differencesOf(device, catalog.find(u"baumer-gxp6w"), now);
     EXPECT_EQ(transfer_words::differences(differences, now),
-              (QStringList{QStringLiteral("Planned was a Baumer GXP6W K3; the new one is a FRABA OCD-IB K3."),
-                           QStringLiteral("It has 4096 physical steps per turn, the one before had 8192."),
+              (QStringList{QStringLiteral("A Baumer GXP6W K3 was planned; the new one is a FRABA OCD-IB K3."),
+                           QStringLiteral("It has 4096 physical steps per turn, the previous one had 8192."),
                            QStringLiteral("It has no \"Offset\": the value 5 is not written.")}));
     EXPECT_TRUE(
         differencesOf(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib").device, with("fraba-ocd-ib"))

@@ -59,7 +59,7 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     m_note->setFont(textFont(TextSize::small));
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    describe(m_scroll, tr("Scroll the ruler"), tr("Which part of the positions is in sight"));
+    describe(m_scroll, tr("Scroll the ruler"), tr("Which part of the positions is visible"));
 
     auto *rows = new QGridLayout;
     rows->setContentsMargins(0, 0, 0, 0);

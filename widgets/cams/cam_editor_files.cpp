@@ -76,7 +76,7 @@ bool CamEditor::load(const QString &path)
     if (file->programs.size() == 1)
         chooseProgram(file->programs.front().number);
     say(Cause::file, Role::running,
-        tr("Taken from %1: program %2.").arg(QFileInfo(path).fileName(), programList(file->programs)));
+        tr("Loaded from %1: program %2.").arg(QFileInfo(path).fileName(), programList(file->programs)));
     return true;
 }
 

@@ -74,9 +74,9 @@ void CamEditor::makeTools()
     };
     m_jobActions = {
         makeTool({Icon::read, tr("Read"), Qt::CTRL | Qt::Key_R,
-                  tr("Read this program from the encoder; the position is away meanwhile")},
+                  tr("Read this program from the encoder; no position is shown meanwhile")},
                  [this] { readPrograms(CamJobs::Purpose::read, {m_sheet->number()}); }),
-        makeTool({Icon::write, tr("Write..."), Qt::CTRL | Qt::Key_Return,
+        makeTool({Icon::write, tr("Write…"), Qt::CTRL | Qt::Key_Return,
                   tr("Show what will be written before anything is sent")},
                  &CamEditor::write),
         makeTool({Icon::compare, tr("Compare"), Qt::CTRL | Qt::Key_D,
@@ -90,10 +90,10 @@ void CamEditor::makeTools()
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
     QAction *open = makeTool(
-        {Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, tr("Take the cam programs of a file")},
+        {Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, tr("Load the cam programs from a file")},
         &CamEditor::askLoad);
     QAction *save = makeTool({Icon::save, tr("Save"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
-                              tr("Keep all eight programs in a file of their own")},
+                              tr("Save all eight programs in a file of their own")},
                              &CamEditor::askSave);
     for (QAction *action : {undo, redo})
         m_tools->insertAction(open, action);
@@ -129,13 +129,13 @@ void CamEditor::makeMenu()
                            "to 8 EEPROM "
                            "writes"),
                         &CamEditor::readAll)
-                 << add(tr("&Write all programs..."),
+                 << add(tr("&Write all programs…"),
                         tr("All that are set here and are not known to be in the encoder"),
                         &CamEditor::writeAll);
     m_menu->addSeparator();
-    m_fileActions << add(tr("&Open this program alone..."), tr("Take the program that is shown from a file"),
+    m_fileActions << add(tr("&Open this program alone…"), tr("Load the program shown from a file"),
                          &CamEditor::askLoadProgram);
-    m_fileActions << add(tr("&Save this program alone..."), tr("Keep the program that is shown in a file"),
+    m_fileActions << add(tr("&Save this program alone…"), tr("Save the program shown in a file"),
                          &CamEditor::askSaveProgram);
     m_menu->addSeparator();
     m_fileActions << add(tr("&Clear this program"), tr("All eight cams inactive, shift 0; can be undone"),

@@ -29,16 +29,15 @@ CamRangeBar::CamRangeBar(QWidget *parent)
     , m_text(wrappedLabel(this))
     , m_read(new QPushButton(lineIcon(Icon::read), tr("Read &it"), this))
     , m_largest(new PositionInput(1, largestCamPosition, complaint, this))
-    , m_tell(new QPushButton(tr("&Take it"), this))
+    , m_tell(new QPushButton(tr("&Use it"), this))
 {
     m_read->setToolTip(
-        tr("Reads steps and revolutions. That sends words, and takes the position away for some "
-           "cycles."));
+        tr("Reads steps and revolutions. That sends words, and hides the position for some cycles."));
     describe(m_largest, tr("Largest position"),
              tr("Total range - 1, from the encoder's papers; decimal, or hexadecimal as 0x.. or ..h"));
     m_largest->setPlaceholderText(tr("largest position"));
     m_largest->setMaximumWidth(35 * grid::unit);
-    m_tell->setToolTip(tr("Takes the largest position as said; nothing is sent"));
+    m_tell->setToolTip(tr("Uses the largest position as given; nothing is sent"));
     layOutRow(this, {{m_text, 1}, m_read, m_largest, m_tell},
               {.spacing = grid::margin, .margins = QMargins()});
     connect(m_read, &QPushButton::clicked, this, &CamRangeBar::readRequested);
@@ -56,10 +55,10 @@ void CamRangeBar::ask(bool canRead, std::optional<std::int64_t> toldLargest)
 {
     m_read->setVisible(canRead);
     if (toldLargest)
-        m_text->setText(tr("The positions go to %1, as you said; the encoder was not asked.")
+        m_text->setText(tr("The positions go up to %1, set manually; the encoder was not asked.")
                             .arg(cam_texts::position(*toldLargest)));
     else
-        m_text->setText(tr("How many positions there are is not known."));
+        m_text->setText(tr("The number of positions is not known."));
     show();
 }
 

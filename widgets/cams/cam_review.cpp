@@ -87,7 +87,7 @@ CamReview::CamReview(QWidget *parent)
     , m_title(new QLabel(this))
     , m_afterwardsLabel(new QLabel(tr("A&fterwards the encoder is in"), this))
     , m_afterwards(describe(new QComboBox(this), tr("Mode afterwards"),
-                            tr("Cams are written in cam mode: the position is away meanwhile. A program is "
+                            tr("Cams are written in cam mode: no position is shown meanwhile. A program is "
                                "stored in EEPROM when it is left.")))
 {
     QFont strong = font();
@@ -160,8 +160,8 @@ JobReview::Contents CamReview::contents(const EncoderSession &encoder, bool writ
     if (count > 0)
         contents.notes << tr("Not listed are the words that read: 2020.... and the 00000000 behind each.");
     if (!writesAll && !words.thereAlready.isEmpty())
-        contents.notes << tr("Sent although it is there: %1. Outside cam mode the word behind it would "
-                             "mean something else.")
+        contents.notes << tr("Sent although already there: %1. Outside cam mode the word after it would mean "
+                             "something else.")
                               .arg(words.thereAlready.join(QStringLiteral(", ")));
     contents.notes << tr("A program that is changed is stored in EEPROM when it is left: one write.");
     return contents;

@@ -38,7 +38,7 @@ NamingBar::NamingBar(const Catalog &catalog, QWidget *parent)
     , m_choice(describe(new QComboBox(this), "makes", tr("Encoder"),
                         tr("The encoders of the catalog with this device code")))
     , m_name(describe(new QPushButton(tr("Name it"), this), "nameIt",
-                      tr("Takes the device for this encoder from now on. Nothing is sent; what was known of "
+                      tr("Treats the device as this encoder from now on. Nothing is sent; what was known of "
                          "it is forgotten.")))
     , m_reading(new QLabel(this))
     , m_message(new InlineMessage(this))
@@ -101,11 +101,10 @@ void NamingBar::ask()
     if (!m_device)
         return;
     const QString place = m_device->number.toString();
-    m_question->setText(
-        m_device->deviceKey.isEmpty()
-            ? tr("Which encoder is %1? The bus tells its device code (%2) but not its make.")
-                  .arg(place, hexCode(m_device->deviceCode, 4))
-            : tr("%1 has been named. Choose \"make not known\" to take that back.").arg(place));
+    m_question->setText(m_device->deviceKey.isEmpty()
+                            ? tr("Which encoder is %1? The bus tells its device code (%2) but not its make.")
+                                  .arg(place, hexCode(m_device->deviceCode, 4))
+                            : tr("%1 has been named. Choose \"make not known\" to undo that.").arg(place));
 }
 
 void NamingBar::fillChoices()

@@ -24,8 +24,8 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     layout->addWidget(m_message);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
     describe(m_read, "readMissing", tr("Read what the dial needs"),
-             tr("Reads what the dial needs from the encoder. That sends words, and takes the position away "
-                "for some cycles."));
+             tr("Reads what the dial needs from the encoder. That sends words, and hides the position for "
+                "some cycles."));
     m_read->hide();
     connect(m_read, &QPushButton::clicked, this, [this] { read(m_missing); });
 }

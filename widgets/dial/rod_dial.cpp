@@ -47,7 +47,7 @@ RodDial::RodDial(QWidget *parent)
 {
     describe(m_readStatus, "readErrorStatus",
              tr("Reads why the error bit is set. That clears it, once the magnet is back."));
-    describe(m_tell, "tellRodLength", tr("Takes the length as set manually. Nothing is sent."));
+    describe(m_tell, "tellRodLength", tr("Sets the length manually. Nothing is sent."));
     auto *row = new QGridLayout(m_tellRow);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(grid::unit);
@@ -162,8 +162,7 @@ RodState RodDial::stateOf(const Reading &reading) const
         state.note = noteOfKnown();
         state.role = state.note.isEmpty() ? Role::running : Role::attention;
         if (state.note.isEmpty() && !magnetPlace(state))
-            state.note = tr("The position was set by a preset: where the magnet stands on the rod is not "
-                            "known.");
+            state.note = tr("The position was set by a preset: where the magnet is on the rod is not known.");
         return state;
     }
     const StateNote note = noteOfState(m_encoder->device(), reading);

@@ -46,7 +46,7 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     case EncoderState::parameterization:
         return {DialNote::tr("In parameterization: there is no position.")};
     case EncoderState::readOut:
-        return {DialNote::tr("A read-out value stands in IN: there is no position.")};
+        return {DialNote::tr("IN holds a read-out value: there is no position.")};
     case EncoderState::service:
         return {DialNote::tr("In service mode: there is no position.")};
     case EncoderState::error:

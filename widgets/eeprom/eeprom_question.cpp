@@ -48,7 +48,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
     gate->setMinimumWidth(textWidth);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
     QPushButton *write = buttons->addButton(Question::tr("&Write"), QDialogButtonBox::AcceptRole);
-    describe(write, "writeToEeprom", Question::tr("Starts what was asked for"));
+    describe(write, "writeToEeprom", Question::tr("Starts what you asked for"));
     write->setEnabled(gate->isOpen());
     layOutColumn(&dialog, {question, gate, buttons});
     QObject::connect(gate, &EepromGate::changed, write, [=] { write->setEnabled(gate->isOpen()); });

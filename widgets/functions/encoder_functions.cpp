@@ -31,15 +31,14 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     , m_isInPositionMode(new QAction(tr("It &is in position mode"), this))
     , m_position(new QAction(tr("P&osition mode"), this))
     , m_velocity(new QAction(this))
-    , m_frabaPreset(new QAction(lineIcon(Icon::preset), tr("FRABA &preset..."), this))
-    , m_reset(new QAction(tr("Reset to &factory settings..."), this))
+    , m_frabaPreset(new QAction(lineIcon(Icon::preset), tr("FRABA &preset…"), this))
+    , m_reset(new QAction(tr("Reset to &factory settings…"), this))
 {
     m_position->setCheckable(true);
     m_velocity->setCheckable(true);
-    describeAction(
-        *m_isInPositionMode, "isInPositionMode",
-        tr("Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. "
-           "Nothing is sent."));
+    describeAction(*m_isInPositionMode, "isInPositionMode",
+                   tr("Only if you are sure: in cam mode, the word that sets the position sets a cam. "
+                      "Nothing is sent."));
     describeAction(*m_position, "positionMode",
                    tr("The encoder sends its position; ends velocity and cam mode"),
                    Qt::CTRL | Qt::SHIFT | Qt::Key_M);

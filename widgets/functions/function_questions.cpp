@@ -40,7 +40,7 @@ QString whatIsLost(const EncoderSession &encoder)
     for (const ParameterDescription &parameter : encoder.device().parameters)
         if (parameter.canBeWritten())
             names << parameterName(parameter.parameter);
-    QString text = Functions::tr("Lost are: %1.").arg(names.join(QStringLiteral(", ")));
+    QString text = Functions::tr("This is lost: %1.").arg(names.join(QStringLiteral(", ")));
     if (encoder.can().cams)
         text += u' ' + Functions::tr("All cam programs are lost, too, and the encoder is in position mode "
                                      "afterwards.");
@@ -61,7 +61,7 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
             "It can also be put into position mode first: 20800000, then 20400000. Where it is in a "
             "cam program that was changed, that stores the program: one EEPROM write."));
     QPushButton *is = box.addButton(Functions::tr("It is in &position mode"), QMessageBox::AcceptRole);
-    is->setToolTip(Functions::tr("Goes on, as you have made sure of it"));
+    is->setToolTip(Functions::tr("Continues, since you have made sure"));
     QPushButton *put = box.addButton(Functions::tr("Put it into position &mode"), QMessageBox::AcceptRole);
     put->setToolTip(Functions::tr("Sends 20800000 and 20400000, then goes on"));
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));
@@ -100,14 +100,14 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
     const QString after =
         encoder.can().reads
             ? Functions::tr("Afterwards the encoder is read, to see what it has then.")
-            : Functions::tr("It cannot be read: afterwards it is taken to have the factory settings of its "
-                            "manual.");
+            : Functions::tr(
+                  "It cannot be read: afterwards it is assumed to have the factory settings of its manual.");
     return confirm(window, "manufacturer-functions.md#reset",
                    Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
                    {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)),
                     eepromCostText(encoder, 1), after},
                    Functions::tr("&Reset"),
-                   Functions::tr("Sends 0E000000, then run. This cannot be taken back."));
+                   Functions::tr("Sends 0E000000, then run. This cannot be undone."));
 }
 
 } // namespace codewheel

@@ -32,9 +32,9 @@ FindBar::FindBar(QWidget *parent)
 {
     m_text->setPlaceholderText(tr("Find in this page"));
     m_result->setObjectName(QStringLiteral("helpFindResult"));
-    auto *previous = makeFindButton(Icon::up, tr("Previous"), tr("The one before (Shift+F3)"));
+    auto *previous = makeFindButton(Icon::up, tr("Previous"), tr("The previous one (Shift+F3)"));
     auto *next = makeFindButton(Icon::down, tr("Next"), tr("The next one (F3)"));
-    auto *end = makeFindButton(Icon::cancel, tr("Close"), tr("Ends finding (Esc)"));
+    auto *end = makeFindButton(Icon::cancel, tr("Close"), tr("Ends the search (Esc)"));
     layOutRow(this, {{m_text, 1}, previous, next, m_result, Stretch{1}, end},
               {grid::unit, allAround(grid::unit)});
     connect(m_text, &QLineEdit::textChanged, this, &FindBar::changed);

@@ -63,7 +63,7 @@ QToolBar *HelpWindow::makeTools()
                 {Icon::back, tr("Back"), QKeySequence(Qt::ALT | Qt::Key_Left), tr("To the page before")});
     QAction *forward = addTool(*this, *bar,
                                {Icon::next, tr("Forward"), QKeySequence(Qt::ALT | Qt::Key_Right),
-                                tr("To the page that was left by Back")});
+                                tr("To the page you came back from")});
     QAction *first = addTool(*this, *bar,
                              {Icon::home, tr("First page"), QKeySequence(Qt::ALT | Qt::Key_Home),
                               tr("To the first page of the manual")});
@@ -89,7 +89,7 @@ QToolBar *HelpWindow::makeTools()
 void HelpWindow::makeFinding()
 {
     const auto onKey = [this](const QKeySequence &key, bool forward) {
-        auto *step = new QAction(forward ? tr("Next place") : tr("Place before"), this);
+        auto *step = new QAction(forward ? tr("Next match") : tr("Previous match"), this);
         step->setShortcut(key);
         addAction(step);
         connect(step, &QAction::triggered, this, [this, forward] { goToMark(forward); });

@@ -22,7 +22,7 @@ namespace codewheel {
 AccountView::AccountView(QWidget *parent)
     : QWidget(parent)
     , m_text(new QPlainTextEdit(this))
-    , m_save(new QPushButton(lineIcon(Icon::save), tr("&Save..."), this))
+    , m_save(new QPushButton(lineIcon(Icon::save), tr("&Save…"), this))
     , m_copy(new QPushButton(lineIcon(Icon::copy), tr("C&opy"), this))
     , m_message(new InlineMessage(this))
 {

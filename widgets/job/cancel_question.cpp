@@ -27,13 +27,14 @@ QString takenText(const EncoderSession &encoder, const CancelSituation &situatio
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    QStringList lines{CancelQuestion::tr("How should the encoder %1 be left?").arg(encoder.place().shown())};
+    QStringList lines{
+        CancelQuestion::tr("In which state should the encoder %1 be left?").arg(encoder.place().shown())};
     if (!situation.isActive || situation.tookCams || !situation.taken.empty())
         lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation));
     if (situation.canRestore)
-        lines += CancelQuestion::tr("Restore writes the values from before again and runs with them.");
+        lines += CancelQuestion::tr("Restore writes the earlier values again and runs with them.");
     else
-        lines += CancelQuestion::tr("The values from before are not all known, so they cannot be restored.");
+        lines += CancelQuestion::tr("The earlier values are not all known, so they cannot be restored.");
     if (situation.isActive)
         lines += CancelQuestion::tr("What it has taken is valid already.");
     else
@@ -80,12 +81,12 @@ CancelSituation situationOf(const EncoderSession &encoder, const Progress &progr
 CancelQuestion::CancelQuestion(QWidget *parent)
     : QWidget(parent)
     , m_text(wrappedLabel(this))
-    , m_restore(new QPushButton(tr("&Restore values from before"), this))
+    , m_restore(new QPushButton(tr("&Restore earlier values"), this))
     , m_run(new QPushButton(tr("R&un with what it has"), this))
     , m_leave(new QPushButton(tr("&Leave in parameterization"), this))
     , m_goOn(new QPushButton(tr("&Go on with the handshake"), this))
 {
-    m_restore->setToolTip(tr("Writes the values from before again"));
+    m_restore->setToolTip(tr("Writes the earlier values again"));
     m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid"));
     m_leave->setToolTip(tr("OUT goes back to 0, and the encoder keeps the state it is in"));
     m_goOn->setToolTip(tr("The job goes on"));

@@ -32,9 +32,9 @@ JobStrip::JobStrip(JobRound *round, QWidget *parent)
           describe(new QProgressBar(this), tr("Encoders done"), tr("Encoders done, of all that were chosen")))
     , m_bar(describe(new QProgressBar(this), tr("Progress of the job"), tr("Steps of the running job")))
     , m_button(describe(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this), "cancelJob",
-                        round ? tr("Ends the job, after asking how to leave the encoder; the others are not "
-                                   "begun")
-                              : tr("Ends the job; asks how to leave the encoder")))
+                        round ? tr("Ends the job, after asking in which state to leave the encoder; the "
+                                   "others are not started")
+                              : tr("Ends the job; asks in which state to leave the encoder")))
     , m_question(round ? nullptr : new CancelQuestion(this))
     , m_cancel(new JobCancel(this, m_question))
 {
@@ -118,7 +118,7 @@ QStringList JobStrip::roundTexts() const
     const RoundProgress at = m_round->progress();
     QStringList texts{tr("Encoder %1 of %2: %3.").arg(at.encoder + 1).arg(at.encoders).arg(at.place.shown())};
     if (m_round->beginsNoOther() && at.encoder + 1 < at.encoders)
-        texts << tr("No other is begun.");
+        texts << tr("No other is started.");
     return texts;
 }
 

@@ -93,9 +93,8 @@ QString restoredText(const std::optional<Evidence> &restored)
     if (!restored)
         return {};
     return restored == Evidence::read
-               ? KnownText::tr("It has the values from before again: they were read back, and are equal.")
-               : KnownText::tr(
-                     "It has confirmed the values from before and runs with them; it cannot be read.");
+               ? KnownText::tr("It has its earlier values again: they were read back and match.")
+               : KnownText::tr("It has confirmed its earlier values and runs with them; it cannot be read.");
 }
 
 QString modeName(std::optional<Mode> mode)

@@ -41,7 +41,7 @@ QString latencyText(LowLatency latency)
     case LowLatency::notApplicable:
         break;
     }
-    return LinePanel::tr("no adapter to be asked");
+    return LinePanel::tr("no adapter to ask");
 }
 
 } // namespace
@@ -65,7 +65,7 @@ LinePanel::LinePanel(QWidget *parent)
     m_latency = addLine(*form, tr("Low latency"),
                         tr("Whether the adapter hands over bytes at once. Where it does not, time-outs are "
                            "longer, and positions come more slowly"));
-    m_polling = addLine(*form, tr("Polling"), tr("Whether the encoders are asked by turns"));
+    m_polling = addLine(*form, tr("Polling"), tr("Whether the encoders are asked in turn"));
     m_mode = addLine(*form, tr("Writing"), tr("In Watch only reads are sent"));
     column->addLayout(form);
     makeTable();

@@ -159,9 +159,9 @@ void LineRecordView::replay()
     m_steps->setSteps(steps);
     m_stepTable->setVisible(!steps.empty());
     if (steps.empty()) {
-        m_message->showMessage(
-            Role::attention, tr("This session holds no request to send, except automatic ones: clear \"Hide "
-                                "automatic requests\" to send those again."));
+        m_message->showMessage(Role::attention,
+                               tr("This session contains no request to send, except automatic ones: clear "
+                                  "\"Hide automatic requests\" to send those again."));
         return;
     }
     const auto count = static_cast<int>(std::ranges::count_if(steps, writes));

@@ -96,7 +96,8 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     makeEncoder(*form);
     column->addLayout(form);
     column->addWidget(m_problem);
-    m_connect->setToolTip(tr("Opens the line, and asks positions from then on. Nothing is written (Alt+C)"));
+    m_connect->setToolTip(
+        tr("Opens the line, and asks for positions from then on. Nothing is written (Alt+C)"));
     m_connect->setAutoDefault(false);
     m_keep->setToolTip(tr("Plans port and settings in the project. Nothing is opened (Alt+K)"));
     m_keep->setAutoDefault(false);
@@ -135,7 +136,7 @@ QString LineSettingsForm::effect() const
 void LineSettingsForm::setConnecting(bool on)
 {
     m_connect->setEnabled(!on);
-    m_connect->setText(on ? tr("Connecting ...") : tr("&Connect"));
+    m_connect->setText(on ? tr("Connecting…") : tr("&Connect"));
 }
 
 void LineSettingsForm::setCanKeep(bool can)

@@ -267,8 +267,8 @@ void LineTerminal::askOpen()
 
 void LineTerminal::askExport()
 {
-    const QString path =
-        askSaveFile(this, tr("Export the rows"), tr("line.txt", "name of a file"), {tr("Texts (*.txt)")});
+    const QString path = askSaveFile(this, tr("Export the rows"), tr("line.txt", "name of a file"),
+                                     {tr("Text files (*.txt)")});
     if (!path.isEmpty())
         exportText(path);
 }

@@ -26,7 +26,7 @@ LineTerminal::LineTerminal(QWidget *parent)
     : QWidget(parent)
     , m_rows(new TrafficModel(lineTrafficColumns, static_cast<int>(LineRecord::mostRows), this))
     , m_pages(new QStackedWidget(this))
-    , m_table(new LineRowTable(*m_rows, tr("What passed on the line"), this))
+    , m_table(new LineRowTable(*m_rows, tr("Traffic on the line"), this))
     , m_record(new LineRecordView(this))
     , m_goTo(new GoToPlace(this))
     , m_counts(new MeaningLine(this, Qt::AlignRight))
@@ -69,11 +69,10 @@ QWidget *LineTerminal::makePage()
     rows->addWidget(tools);
     m_content = new QStackedWidget(page);
     m_content->addWidget(m_table);
-    m_content->addWidget(
-        new EmptyState(Icon::trace, tr("Nothing has passed on the line yet"),
-                       tr("What is sent and answered on a serial line stands here. Connect one, "
-                          "or open a saved session."),
-                       page));
+    m_content->addWidget(new EmptyState(
+        Icon::trace, tr("Nothing has passed on the line yet"),
+        tr("What is sent and answered on a serial line is shown here. Connect one, or open a saved session."),
+        page));
     m_content->setMinimumHeight(2 * grid::largeIcon);
     rows->addWidget(m_content, 1);
     auto *options = new QHBoxLayout;
@@ -94,14 +93,14 @@ void LineTerminal::makeTools(QToolBar &bar)
     m_follow = make(
         {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
     m_hold = make({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
-                   tr("Hold the table; rows that come are kept and shown afterwards")});
+                   tr("Hold the table; new rows are kept and shown afterwards")});
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     m_hold->setCheckable(true);
     QAction *copying = make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
                              tr("Copy the selected rows, or all shown, with tabs between the columns")});
     m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
-                   tr("Keep all rows in a file, to be looked at and sent again")});
+                   tr("Save all rows in a file, to look at and send again")});
     const QAction *opening = make({Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
                                    tr("Look at a saved session, and send it again")});
     QAction *exporting = make({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),

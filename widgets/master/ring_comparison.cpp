@@ -31,7 +31,7 @@ RingComparison::RingComparison(ProjectDocument &document, RingSession &bus, QWid
     , m_document(document)
     , m_ring(bus)
     , m_readIn(describe(new QPushButton(lineIcon(Icon::read), tr("&Read in the ring"), this), "readIn",
-                        tr("The master finds the devices of the ring anew; data cycles stop meanwhile")))
+                        tr("The master finds the devices of the ring again; data cycles stop meanwhile")))
     , m_lineIntoMaster(describe(new QPushButton(tr("Chosen lines into the &master"), this), "linesIntoMaster",
                                 tr("Downloads the connected ring with the chosen lines as they are planned; "
                                    "the master keeps it")))

@@ -46,7 +46,7 @@ RingPlanFields::RingPlanFields(ProjectDocument &document, BusId ring, QWidget *p
     , m_first(describe(new IntegerField(this), "firstAddress", tr("First address"),
                        tr("Where the automatic addresses begin, in bytes")))
     , m_step5(describe(new QCheckBox(tr("Step &5"), this), "step5",
-                       tr("With a Step 5 PLC encoders must stand above P127: checks that")))
+                       tr("With a Step 5 PLC, encoders must be above P127: this is checked")))
     , m_counts(new QLabel(this))
     , m_times(describe(new QLabel(this), "planTimes",
                        tr("About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 "

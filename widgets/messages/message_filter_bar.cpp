@@ -108,7 +108,7 @@ void MessageFilterBar::makeChoices()
     m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
     m_period->addItem(tr("Today"), QVariant::fromValue(Period::today));
     m_period->addItem(tr("Last 7 days"), QVariant::fromValue(Period::lastWeek));
-    m_period->addItem(tr("From ... to ..."), QVariant::fromValue(Period::between));
+    m_period->addItem(tr("From … to …"), QVariant::fromValue(Period::between));
     for (QComboBox *choice : {m_severity, m_place, m_period}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(shortChoice);

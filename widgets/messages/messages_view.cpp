@@ -107,8 +107,8 @@ QAction *MessagesView::addCommand(QToolBar &bar, const QIcon &icon, const QStrin
 
 void MessagesView::makeCommands(QToolBar &bar)
 {
-    m_follow = addCommand(bar, lineIcon(Icon::down), tr("Follow"),
-                          tr("Keep the newest message in sight (Ctrl+End)"));
+    m_follow =
+        addCommand(bar, lineIcon(Icon::down), tr("Follow"), tr("Keep the newest message in view (Ctrl+End)"));
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     m_table->setFollow(*m_follow);
@@ -204,7 +204,7 @@ void MessagesView::updateContent()
         else if (m_messages.searched())
             m_empty->setTexts(tr("No message found so far"), tr("The search goes on."));
         else
-            m_empty->setTexts(tr("No message fits the filter"), tr("Change it, or show all messages."));
+            m_empty->setTexts(tr("No message matches the filter"), tr("Change it, or show all messages."));
         m_empty->setAction(none ? QString() : tr("Show all"));
     }
     showSearch();

@@ -20,7 +20,7 @@ CopyMenu::CopyMenu(QWidget *view)
     add(tr("&PLC: 16#0200_00FF"), WordNotation::plc);
     add(tr("PLC, two &words: 16#0200 16#00FF"), WordNotation::plcWords);
     add(tr("&Decimal: 33554687"), WordNotation::decimal);
-    add(tr("&Binary: 2#0000_0010_..."), WordNotation::binary);
+    add(tr("&Binary: 2#0000_0010_…"), WordNotation::binary);
 }
 
 void CopyMenu::setOffered(bool offered)

@@ -138,7 +138,7 @@ QHBoxLayout *WordCard::makeTitle()
     m_pin->setCheckable(true);
     connect(m_pin, &QToolButton::clicked, this, &WordCard::pinToggled);
 
-    QToolButton *show = describe(titleButton(this), tr("Show of %1", "Show of 1.0").arg(m_shownPlace),
+    QToolButton *show = describe(titleButton(this), tr("Display of %1", "Show of 1.0").arg(m_shownPlace),
                                  tr("Choose what all monitors show"));
     show->setText(tr("Show"));
     show->setMenu(m_menu);

@@ -20,9 +20,9 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
     , m_atOnce(new QCheckBox(tr("At once"), parent))
 {
     describe(m_write, tr("Write %1", "Write OUT 1.0").arg(place),
-             tr("Send this word to the encoder; it stands there until another is sent (Ctrl+Return)"));
+             tr("Send this word to the encoder; it stays there until another is sent (Ctrl+Return)"));
     describe(m_discard, tr("Discard %1", "Discard OUT 1.0").arg(place),
-             tr("Back to the word that stands on the bus (Esc)"));
+             tr("Back to the word on the bus (Esc)"));
     describe(m_atOnce, tr("Send %1 at once", "Send OUT 1.0 at once").arg(place),
              tr("Send each change as it is made. Words with a parameter number or a command bit still ask."));
     layOutRow(this, {m_write, m_discard}, {grid::unit, QMargins()});

@@ -196,11 +196,11 @@ QVariant ParameterModel::headCell(const ParameterRow &row, int column, int role)
     case Qt::AccessibleTextRole:
         if (column != nameColumn || isReadOnly)
             return column == nameColumn ? name : QString();
-        return isOpen ? tr("%1, open").arg(name) : tr("%1, folded away").arg(name);
+        return isOpen ? tr("%1, open").arg(name) : tr("%1, closed").arg(name);
     case Qt::ToolTipRole:
         if (isReadOnly)
             return tr("What the encoder reports and nobody can write");
-        return isOpen ? tr("Click, or Enter: folds the registers away")
+        return isOpen ? tr("Click, or Enter: hides the registers")
                       : tr("Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, "
                            "Read from encoder reads them, too.");
     case Qt::FontRole:

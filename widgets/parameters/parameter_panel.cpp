@@ -89,8 +89,8 @@ QWidget *ParameterPanel::makeButtons()
 {
     auto *buttons = new QWidget(this);
     m_read = new QPushButton(lineIcon(Icon::read), tr("&Read from encoder"), buttons);
-    m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
-    m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
+    m_write = new QPushButton(lineIcon(Icon::write), tr("&Write…"), buttons);
+    m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard…"), buttons);
     m_more = describe(new QToolButton(buttons), tr("More for the parameters"),
                       tr("Take over, clear or set values manually; modes, preset and reset"));
     m_more->setText(tr("&More"));
@@ -110,12 +110,12 @@ QWidget *ParameterPanel::makeButtons()
 void ParameterPanel::makeMenu()
 {
     auto *menu = named(new QMenu(m_more), "moreMenu");
-    m_tellValue = menu->addAction(tr("Set &manually what the encoder has..."));
+    m_tellValue = menu->addAction(tr("Set &manually what the encoder has…"));
     menu->addSeparator();
     m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
     m_leaveAll = menu->addAction(tr("&Leave all unchanged"));
     menu->addSeparator();
-    m_setPosition = menu->addAction(tr("&Set the position..."));
+    m_setPosition = menu->addAction(tr("&Set the position…"));
     menu->addActions(m_functions->actions());
     menu->addSeparator();
     m_copyAs = new CopyMenu(m_table);
@@ -236,7 +236,7 @@ void ParameterPanel::showWhatIsPossible()
         : !can.reads
             ? tr("The %1 has no read-out. Only what was written from here, or set manually, is known.")
                   .arg(m_encoder.device().fullName())
-        : can.readingHidesPosition ? tr("Reading takes the position away for some cycles.")
+        : can.readingHidesPosition ? tr("Reading hides the position for some cycles.")
                                    : QString();
     m_note->setText(note);
     m_note->setVisible(!note.isEmpty());
@@ -349,20 +349,19 @@ void ParameterPanel::askWhatItHas()
         return;
     const Parameter parameter = currentParameter();
     const auto known = m_encoder.known(parameter);
-    m_bar->ask(
-        {.parameter = *m_encoder.device().find(parameter),
-         .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
-         .ifEmpty = tr("unknown"),
-         .button = tr("&Set manually"),
-         .toolTip = tr("Takes the value as set manually; nothing is sent. An empty field takes it back."),
-         .mayBeEmpty = true,
-         .answered =
-             [this, parameter](std::optional<std::int64_t> value) {
-                 if (session())
-                     session()->tell(parameter, value);
-                 m_table->setFocus();
-             }},
-        known ? std::optional(known->value) : std::nullopt);
+    m_bar->ask({.parameter = *m_encoder.device().find(parameter),
+                .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
+                .ifEmpty = tr("unknown"),
+                .button = tr("&Set manually"),
+                .toolTip = tr("Sets the value manually; nothing is sent. An empty field clears it."),
+                .mayBeEmpty = true,
+                .answered =
+                    [this, parameter](std::optional<std::int64_t> value) {
+                        if (session())
+                            session()->tell(parameter, value);
+                        m_table->setFocus();
+                    }},
+               known ? std::optional(known->value) : std::nullopt);
 }
 
 // For encoders whose command carries the value with it.

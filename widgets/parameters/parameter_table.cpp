@@ -99,7 +99,7 @@ QList<KeyHelp> ParameterTable::keys()
     return {{keyNames({Qt::Key_Return, Qt::Key_F2}), tr("Edits the wanted value; so does typing")},
             {keyNames({Qt::Key_Tab, Qt::SHIFT | Qt::Key_Tab}),
              tr("While editing: the next wanted value, or the one before")},
-            {keyNames({Qt::Key_Delete}), tr("Leaves the selected parameters alone")},
+            {keyNames({Qt::Key_Delete}), tr("Leaves the selected parameters unchanged")},
             {keyNames({Qt::Key_Return, Qt::Key_Space}), tr("Opens or closes a heading")}};
 }
 

@@ -21,7 +21,7 @@ ValueBar::ValueBar(QWidget *parent)
     , m_wrong(wrappedLabel(this))
 {
     m_take->hide(); // until it is known what it does
-    m_cancel->setToolTip(tr("Leaves everything as it is (Esc)"));
+    m_cancel->setToolTip(tr("Leaves everything unchanged (Esc)"));
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, grid::unit, 0, 0);
     layout->addWidget(m_name, 0, 0, 1, 3);

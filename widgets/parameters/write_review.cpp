@@ -35,7 +35,7 @@ ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
             .tips = {{},
                      howKnown(row.known, encoder),
                      {},
-                     row.step->line.isEmpty() ? WriteReview::tr("The word that will stand in OUT")
+                     row.step->line.isEmpty() ? WriteReview::tr("The word that will be in OUT")
                                               : WriteReview::tr("What will be sent, between ESC and CR LF")}};
 }
 

@@ -71,11 +71,11 @@ QString BusModel::complaint(const QModelIndex &index, const QString &text) const
     if (wanted == rowAt(index.row()).name)
         return {};
     if (wanted.isEmpty())
-        return tr("A bus has a name: type one. Esc gives the name before.");
+        return tr("A bus needs a name: type one. Esc gives back the previous name.");
     if (wanted.contains(u'/'))
-        return tr("The name of a bus has no \"/\", which stands between it and the place of a device.");
+        return tr("The name of a bus has no \"/\", which separates it from the place of a device.");
     if (std::ranges::find(rows(), wanted, &BusRow::name) != rows().end())
-        return tr("Another bus is called \"%1\": each name stands once in a project.").arg(wanted);
+        return tr("Another bus is called \"%1\": a name can be used only once in a project.").arg(wanted);
     return {};
 }
 

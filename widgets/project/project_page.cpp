@@ -23,10 +23,10 @@ ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     : Page(parent)
     , m_document(document)
     , m_title(describe(new TextField(this), "projectTitle", tr("Title of the project"),
-                       tr("Stands at the head of the commissioning report")))
+                       tr("The heading of the commissioning report")))
     , m_buses(new BusList(document, this))
     , m_note(describe(new NoteField(this), "projectNote", tr("Note on the project"),
-                      tr("What whoever opens the project next should know")))
+                      tr("What the next person to open the project should know")))
     , m_file(wrappedLabel(this, "projectFile"))
 {
     makeFields();
@@ -51,14 +51,14 @@ ProjectPage::~ProjectPage()
 
 QString ProjectPage::effect() const
 {
-    return tr("Edits what the project says of itself, and its list of buses. Nothing is sent here.");
+    return tr("Edits title and note of the project, and its list of buses. Nothing is sent here.");
 }
 
 void ProjectPage::makeFields()
 {
     m_title->setPlaceholderText(tr("Crane 1"));
     m_title->setMaximumWidth(widestTitle);
-    m_note->setPlaceholderText(tr("What whoever opens the project next should know"));
+    m_note->setPlaceholderText(tr("What the next person to open the project should know"));
     m_file->setTextFormat(Qt::PlainText);
     m_file->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setFocusProxy(m_title);

@@ -43,12 +43,13 @@ SequenceView::SequenceView(QWidget *parent)
     , m_empty(new EmptyState(Icon::sequence, {}, {}, this))
     , m_tools(new QToolBar(this))
     , m_table(new QTableView(this))
-    , m_hold(describe(new IntegerField(this), tr("Cycles for words that nothing acknowledges"),
-                      tr("How long a word stands that nothing acknowledges; others stand until they are")))
+    , m_hold(describe(
+          new IntegerField(this), tr("Cycles for words that nothing acknowledges"),
+          tr("How long a word stays that nothing acknowledges; others stay until they are acknowledged")))
     , m_summary(new QLabel(this))
     , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
     , m_stop(describe(new QPushButton(lineIcon(Icon::stop), tr("S&top"), this), tr("Stop the sequence"),
-                      tr("End the sequence, and choose what becomes of the encoder")))
+                      tr("End the sequence, and choose in which state the encoder is left")))
     , m_message(new InlineMessage(this))
 {
     makeTable();
@@ -144,7 +145,7 @@ void SequenceView::makeTools()
               tr("Read a sequence from a file")},
              &SequenceView::askLoad);
     makeTool({Icon::exportData, tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_E),
-              tr("Keep this sequence in a file")},
+              tr("Save this sequence in a file")},
              &SequenceView::askSave);
 }
 
@@ -159,7 +160,7 @@ void SequenceView::makeSending()
     auto *menu = new QMenu(m_stop);
     menu->addAction(tr("&Run: end the parameterization with what the encoder has taken"), this,
                     [this] { stop(OnCancel::runWithWhatItHas); });
-    menu->addAction(tr("&Leave the encoder as it is, OUT back to 0"), this,
+    menu->addAction(tr("&Leave the encoder unchanged, OUT back to 0"), this,
                     [this] { stop(OnCancel::leaveAsIs); });
     m_stop->setMenu(menu);
     connect(m_hold, &QSpinBox::valueChanged, this, &SequenceView::listChanged);

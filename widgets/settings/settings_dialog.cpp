@@ -108,22 +108,22 @@ QSpinBox *SettingsDialog::addNumber(QFormLayout &form, const QString &label, con
 
 void SettingsDialog::makeLook()
 {
-    QFormLayout &form = *addPage(tr("Language and look"));
+    QFormLayout &form = *addPage(tr("Language and appearance"));
     m_language =
-        addChoice(form, tr("&Language"), tr("Of all texts. The window is made anew; the buses go on."));
+        addChoice(form, tr("&Language"), tr("Of all texts. The window is rebuilt; the buses keep running."));
     m_language->setObjectName(QStringLiteral("settingsLanguage"));
-    m_language->addItem(tr("As the system"), QString());
+    m_language->addItem(tr("Same as the system"), QString());
     m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
     m_language->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
     m_decimalSign = addChoice(form, tr("&Numbers"),
                               tr("The sign before decimals. Typed numbers are understood with either."));
     m_decimalSign->setObjectName(QStringLiteral("settingsNumbers"));
-    m_decimalSign->addItem(tr("As the language writes them"), static_cast<int>(DecimalSign::ofLanguage));
+    m_decimalSign->addItem(tr("As usual in the language"), static_cast<int>(DecimalSign::ofLanguage));
     m_decimalSign->addItem(tr("Decimal point: 0.25"), static_cast<int>(DecimalSign::point));
     m_decimalSign->addItem(tr("Decimal comma: 0,25"), static_cast<int>(DecimalSign::comma));
     m_scheme = addChoice(form, tr("&Theme"), tr("Light or dark, or as the desktop is."));
     m_scheme->setObjectName(QStringLiteral("settingsTheme"));
-    m_scheme->addItem(tr("As the system"), static_cast<int>(Scheme::system));
+    m_scheme->addItem(tr("Same as the system"), static_cast<int>(Scheme::system));
     m_scheme->addItem(tr("Light"), static_cast<int>(Scheme::light));
     m_scheme->addItem(tr("Dark"), static_cast<int>(Scheme::dark));
     m_largeControls = addSwitch(form, "settingsLargeControls", tr("Large &controls"),
@@ -141,12 +141,11 @@ void SettingsDialog::makeLook()
 void SettingsDialog::makeWarnings()
 {
     QFormLayout &form = *addPage(tr("EEPROM"));
-    m_eeprom =
-        addNumber(form, tr("&Ask from"), tr(" %", "percent of the writes the manual speaks of"),
-                  tr("From this share of the writes of which the manual of an encoder speaks, each write "
-                     "has to be confirmed. It can only be earlier than the usual 75 %. Beyond what the "
-                     "manual guarantees, the place always has to be typed."),
-                  eepromQuestionRange);
+    m_eeprom = addNumber(form, tr("&Ask from"), tr(" %", "percent of the writes the manual speaks of"),
+                         tr("From this share of the writes stated in an encoder's manual, each write has to "
+                            "be confirmed. It cannot be above the usual 75 %. Beyond what the manual "
+                            "guarantees, the place always has to be typed."),
+                         eepromQuestionRange);
     m_eeprom->setObjectName(QStringLiteral("settingsEeprom"));
 }
 
@@ -155,14 +154,15 @@ void SettingsDialog::makeKept(const std::vector<KeptFolder> &folders)
     QFormLayout &form = *addPage(tr("Files"));
     m_messageFile =
         addNumber(form, tr("&Messages, at most"), tr(" MB", "megabytes"),
-                  tr("Beyond it the oldest messages are dropped. Acts at the next start."), messageFileRange);
+                  tr("Beyond this, the oldest messages are dropped. Takes effect at the next start."),
+                  messageFileRange);
     m_traceRows = addNumber(form, tr("&Handshake trace, at most"), tr(" rows", "of a table"),
-                            tr("Kept of one encoder while the program runs; the oldest go."), traceRowsRange);
-    m_keeping =
-        addNumber(form, tr("&Unsaved changes, every"), tr(" s", "seconds"),
-                  tr("So often what is not saved is kept for after a crash. It is offered at the next "
-                     "start until it is recovered or discarded."),
-                  keepingRange);
+                            tr("Kept for each encoder while the program runs; the oldest are dropped."),
+                            traceRowsRange);
+    m_keeping = addNumber(form, tr("&Unsaved changes, every"), tr(" s", "seconds"),
+                          tr("How often unsaved changes are kept in case of a crash. They are offered at the "
+                             "next start until they are recovered or discarded."),
+                          keepingRange);
     m_messageFile->setObjectName(QStringLiteral("settingsMessageFile"));
     m_traceRows->setObjectName(QStringLiteral("settingsTraceRows"));
     m_keeping->setObjectName(QStringLiteral("settingsKeeping"));
@@ -180,7 +180,7 @@ void SettingsDialog::makeButtons()
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Keeps what is set"));
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Restores what was set before (Esc)"));
     buttons->button(QDialogButtonBox::RestoreDefaults)
-        ->setToolTip(tr("Sets everything as it is after the installation; Cancel takes that back"));
+        ->setToolTip(tr("Sets everything as it is after installation; Cancel undoes that"));
     layout()->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);

@@ -44,12 +44,12 @@ StartPage::StartPage(QWidget *parent)
     , connectBus(entry(*this, Icon::ring, tr("Connect"),
                        tr("Looks at the encoders of a bus. Nothing is written."), Qt::Key_2))
     , open(entry(*this, Icon::open, tr("Open a project"),
-                 tr("The planned encoders, with the values they shall have."), Qt::Key_3))
+                 tr("The planned encoders, with the values they should have."), Qt::Key_3))
     , recent(entry(*this, Icon::down, tr("Recent projects"), tr("Goes to the projects that were open last"),
                    Qt::Key_4))
     , replace(
           entry(*this, Icon::encoder, tr("Replace an encoder"),
-                tr("Gives a new encoder the values and the position of the one before, from the project."),
+                tr("Gives a new encoder the values and the position of the previous one, from the project."),
                 Qt::Key_5))
     , m_content(new QWidget(this))
     , m_heading(wrappedLabel(m_content, "startHeading"))

@@ -36,7 +36,7 @@ TreeFilter::TreeFilter(QTreeView &tree, QWidget *parent)
     , m_tree(tree)
 {
     describe(this, "structureFilter", tr("Filter devices"),
-             tr("Shows the devices whose station, place, make or state has these words; Esc shows all"));
+             tr("Shows the devices whose station, place, make or state contains these words; Esc shows all"));
     setPlaceholderText(tr("Filter devices"));
     addAction(lineIcon(Icon::search), QLineEdit::LeadingPosition);
     setClearButtonEnabled(true);

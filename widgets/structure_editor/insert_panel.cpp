@@ -53,7 +53,7 @@ InsertPanel::InsertPanel(const PlanEdits &edits, QWidget *parent)
     , m_codesLabel(new QLabel(tr("I&D code"), this))
     , m_reading(new QLabel(this))
     , m_where(describe(new QComboBox(this), "insertPlace", tr("Place"),
-                       tr("Where the device is inserted, seen from the chosen one")))
+                       tr("Where the device is inserted, relative to the chosen one")))
     , m_insert(describe(new QPushButton(tr("&Insert device"), this), "insertDevice",
                         tr("Inserts the device at this place")))
     , m_change(describe(new QPushButton(tr("Chan&ge to it"), this), "changeDevice",

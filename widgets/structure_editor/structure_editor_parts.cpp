@@ -48,8 +48,8 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
                      tr("The bus that is planned here; choosing a device elsewhere chooses its bus, too")))
     , m_tools(new QToolBar(this))
     , m_search(describe(new QLineEdit(this), "structureSearch", tr("Search the structure"),
-                        tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the "
-                           "one before (Ctrl+F)")))
+                        tr("Goes to the devices with this text; Enter and Shift+Enter to the next and the "
+                           "previous one (Ctrl+F)")))
     , m_found(new QLabel(this))
     , m_tree(new QTreeView(this))
     , m_empty(new EmptyState(Icon::ring, tr("No devices are planned."),
@@ -89,9 +89,8 @@ void StructureEditor::move()
 void StructureEditor::makeTools()
 {
     m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
-    addTool(
-        {Icon::add, tr("Insert..."), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code")},
-        &StructureEditor::openInsertPanel);
+    addTool({Icon::add, tr("Insert…"), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code")},
+            &StructureEditor::openInsertPanel);
     static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_deviceActions = {addTool({Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,

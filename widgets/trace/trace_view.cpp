@@ -79,7 +79,7 @@ void TraceView::makeTools()
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
-                       tr("Hold the table; rows that come are kept and shown afterwards")});
+                       tr("Hold the table; new rows are kept and shown afterwards")});
     m_hold->setCheckable(true);
     QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
                                  tr("Copy the selected rows, or all, with tabs between the columns")});
@@ -178,7 +178,7 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place>
     const bool onLine = encoder && !encoder->device().hasWords();
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
-                          tr("It has no words. What passes on its line stands in the terminal."));
+                          tr("It has no words. The traffic of its line is in the terminal."));
     else if (offline)
         m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
                           tr("What passes is shown once its bus is connected."));

@@ -20,7 +20,7 @@ namespace codewheel {
 FaultPlanBar::FaultPlanBar(TrainingControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
-    , m_load(addButton(tr("Fault plan..."), tr("Loads a file of faults with their times and places")))
+    , m_load(addButton(tr("Fault plan…"), tr("Loads a file of faults with their times and places")))
     , m_start(addButton(tr("Run"), tr("Carries out the fault plan from its beginning")))
     , m_stop(addButton(tr("Halt"), tr("Ends the fault plan; what it has caused stays")))
     , m_next(new QLabel(this))

@@ -37,7 +37,7 @@ RingFaults::RingFaults(TrainingControls &controls, QWidget *parent)
               tr("The cable before the device: the bus fails, and the master finds the place"));
     addBoxFor(column, TrainingFault::noSupply, tr("The whole device: the ring is interrupted at it"));
     addBoxFor(column, TrainingFault::wrongDevice,
-              tr("A K2 stands there in place of what is configured: the bus fails"));
+              tr("A K2 is there instead of what is configured: the bus fails"));
     addBoxFor(column, TrainingFault::peripheralFault,
               tr("The device reports it. The bus goes on; the fault stays until it is confirmed."));
     addBoxFor(column, TrainingFault::camOutOfRange, tr("IN 98000004, by itself"));

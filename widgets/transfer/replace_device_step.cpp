@@ -26,7 +26,7 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     , m_key(describe(new QLineEdit(this), "replaceKey", tr("Key on the label of the new encoder"),
                      tr("Type the key on the label. Spaces, dots and dashes do not matter.")))
     , m_choice(describe(new QComboBox(this), "replaceChoice", tr("New encoder"),
-                        tr("The encoders of the catalog that can stand at this place")))
+                        tr("The encoders of the catalog that fit this place")))
     , m_serial(describe(
           new QLineEdit(this), "replaceSerial", tr("Serial number of the new encoder"),
           tr("From its label; EEPROM writes are counted by it where the encoder does not report one")))
@@ -137,7 +137,7 @@ void ReplaceDeviceStep::showDifferences()
     const auto differences =
         differencesOf(before, m_replacing.catalog.find(before.participant.deviceKey), now);
     m_differences->setText(differences.areNone()
-                               ? tr("It fits: as far as the project shows, it is like the one before.")
+                               ? tr("It fits: as far as the project shows, it is like the previous one.")
                                : transfer_words::differences(differences, now).join(u'\n'));
 }
 

@@ -22,19 +22,19 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                                          QWidget *parent)
     : ReplaceStep(replacing, tr("Position"), parent)
     , m_positions(positions)
-    , m_last(describe(new WrappedRadioButton(tr("&Position of the encoder before"), this), "positionLast",
-                      tr("The position the encoder before showed last")))
+    , m_last(describe(new WrappedRadioButton(tr("&Position of the previous encoder"), this), "positionLast",
+                      tr("The last position of the previous encoder")))
     , m_kept(describe(new WrappedRadioButton(tr("Position kept in the pro&ject"), this), "positionKept",
-                      tr("The position the encoder before showed last when the project was saved")))
+                      tr("The last position of the previous encoder when the project was saved")))
     , m_typed(describe(new QRadioButton(tr("&Set the position to"), this), "positionTyped",
-                       tr("From a note, or from what the machine stands at")))
+                       tr("From your notes, or from where the machine stands")))
     , m_none(describe(new WrappedRadioButton(tr("&Leave the position as the new encoder shows it"), this),
                       "positionNone", tr("Nothing is set: the machine has to be referenced another way")))
     , m_value(describe(new TextField(this), "positionValue", tr("Position in steps"),
                        tr("Position in steps, decimal or hexadecimal (0x.. or ..h)")))
-    , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the encoder before "
-                           "is not written: setting the position makes a new one. A preset that the project "
-                           "wants is written last, and does not act by itself."),
+    , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the previous "
+                           "encoder is not written: setting the position makes a new one. A preset that the "
+                           "project wants is written last, and does not act by itself."),
                         this))
     , m_message(new InlineMessage(this))
 {
@@ -77,7 +77,7 @@ void ReplacePositionStep::showOffers()
                             : tr("&Position %1, shown at %2; not away since").arg(position, time));
         m_last->setToolTip(m_seen->beforeItWent
                                ? tr("The position that was seen last, and when")
-                               : tr("The encoder has not been away since: it may still be the one before"));
+                               : tr("The encoder has not been away since: it may still be the previous one"));
     }
     if (kept)
         m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
@@ -101,9 +101,10 @@ void ReplacePositionStep::takeTyped()
         m_replacing.position = *position;
     else
         m_message->showMessage(
-            Role::attention, position || text.isEmpty()
-                                 ? tr("Give the position as a whole number, 0 or more, or leave it as it is.")
-                                 : position.error());
+            Role::attention,
+            position || text.isEmpty()
+                ? tr("Give the position as a whole number, 0 or more, or leave it unchanged.")
+                : position.error());
 }
 
 bool ReplacePositionStep::leave()

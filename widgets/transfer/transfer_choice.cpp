@@ -42,7 +42,7 @@ TransferChoice::TransferChoice(const Buses &buses, FindValuesBefore findBefore, 
                       tr("What is transferred. Nothing is sent by choosing.")))
     , m_from(describe(new QComboBox(this), "cloneFrom", tr("Encoder whose values the others get"),
                       tr("The encoder whose values the others get, as far as they are known")))
-    , m_before(describe(new QComboBox(this), "valuesBefore", tr("Values from before"),
+    , m_before(describe(new QComboBox(this), "valuesBefore", tr("Earlier values"),
                         tr("What the encoder had before this program wrote to it")))
     , m_cams(describe(new QCheckBox(tr("Cam &programs too"), this), "withCams",
                       tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
@@ -51,8 +51,8 @@ TransferChoice::TransferChoice(const Buses &buses, FindValuesBefore findBefore, 
     // In the order of `What`.
     m_what->addItems({tr("Write what the project wants"), tr("Write what the project has stored"),
                       tr("Store in the project what encoders have"),
-                      tr("Give the values of one encoder to others"), tr("Restore values from before")});
-    for (QComboBox *box : {m_what, m_from, m_before}) { // they shrink in a narrow window
+                      tr("Give the values of one encoder to others"), tr("Restore earlier values")});
+    for (QComboBox *box : {m_what, m_from, m_before}) { // they give way in a narrow window
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(shortestText);
     }
@@ -159,7 +159,7 @@ void TransferChoice::fillBefore()
                                    textOf(before, encoder ? &encoder->device() : nullptr)));
     m_before->setEnabled(!m_befores.empty());
     if (m_befores.empty())
-        m_before->addItem(tr("Nothing is kept of %1.").arg(m_number.shown()));
+        m_before->addItem(tr("No earlier values of %1 are kept.").arg(m_number.shown()));
 }
 
 void TransferChoice::showParts()

@@ -91,12 +91,13 @@ ReviewRow lineOf(const EncoderSession *encoder, Place place, const WriteRow &row
                       : row.step  ? sentText(*row.step)
                                   : QString(),
                       row.step ? QStringLiteral("1") : QString()},
-            .tips = tipsOf(encoder, row.known,
-                           row.hindrance   ? refusalText(*row.hindrance)
-                           : row.isThere   ? TransferLines::tr("The encoder has it: it is left out.")
-                           : row.goesAlong ? TransferLines::tr(
-                                                 "Computed from the other values, which act once it is sent")
-                                           : TransferLines::tr("What will be sent for it")),
+            .tips = tipsOf(
+                encoder, row.known,
+                row.hindrance ? refusalText(*row.hindrance)
+                : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
+                : row.goesAlong
+                    ? TransferLines::tr("Computed from the other values, which take effect once it is sent")
+                    : TransferLines::tr("What will be sent for it")),
             .place = place,
             .isThere = row.isThere,
             .isHindered = row.hindrance.has_value(),
@@ -108,7 +109,7 @@ ReviewRow lineOf(Place place, const TransferCamRow &row)
     return {.cells = {{},
                       TransferLines::tr("Cam program %1").arg(row.wanted.number),
                       row.isThere ? TransferLines::tr("the same")
-                      : row.known ? TransferLines::tr("another")
+                      : row.known ? TransferLines::tr("differs")
                                   : TransferLines::tr("unknown"),
                       {},
                       row.isThere ? TransferLines::tr("already there") : QString(),

@@ -75,7 +75,7 @@ QString TransferPage::effect() const
 {
     return m_stage->currentWidget() == m_done ? tr("What was written. Nothing more is sent.")
            : m_choice->what() == What::store
-               ? tr("Keeps what encoders have in the project. Nothing is sent before Read and store.")
+               ? tr("Stores in the project what encoders have. Nothing is sent before Read and store.")
                : tr("Writes to encoders. Nothing is sent before Write.");
 }
 
@@ -118,8 +118,8 @@ void TransferPage::showSummary()
     Q_EMIT headChanged();
     m_begin->setText(stores ? tr("&Read and store") : tr("&Write"));
     m_begin->setIcon(lineIcon(stores ? Icon::read : Icon::write));
-    m_begin->setToolTip(stores ? tr("Reads the chosen encoders, and keeps what they have in the project. "
-                                    "Those of a ring show no position meanwhile")
+    m_begin->setToolTip(stores ? tr("Reads the chosen encoders, and stores in the project what they have. "
+                                    "Those on a ring show no position meanwhile")
                                : tr("Sends what is shown above to the chosen encoders, one after the other"));
     if (!isBusy())
         m_gate->setWrites(writesOf(m_buses, planOfCost()));

@@ -37,9 +37,9 @@ TransferPage::TransferPage(const Buses &buses, const Catalog &catalog, ProjectDo
     , m_table(named(new TransferTable(*m_model, tr("What differs"), this), "transferTable"))
     , m_all(describe(new QPushButton(tr("Choose &all"), this), "chooseAll",
                      tr("Chooses every encoder that can be written to")))
-    , m_none(describe(new QPushButton(tr("Choose &none"), this), "chooseNone", tr("Chooses none")))
+    , m_none(describe(new QPushButton(tr("Choose &none"), this), "chooseNone", tr("Chooses no encoder")))
     , m_stop(describe(new QCheckBox(tr("&Stop after a refusal"), this), "stopAfterRefusal",
-                      tr("Begin no other encoder after one has refused")))
+                      tr("Start no other encoder after one has refused")))
     , m_summary(wrappedLabel(this, "transferSummary"))
     , m_problem(new InlineMessage(this))
     , m_gate(new EepromGate(this))

@@ -73,10 +73,10 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
 {
     m_position->setFont(numberFont(TextSize::large));
     m_position->setAccessibleName(tr("Position"));
-    describe(m_otherWay, "otherWay", tr("The other direction is put among the wanted values."));
-    describe(m_again, "checkAgain", tr("Forget the moves seen so far."));
+    describe(m_otherWay, "otherWay", tr("The other direction is added to the wanted values."));
+    describe(m_again, "checkAgain", tr("Forget the movements seen so far."));
     m_asNow->setToolTip(tr("The direction of the encoder is kept."));
-    auto *question = new QLabel(tr("When moved this way, the position shall:"), this);
+    auto *question = new QLabel(tr("When moved this way, the position should:"), this);
 
     auto *verdict = new QHBoxLayout;
     verdict->addWidget(m_verdict);
@@ -113,7 +113,7 @@ void DirectionPage::enter()
     m_otherWay->setChecked(wantsOther);
     m_otherWay->setEnabled(other.has_value());
     m_otherWay->setToolTip(
-        other ? tr("The other direction is put among the wanted values.")
+        other ? tr("The other direction is added to the wanted values.")
               : tr("The direction the encoder has now is not known: read it, or choose it on "
                    "the page of the values."));
     begin();

@@ -34,13 +34,13 @@ GearPanel::GearPanel(QWidget *parent)
                            {tr("&mm per turn"), tr("Travel per turn of the driven part"),
                             tr("mm the machine moves in one turn of its spindle, wheel or drum."), 0.001, 4},
                            10);
-    m_encoderTurns = addCalculatorField(*layout, *this,
-                                        {tr("&Gear ratio encoder"), tr("Encoder turns of the gear"),
-                                         tr("Turns of the encoder ..."), 0.001, 3},
-                                        1);
+    m_encoderTurns = addCalculatorField(
+        *layout, *this,
+        {tr("&Gear ratio encoder"), tr("Encoder turns of the gear"), tr("Turns of the encoder …"), 0.001, 3},
+        1);
     m_partTurns = addCalculatorField(*layout, *this,
                                      {tr("to &load"), tr("Part turns of the gear"),
-                                      tr("... while the driven part makes so many turns."), 0.001, 3},
+                                      tr("… while the driven part makes so many turns."), 0.001, 3},
                                      1);
     m_mmPerStep = addCalculatorField(
         *layout, *this,
@@ -51,7 +51,7 @@ GearPanel::GearPanel(QWidget *parent)
     layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
     layout->addWidget(m_take, layout->rowCount(), 0);
     layout->setColumnStretch(1, 1);
-    describe(m_take, "gearUse", tr("Puts these steps and revolutions among the wanted values."));
+    describe(m_take, "gearUse", tr("Adds these steps and revolutions to the wanted values."));
     connect(m_take, &QPushButton::clicked, this,
             [this] { Q_EMIT chosen(m_result->steps, m_result->revolutions); });
     calculate();

@@ -59,8 +59,8 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
                           tr("The remaining steps follow each other as the encoder confirms them.")))
     , m_problem(named(new InlineMessage(this), "handshakeProblem"))
     , m_leftIn(wrappedLabel(this, "leftIn"))
-    , m_restore(describe(new QPushButton(tr("Rest&ore values from before"), this), "recoverRestore",
-                         tr("Writes the values from before again.")))
+    , m_restore(describe(new QPushButton(tr("Rest&ore earlier values"), this), "recoverRestore",
+                         tr("Writes the earlier values again.")))
     , m_run(named(new QPushButton(tr("R&un with what it has"), this), "recoverRun"))
     , m_cancel(new JobCancel(this, nullptr, [this](const EncoderSession &encoder, const Progress &progress) {
         return situation(encoder, progress);

@@ -83,13 +83,13 @@ void KnownPage::enter()
     m_problem->withdraw();
     m_read->setVisible(encoder.can().reads);
     m_read->setToolTip(encoder.can().readingHidesPosition
-                           ? tr("Reads all values. The position is away for some cycles each.")
+                           ? tr("Reads all values. Each one hides the position for some cycles.")
                            : tr("Reads all values."));
     m_explanation->setText(
         encoder.can().reads && !encoder.can().readingHidesPosition
             ? tr("Reading sends requests, which change nothing.")
         : encoder.can().reads
-            ? tr("Reading sends words: the position is away for some cycles. Needs Operate.")
+            ? tr("Reading sends words: the position is hidden for some cycles. Needs Operate.")
             : tr("The %1 has no read-out. Only what was written from here, or set manually, is known.")
                   .arg(encoder.device().fullName()));
     setFocusProxy(encoder.can().reads ? static_cast<QWidget *>(m_read) : m_view);
@@ -173,7 +173,7 @@ void KnownPage::read()
 void KnownPage::showProgress()
 {
     if (m_reading)
-        m_explanation->setText(tr("Reading, step %1 of %2 ...")
+        m_explanation->setText(tr("Reading, step %1 of %2…")
                                    .arg(m_setup.record.progress.index + 1)
                                    .arg(m_setup.record.progress.steps.size()));
 }

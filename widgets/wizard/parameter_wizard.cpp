@@ -34,8 +34,8 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
     , m_stepName(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this), "wizardCancel",
-                        tr("Takes back what was set here, and leaves the wizard. During a handshake it first "
-                           "asks how to leave the encoder.")))
+                        tr("Undoes what was set here, and leaves the wizard. During a handshake it first "
+                           "asks in which state to leave the encoder.")))
     , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "wizardBack",
                       tr("To the previous page.")))
     , m_next(named(new QPushButton(lineIcon(Icon::next), tr("&Next"), this), "wizardNext"))
@@ -231,7 +231,7 @@ QString ParameterWizard::lostByClosing() const
     const QStringList changed = isBusy() || !m_setup->encoder ? QStringList() : m_setup->changed();
     return changed.isEmpty()
                ? QString()
-               : tr("What was set in the wizard is taken back: %1.").arg(changed.join(QStringLiteral(", ")));
+               : tr("What was set in the wizard is undone: %1.").arg(changed.join(QStringLiteral(", ")));
 }
 
 void ParameterWizard::leave()

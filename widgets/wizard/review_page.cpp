@@ -58,7 +58,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     FittedColumns::useIn(*m_changesView, actionColumn);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     FittedColumns::useIn(*m_stepsView, StepTable::what);
-    describe(m_writeAll, "writeAll", tr("Each write costs the EEPROM of the encoder one of its writes."));
+    describe(m_writeAll, "writeAll", tr("Each write uses up one of the writes of the encoder's EEPROM."));
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
 

@@ -45,8 +45,8 @@ RodPanel::RodPanel(QWidget *parent)
                                      0.01);
     m_length->setObjectName(QStringLiteral("rodLength"));
     m_mmPerStep->setObjectName(QStringLiteral("rodResolution"));
-    m_take->setToolTip(tr("Puts this measuring length among the wanted values, and takes the length of the "
-                          "rod as set manually."));
+    m_take->setToolTip(
+        tr("Adds this measuring length to the wanted values, and sets the length of the rod manually."));
     layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
     layout->addWidget(m_take, layout->rowCount(), 0);
     layout->setColumnStretch(1, 1);

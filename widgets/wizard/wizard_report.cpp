@@ -122,7 +122,7 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
         fact(WizardReport::tr("Brought back"), record.recovery->result
                                                    ? WizardReport::tr("done")
                                                    : refusalText(record.recovery->result.error()));
-    fact(WizardReport::tr("Left in"), leftInText(leftIn(record)));
+    fact(WizardReport::tr("State afterwards"), leftInText(leftIn(record)));
     if (record.setPositionTo)
         fact(WizardReport::tr("Position set to"), positionText(record.setPositionTo));
     fact(WizardReport::tr("Position before"), positionText(record.positionBefore));

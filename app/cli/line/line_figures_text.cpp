@@ -4,6 +4,8 @@
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 
+#include <QLocale>
+
 namespace codewheel {
 namespace {
 
@@ -15,7 +17,7 @@ QString number(std::uint64_t value)
 QString millisecondsText(Instant time)
 {
     constexpr double microseconds = 1'000; // a millisecond
-    return QString::number(static_cast<double>(time.count()) / microseconds, 'f', 1);
+    return QLocale().toString(static_cast<double>(time.count()) / microseconds, 'f', 1);
 }
 
 } // namespace

@@ -73,10 +73,9 @@ void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, co
     if (device != nullptr && device->deviceCode == connected.deviceCode &&
         ring.name(planned.place(), key, planned.label.turns, planned.label.stepsPerTurn))
         return;
-    call.terminal.complain(
-        sentence(CommandLine::tr("%1 is not taken for \"%2\" of the project: there is no such description, "
-                                 "or it is of another device code."),
-                 {planned.place().shown(), key}));
+    call.terminal.complain(sentence(CommandLine::tr("%1 is not treated as \"%2\" of the project: there is no "
+                                                    "such description, or it is for another device code."),
+                                    {planned.place().shown(), key}));
 }
 
 // The ID code gives the profile, never the make of an encoder; that is for the plan to name.
@@ -118,14 +117,13 @@ Checked<void> RingAccess::checkStation(const Project &project, const QString &st
 {
     if (areSame(compareRings(structureOf(project, m_ring.id()), m_ring.structure())))
         return {};
-    return tl::unexpected(
-        Complaint{ExitCode::refused,
-                  QStringLiteral("busDiffers"),
-                  sentence(CommandLine::tr(
-                               "The bus \"%1\" differs from the project, so \"%2\" may stand elsewhere. See "
-                               "codewheel-cli compare, or give the device number."),
-                           {name(), station}),
-                  {station}});
+    return tl::unexpected(Complaint{
+        ExitCode::refused,
+        QStringLiteral("busDiffers"),
+        sentence(CommandLine::tr("The bus \"%1\" differs from the project, so \"%2\" may be elsewhere. See "
+                                 "codewheel-cli compare, or give the device number."),
+                 {name(), station}),
+        {station}});
 }
 
 Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, bool namesIt)

@@ -67,7 +67,7 @@ protected:
     QAction &action(const char *text)
     {
         for (QAction *each : editor.findChildren<QAction *>())
-            if (plainLabel(each->text()) == QLatin1String(text))
+            if (plainLabel(each->text()) == QString::fromUtf8(text))
                 return *each;
         ADD_FAILURE() << "no " << text;
         std::abort();

@@ -98,7 +98,7 @@ TEST_F(CamsOfASensor, AreNotWrittenToAnEncoderThatDoesNotKnowThem)
     set(2, CamTableModel::hysteresisColumn, 3);
     editor.setEncoder(&encoder());
     tellAll();
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_FALSE(review().isVisible());
     EXPECT_TRUE(message().contains(QStringLiteral("Cam 2 has a hysteresis or a polarity")))
         << message().toStdString();

@@ -42,7 +42,7 @@ TEST_F(CamEditorView, AnEncoderWithoutCamsIsNamed)
     editor.setEncoder(&ring.encoder(baumer));
     EXPECT_TRUE(empty->isVisible());
     EXPECT_EQ(empty->accessibleName(), QStringLiteral("The Baumer GXP6W K3 has no cams."));
-    for (const char *tool : {"Read", "Write...", "Compare", "Undo", "Open", "Save"})
+    for (const char *tool : {"Read", "Write…", "Compare", "Undo", "Open", "Save"})
         EXPECT_FALSE(action(tool).isEnabled()) << tool;
     editor.setEncoder(nullptr);
     EXPECT_EQ(empty->accessibleName(), QStringLiteral("No encoder is chosen"));

@@ -58,7 +58,7 @@ TEST_F(CamEditorFiles, AFileOfAnotherProgramIsNotTakenForThisOne)
     const CamProgram before = program(1);
     EXPECT_FALSE(editor.loadProgram(path("three.json")));
     EXPECT_EQ(message(),
-              QStringLiteral("three.json holds cam program 3, not 1. Choose program 3, or another file."));
+              QStringLiteral("three.json contains cam program 3, not 1. Choose program 3, or another file."));
     EXPECT_EQ(program(1), before);
     EXPECT_EQ(out(), 0U);
     sheet().setNumber(3);
@@ -80,8 +80,9 @@ TEST_F(CamEditorFiles, AFileOfAnotherDeviceIsNotTaken)
     const QString other = keep("other.json", QByteArray(json).replace("fraba-ocd-ib", "baumer-gxp6w"));
     for (const bool whole : {true, false}) {
         EXPECT_FALSE(whole ? editor.load(other) : editor.loadProgram(other));
-        EXPECT_EQ(message(), QStringLiteral("other.json holds cam programs for the device baumer-gxp6w; this "
-                                            "encoder is fraba-ocd-ib. Nothing was taken from the file."));
+        EXPECT_EQ(message(),
+                  QStringLiteral("other.json contains cam programs for the device baumer-gxp6w; this "
+                                 "encoder is fraba-ocd-ib. Nothing was taken from the file."));
         EXPECT_EQ(sheet().document().undoStack().index(), steps);
     }
     EXPECT_TRUE(

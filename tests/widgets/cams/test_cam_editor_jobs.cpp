@@ -28,7 +28,7 @@ protected:
     void writeManualCam()
     {
         setManualCam();
-        trigger("Write...");
+        trigger("Write…");
         ASSERT_TRUE(review().isVisible()) << message().toStdString();
         click("confirmWriteCams");
         finishJob();
@@ -150,7 +150,7 @@ TEST_F(CamEditorJobs, ACamBeyondTheLargestPositionIsSaidBeforeAnythingIsSent)
     tellAll();
     sheet().setCam(2, {0, 33'554'431, true}, {});
     encoder().tell(Parameter::steps, 4096);
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_FALSE(review().isVisible());
     EXPECT_EQ(message(),
               QStringLiteral("Program 1: Cam 2 cannot start or stop at 33554431. Give a position from 0 "
@@ -167,7 +167,7 @@ TEST_F(CamEditorJobs, WhatTheEncoderRefusesIsNamedAndNothingIsLost)
     finishJob();
     encoder().tell(Parameter::steps, 8192); // the user is wrong
     sheet().setCam(manualCam, {0x15, 33'000'000, true}, {});
-    trigger("Write...");
+    trigger("Write…");
     click("confirmWriteCams");
     finishJob();
     EXPECT_TRUE(message().contains(QStringLiteral("98000004"))) << message().toStdString();

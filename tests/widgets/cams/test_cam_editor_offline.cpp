@@ -47,8 +47,8 @@ TEST_F(OfflineCams, AreEditedInTheProjectAndUndone)
 
 TEST_F(OfflineCams, NothingThatSendsIsToBeHad)
 {
-    for (const char *tool : {"Read", "Write...", "Compare", "Run this program in the encoder",
-                             "Back to position mode", "Read all programs", "Write all programs..."}) {
+    for (const char *tool : {"Read", "Write…", "Compare", "Run this program in the encoder",
+                             "Back to position mode", "Read all programs", "Write all programs…"}) {
         EXPECT_FALSE(action(tool).isEnabled()) << tool;
         EXPECT_TRUE(action(tool).toolTip().startsWith(QStringLiteral("Not connected:"))) << tool;
     }

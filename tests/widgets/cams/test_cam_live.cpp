@@ -16,7 +16,7 @@ protected:
     {
         tellAll();
         sheet().setShift(8);
-        trigger("Write...");
+        trigger("Write…");
         click("confirmWriteCams");
         finishJob();
         trigger("Run this program in the encoder");

@@ -82,7 +82,7 @@ TEST_F(CamReviewWords, AreThoseOfTheManualInTheOrderInWhichTheyAreSent)
 {
     readPrograms("Read");
     sheet().setCam(manualCam, manualValue, {});
-    trigger("Write...");
+    trigger("Write…");
     ASSERT_TRUE(review().isVisible());
     EXPECT_EQ(out(), 0U);
     EXPECT_EQ(wordsShown(), "20800001 46000015 66000213 20400008 80000000 00000000 20800000 00000000");
@@ -99,7 +99,7 @@ TEST_F(CamReviewWords, ShowTheWordThatGoesBeforeOneWithAnotherMeaning)
 {
     readPrograms("Read");
     setCam(0, {0, 0, true});
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_EQ(wordsShown(), "20800001 20100000 20400001 80000000 00000000 20800000 00000000");
     EXPECT_THAT(notes(), HasSubstr("20100000"));
     expectWhatIsShownIsSent();
@@ -109,7 +109,7 @@ TEST_F(CamReviewWords, TellProgramMeaningAndWhatTheEncoderHas)
 {
     readPrograms("Read");
     setCam(0, {0, 0, true});
-    trigger("Write...");
+    trigger("Write…");
     QAbstractItemModelTester tester(review().findChild<ReviewTable *>(),
                                     QAbstractItemModelTester::FailureReportingMode::Warning);
     EXPECT_EQ(joined(CamReview::meaningColumn),
@@ -122,7 +122,7 @@ TEST_F(CamReviewWords, TellProgramMeaningAndWhatTheEncoderHas)
 TEST_F(CamReviewWords, OfAllThatIsThereBeginWithTheShiftToo)
 {
     readPrograms("Read");
-    trigger("Write...");
+    trigger("Write…");
     ASSERT_TRUE(words().isEmpty());
     review().findChild<QCheckBox *>()->click();
     EXPECT_THAT(wordsShown(), StartsWith("20800001 20100000 40000000 60000000"));
@@ -134,7 +134,7 @@ TEST_F(CamReviewWords, OfAProgramThatIsStayedInLeaveItOnceSoThatItIsStored)
 {
     readPrograms("Read");
     setCam(0, {0, 0, true});
-    trigger("Write...");
+    trigger("Write…");
     auto &afterwards = *review().findChild<QComboBox *>();
     afterwards.setCurrentIndex(afterwards.findText(QStringLiteral("cam mode, program 1")));
     EXPECT_EQ(wordsShown(), "20800001 20100000 20400001 80000000 00000000 20800000 20800001 00000000");
@@ -149,7 +149,7 @@ TEST_F(CamReviewWords, BeginWhereTheEncoderIs)
     sheet().setNumber(2);
     setCam(0, {0, 7, false});
     stand(0x2080'0002);
-    trigger("Write all programs...");
+    trigger("Write all programs…");
     EXPECT_EQ(wordsShown(), "00000000 60000007 80000000 00000000 "
                             "20800001 46000005 66000009 80000000 00000000 "
                             "20800002 00000000");
@@ -161,7 +161,7 @@ TEST_F(CamReviewWords, FollowAWordThatIsSentWhileTheyAreShown)
 {
     readPrograms("Read");
     setCam(manualCam, {5, 9, false});
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_THAT(wordsShown(), StartsWith("20800001 46000005"));
     stand(0x2080'0001);
     EXPECT_THAT(wordsShown(), StartsWith("00000000 46000005"));
@@ -171,7 +171,7 @@ TEST_F(CamReviewWords, FollowAWordThatIsSentWhileTheyAreShown)
 TEST_F(CamReviewWords, AreNoneWhereTheEncoderHasAllOfIt)
 {
     readPrograms("Read");
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_TRUE(words().isEmpty());
     EXPECT_FALSE(button("confirmWriteCams")->isEnabled());
     EXPECT_THAT(notes(), HasSubstr("There is nothing to write."));
@@ -181,7 +181,7 @@ TEST_F(CamReviewWords, OfAProgramNobodyKnowsAreAllOfIt)
 {
     tellAll();
     setCam(manualCam, manualValue);
-    trigger("Write...");
+    trigger("Write…");
     EXPECT_EQ(words().size(), 1 + 18 + 4);
     EXPECT_EQ(reviewed(CamReview::oldColumn).count(QStringLiteral("unknown")), 18);
     EXPECT_THAT(notes(), HasSubstr("is not written again"));
@@ -191,7 +191,7 @@ TEST_F(CamReviewWords, AreNoneWhereTheJobWouldBeRefused)
 {
     readPrograms("Read");
     setCam(2, {0, 33'554'431, true});
-    trigger("Write...");
+    trigger("Write…");
     ASSERT_FALSE(words().isEmpty());
     encoder().tell(Parameter::steps, 4096);
     EXPECT_TRUE(words().isEmpty());
@@ -203,7 +203,7 @@ TEST_F(CamReviewWords, AreNotSentAfterEscape)
 {
     tellAll();
     setManualCam();
-    trigger("Write...");
+    trigger("Write…");
     QTest::keyClick(&review(), Qt::Key_Escape);
     EXPECT_FALSE(review().isVisible());
     advance(100);

@@ -70,7 +70,7 @@ private:
     LineRowTable *liveTable() const
     {
         for (auto *found : terminal.findChildren<LineRowTable *>())
-            if (found->accessibleName() == QLatin1String("What passed on the line"))
+            if (found->accessibleName() == QLatin1String("Traffic on the line"))
                 return found;
         return nullptr;
     }

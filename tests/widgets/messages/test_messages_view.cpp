@@ -269,7 +269,7 @@ TEST_F(MessagesViewTest, ChoosesATime)
     EXPECT_EQ(shownRows(), 1);
     times.setCurrentText(QStringLiteral("Last 7 days"));
     EXPECT_EQ(shownRows(), 2);
-    times.setCurrentText(QStringLiteral("From ... to ..."));
+    times.setCurrentText(QStringLiteral("From … to …"));
     auto &from = find<QDateTimeEdit>("Show messages from");
     ASSERT_TRUE(from.isVisible());
     from.setDateTime(QDateTime::currentDateTime().addDays(-3));

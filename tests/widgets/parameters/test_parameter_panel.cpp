@@ -132,7 +132,7 @@ TEST_F(Parameters, WithoutAnEncoderItSaysWhatBelongsHere)
 {
     panel.setEncoder(nullptr);
     EXPECT_FALSE(table().isVisible());
-    EXPECT_EQ(button(QStringLiteral("Write...")), nullptr);
+    EXPECT_EQ(button(QStringLiteral("Write…")), nullptr);
 }
 
 TEST_F(Parameters, AnEncoderThatOnlyTellsItsPositionSaysSo)
@@ -180,7 +180,7 @@ TEST_F(Parameters, WhatASequenceWroteIsNotSaidToBeReadBack)
 TEST_F(Parameters, TheRegistersOfTheBusChipAreFoldedAwayUntilOpened)
 {
     const test::ModelTester tester(model());
-    const QString closed = QStringLiteral("Registers of the bus chip, folded away");
+    const QString closed = QStringLiteral("Registers of the bus chip, closed");
     const int rows = model().rowCount();
     const auto head = [this] { // the last row apart from the registers
         for (int row = model().rowCount() - 1; row >= 0; --row)
@@ -289,7 +289,7 @@ TEST_F(Parameters, TypingIsCheckedAtTheFieldAndBadInputStaysThere)
     settle();
     ASSERT_TRUE(field && field->isVisible());
     EXPECT_EQ(wanted.value(fraba, Parameter::revolutions), std::nullopt);
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     EXPECT_FALSE(panel.findChild<WriteReview *>()->isVisible());
     ASSERT_TRUE(field && field->isVisible());
     QTest::keyClick(field, Qt::Key_Backspace);
@@ -375,7 +375,7 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_EQ(textAt(Parameter::revolutions, ParameterModel::wantedColumn), QStringLiteral("1 the same"));
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("1 value differs"));
 
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     auto *review = panel.findChild<ReviewTable *>();
     const test::ModelTester reviewTester(*review);
     ASSERT_EQ(review->rowCount(), 1);
@@ -393,7 +393,7 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_TRUE(textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("255 read")));
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("255 the same"));
 
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     EXPECT_EQ(review->rowCount(), 0);
     QTest::mouseClick(panel.findChild<QCheckBox *>(), Qt::LeftButton, {},
                       QPoint(8, panel.findChild<QCheckBox *>()->height() / 2));
@@ -430,7 +430,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     training.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     click(QStringLiteral("Write these 2 values"));
     ParameterValues confirmed;
     QObject::connect(bus.encoder(fraba), &EncoderSession::progressed, &panel,
@@ -440,7 +440,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     ASSERT_EQ(confirmed, (ParameterValues{{Parameter::steps, 255}}));
     click(QStringLiteral("Cancel"));
     ASSERT_TRUE(bus.encoder(fraba)->runningJob());
-    QAbstractButton *restore = button(QStringLiteral("Restore values from before"));
+    QAbstractButton *restore = button(QStringLiteral("Restore earlier values"));
     ASSERT_NE(restore, nullptr);
     settle();
     EXPECT_GE(restore->height(), restore->sizeHint().height()); // not squeezed by the table
@@ -463,7 +463,7 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 1);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     click(QStringLiteral("Write these 2 values"));
     bool hasTaken = false;
     QObject::connect(bus.encoder(baumer), &EncoderSession::progressed, &panel,
@@ -472,8 +472,8 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
         bus.advance(1);
     ASSERT_TRUE(hasTaken);
     click(QStringLiteral("Cancel"));
-    ASSERT_NE(button(QStringLiteral("Restore values from before")), nullptr);
-    EXPECT_FALSE(button(QStringLiteral("Restore values from before"))->isEnabled());
+    ASSERT_NE(button(QStringLiteral("Restore earlier values")), nullptr);
+    EXPECT_FALSE(button(QStringLiteral("Restore earlier values"))->isEnabled());
     click(QStringLiteral("Go on with the handshake"));
     training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 0);
     finishJob(baumer);
@@ -486,7 +486,7 @@ TEST_F(Parameters, ARefusalStandsInThePanelAndNothingIsSent)
     want(Parameter::steps, QStringLiteral("255"));
     bus.setOperate(false);
     bus.advance(2);
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     click(QStringLiteral("Write this value"));
     EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << message().toStdString();
     bus.advance(10);
@@ -497,7 +497,7 @@ TEST_F(Parameters, TheReviewFollowsWhatComesToBeKnown)
 {
     panel.setEncoder(bus.encoder(baumer));
     want(Parameter::steps, QStringLiteral("255"));
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     const auto *review = panel.findChild<ReviewTable *>();
     ASSERT_EQ(review->rowCount(), 1);
     bus.encoder(baumer)->tell(Parameter::steps, 255);
@@ -509,7 +509,7 @@ TEST_F(Parameters, AnErrorOfTheEncoderStandsInThePanelWithAWayBack)
 {
     panel.setEncoder(bus.encoder(baumer));
     want(Parameter::steps, QStringLiteral("33554431")); // in range, but finer than the encoder's steps
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     click(QStringLiteral("Write this value"));
     finishJob(baumer);
     EXPECT_TRUE(message().startsWith(QStringLiteral("Error 1: the encoder refused")))
@@ -527,7 +527,7 @@ TEST_F(Parameters, AConnectionThatEndsTakesItsEncoderAway)
 TEST_F(Parameters, TheWizardIsAsked)
 {
     const QSignalSpy asked(&panel, &ParameterPanel::wizardRequested);
-    click(QStringLiteral("Wizard..."));
+    click(QStringLiteral("Wizard…"));
     EXPECT_EQ(asked.size(), 1);
 }
 

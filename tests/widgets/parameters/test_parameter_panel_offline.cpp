@@ -103,8 +103,8 @@ TEST_F(OfflineParameters, WhatSendsIsGreyedAndSaysWhy)
     int buttons = 0;
     for (const auto *button : panel.findChildren<QAbstractButton *>()) {
         const QString text = plainLabel(button->text());
-        if (text != QStringLiteral("Read from encoder") && text != QStringLiteral("Write...") &&
-            text != QStringLiteral("Wizard..."))
+        if (text != QStringLiteral("Read from encoder") && text != QStringLiteral("Write…") &&
+            text != QStringLiteral("Wizard…"))
             continue;
         ++buttons;
         EXPECT_FALSE(button->isEnabled()) << text.toStdString();
@@ -153,7 +153,7 @@ TEST_F(OfflineParameters, ConnectedItCanSendAgain)
     panel.setEncoder(ring.bus.encoder(fraba));
     int buttons = 0;
     for (const auto *button : panel.findChildren<QAbstractButton *>())
-        if (button->isVisible() && button->text() == QStringLiteral("&Write...")) {
+        if (button->isVisible() && button->text() == QStringLiteral("&Write…")) {
             ++buttons;
             EXPECT_TRUE(button->isEnabled());
             EXPECT_EQ(button->toolTip(),

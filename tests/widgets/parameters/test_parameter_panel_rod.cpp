@@ -127,7 +127,7 @@ TEST_F(ParametersOfARod, TheReviewShowsTheWordsOfTheServicesAndWritesThem)
 {
     typeWanted(Parameter::measuringLength, QStringLiteral("C350h")); // LA-66 manual 3.2
     typeWanted(Parameter::externalPreset, QStringLiteral("500"));
-    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write…"));
     const QAbstractItemModel &review = *panel.findChild<ReviewTable *>();
     ASSERT_EQ(review.rowCount(), 2);
     EXPECT_EQ(review.index(0, 3).data(), QStringLiteral("C200C350"));

@@ -175,7 +175,7 @@ TEST_F(PlannedLine, NothingOfARingIsOffered)
 {
     insert();
     for (const QAction *action : editor.actions())
-        EXPECT_TRUE(!action->isVisible() || action->text() == QStringLiteral("Insert...") ||
+        EXPECT_TRUE(!action->isVisible() || action->text() == QStringLiteral("Insert…") ||
                     action->text() == QStringLiteral("Remove"))
             << action->text().toStdString();
     EXPECT_FALSE(tree.model()->flags(cell(0, PlanField::place)) & Qt::ItemIsDragEnabled);

@@ -54,7 +54,7 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     exchange();
     page.replace(fraba);
     EXPECT_EQ(text("replaceDifferences"),
-              QStringLiteral("It fits: as far as the project shows, it is like the one before."));
+              QStringLiteral("It fits: as far as the project shows, it is like the previous one."));
     type("replaceSerial", "4711");
     click("replaceNext");
     EXPECT_TRUE(find<QRadioButton>("positionLast")->isChecked());
@@ -131,7 +131,7 @@ TEST_F(ReplacePageTest, AnotherMakeIsTold)
     auto *choice = find<QComboBox>("replaceChoice");
     choice->setCurrentIndex(choice->findText(QStringLiteral("Baumer GXP6W K3")));
     EXPECT_EQ(text("replaceDifferences"),
-              QStringLiteral("Planned was a FRABA OCD-IB K3; the new one is a Baumer GXP6W K3."));
+              QStringLiteral("A FRABA OCD-IB K3 was planned; the new one is a Baumer GXP6W K3."));
     EXPECT_EQ(choice->findText(QStringLiteral("FRABA OCD-IB K3 Loop 2")), -1);
 }
 

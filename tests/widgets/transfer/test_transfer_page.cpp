@@ -249,7 +249,7 @@ TEST_F(TransferPageTest, GoingOnAfterCancelFinishesTheEncoderAndBeginsNoOther)
         EXPECT_TRUE(question.wasAsked());
     }
     EXPECT_TRUE(page.isBusy());
-    EXPECT_TRUE(text("jobProgress").contains(QStringLiteral("No other is begun.")));
+    EXPECT_TRUE(text("jobProgress").contains(QStringLiteral("No other is started.")));
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 255);
     EXPECT_FALSE(session.encoder(baumer).known(Parameter::steps));
@@ -290,7 +290,7 @@ TEST_F(TransferPageTest, AnEncoderLeftInParameterizationIsAccountedForWithWhatIt
     }
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(baumer).latest().state, EncoderState::parameterization);
-    EXPECT_TRUE(account().contains(QStringLiteral("Taken, but not valid until run is sent")))
+    EXPECT_TRUE(account().contains(QStringLiteral("Accepted, but not valid until run is sent")))
         << account().toStdString();
     EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
 }

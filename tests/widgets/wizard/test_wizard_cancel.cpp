@@ -87,7 +87,7 @@ TEST_P(WizardCancelTable, LeavesTheEncoderAsWasChosen)
     EXPECT_FALSE(wizard.isBusy());
     EXPECT_EQ(out(), 0u);
     EXPECT_EQ(fraba().latest().state, row.leftIn);
-    EXPECT_EQ(text("leftIn").contains(QStringLiteral("read back, and are equal")), row.steps == stepsBefore)
+    EXPECT_EQ(text("leftIn").contains(QStringLiteral("read back and match")), row.steps == stepsBefore)
         << text("leftIn").toStdString();
     if (row.steps != 0) {
         EXPECT_EQ(readBack(Parameter::steps), row.steps);
