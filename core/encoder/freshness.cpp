@@ -22,9 +22,11 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
     return bus.now - seen > Freshness::lateAfter ? Reason::notAsked : Reason::none;
 }
 
+// One whose line was lost is not seen any more, and keeps the position it showed last.
 std::optional<Instant> seenAt(const Reading &reading)
 {
-    return reading.state == EncoderState::notSeen ? std::nullopt : std::optional(reading.at);
+    const bool neverWas = reading.state == EncoderState::notSeen && !reading.position;
+    return neverWas ? std::nullopt : std::optional(reading.at);
 }
 
 } // namespace
@@ -42,10 +44,11 @@ Freshness::Freshness(const Reading &reading, const Circumstances &bus)
     : Freshness(seenAt(reading), bus)
 {
     const bool mayBeLive = isLive() || m_reason == Reason::notAsked || m_reason == Reason::slept;
-    if (reading.state != EncoderState::silent || !mayBeLive)
+    const bool isSilent = reading.state == EncoderState::silent;
+    if (!mayBeLive || (!isSilent && reading.state != EncoderState::notSeen))
         return;
     m_state = State::old;
-    m_reason = Reason::silent;
+    m_reason = isSilent ? Reason::silent : Reason::notSeen;
 }
 
 } // namespace codewheel

@@ -304,6 +304,14 @@ TEST_F(LineViewsTest, WithoutItsAdapterTheComparisonSaysHowTheLineWas)
     EXPECT_TRUE(
         summary.text().startsWith(QStringLiteral("3 lines differed. The port is gone. Shown is how it was ")))
         << summary.text().toStdString();
+    const auto &structure = *tree().model();
+    const QModelIndexList found =
+        structure.match(structure.index(0, 0), Qt::DisplayRole, QStringLiteral("12"), 1,
+                        Qt::MatchContains | Qt::MatchRecursive);
+    ASSERT_FALSE(found.isEmpty());
+    const QModelIndex position = found.front().siblingAtColumn(StructureModel::positionColumn);
+    EXPECT_TRUE(position.data(Qt::AccessibleTextRole).toString().endsWith(QStringLiteral("not up to date")))
+        << position.data().toString().toStdString();
     shown->line().training()->setUnplugged(false);
     advance(4'000);
     EXPECT_EQ(summary.text(), QStringLiteral("3 lines differ."));

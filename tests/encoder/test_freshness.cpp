@@ -15,7 +15,13 @@ constexpr Freshness::Circumstances running{.isConnected = true, .isRunning = tru
 
 Reading shown(EncoderState state, Instant at)
 {
-    return {.at = at, .state = state, .position = 255, .mode = {}, .coding = {}, .errorNumber = {}};
+    const bool neverWas = state == EncoderState::notSeen && at == Instant{};
+    return {.at = at,
+            .state = state,
+            .position = neverWas ? std::nullopt : std::optional<std::int64_t>(255),
+            .mode = {},
+            .coding = {},
+            .errorNumber = {}};
 }
 
 struct FreshnessCase
@@ -44,6 +50,14 @@ constexpr std::array freshnessCases{
                   {.isConnected = true, .now = 10s},
                   Freshness::State::unknown,
                   Reason::notSeen},
+    FreshnessCase{"its line was lost",
+                  EncoderState::notSeen,
+                  8s,
+                  {.isConnected = true, .isLinkThere = false, .now = 10s},
+                  Freshness::State::old,
+                  Reason::linkLost},
+    FreshnessCase{"its line is back, and nothing came since", EncoderState::notSeen, 8s, running,
+                  Freshness::State::old, Reason::notSeen},
     FreshnessCase{"stopped",
                   EncoderState::operation,
                   10s,

@@ -126,10 +126,11 @@ void ShaftDial::draw()
     m_disc->setState(state);
 }
 
-// A serial encoder that is silent shows its last position.
+// A serial encoder that is silent, or whose line was lost, shows its last position.
 DialState ShaftDial::stateOf(const Reading &reading) const
 {
-    if (reading.state == EncoderState::operation || reading.state == EncoderState::silent)
+    const bool wasSeen = reading.state == EncoderState::notSeen && reading.position;
+    if (reading.state == EncoderState::operation || reading.state == EncoderState::silent || wasSeen)
         return running(reading);
     const StateNote note = noteOfState(m_encoder->device(), reading);
     return {.note = note.sentence, .role = note.role};
