@@ -89,13 +89,13 @@ TEST_F(LineFaultSentences, AlarmsAndWarningsSayWhatToDo)
 {
     befall([](EscCondition &condition) { condition.batteryLimit = true; });
     expectOne(sufferer.node(),
-              "esc:05 gives an alarm: general fault, battery limit reached. Have its battery "
+              "esc:05 reports an alarm: general fault, battery limit reached. Have its battery "
               "replaced, and check the position.");
     befall([](EscCondition &condition) {
         condition.batteryLimit = false;
         condition.batteryFlat = true;
     });
-    expectOne(sufferer.node(), "esc:05 gives an alarm: battery flat. Have its battery replaced, "
+    expectOne(sufferer.node(), "esc:05 reports an alarm: battery flat. Have its battery replaced, "
                                "and check the position.");
     EXPECT_EQ(faults().front().shown.role, Role::fault);
     befall([](EscCondition &condition) {

@@ -69,7 +69,7 @@ const std::vector<PlannedFault> plannedFaults{
      "0BB1 peripheral fault at 3.0",
      {FaultAction::confirm}},
     {TrainingFault::powerOff, "2.0"_ring,
-     "IN of 2.0 fell to 00000000: the encoder has no supply, or stands at position 0. Check its supply, or "
+     "IN of 2.0 fell to 00000000: the encoder has no supply, or is at position 0. Check its supply, or "
      "turn the shaft to see it change."},
     {TrainingFault::slowConfirmation,
      "2.0"_ring,
