@@ -16439,6 +16439,11 @@ Worte: IN %3, OUT %4</translation>
         <source>Computed from the other values, which take effect once it is sent</source>
         <translation>Aus den anderen Werten berechnet, die wirken, sobald er gesendet ist</translation>
     </message>
+    <message>
+        <source>Not up to date: %1</source>
+        <comment>a sentence</comment>
+        <translation>Nicht aktuell: %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferModel</name>

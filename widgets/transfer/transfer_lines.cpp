@@ -68,9 +68,13 @@ std::optional<ReviewRow> ageNote(const EncoderSession *encoder)
     if (!isOld(encoder))
         return std::nullopt;
     const Freshness &freshness = encoder->freshness();
-    const QString when = QLocale().toString(encoder->dateTime(freshness.seen()), QLocale::ShortFormat);
-    return note(encoder->place(), TransferLines::tr("Known values are not up to date: %1", "a sentence")
-                                      .arg(lastSeenText(freshness.reason(), when)));
+    const QDateTime seen = encoder->dateTime(freshness.seen()).toLocalTime();
+    const QString when = seen.date() == QDate::currentDate()
+                             ? QLocale().toString(seen.time(), QLocale::ShortFormat)
+                             : QLocale().toString(seen, QLocale::ShortFormat);
+    return note(
+        encoder->place(),
+        TransferLines::tr("Not up to date: %1", "a sentence").arg(lastSeenText(freshness.reason(), when)));
 }
 
 // In the column of what is known: how. In the others: what becomes of it.
