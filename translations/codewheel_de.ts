@@ -284,10 +284,6 @@
         <translation>%1 liegt nicht über P127: Bei Step 5 überschreibt das Prozessabbild diesen Bereich.</translation>
     </message>
     <message>
-        <source>Devices of this ID code stand on the local bus of a bus terminal.</source>
-        <translation>Geräte mit diesem ID-Code gehören an den Lokalbus einer Busklemme.</translation>
-    </message>
-    <message>
         <source>Devices with this ID code belong on the local bus of a bus terminal.</source>
         <translation>Geräte mit diesem ID-Code gehören an den Lokalbus einer Busklemme.</translation>
     </message>
@@ -459,10 +455,6 @@
     <message>
         <source>In parameterization: there is no position.</source>
         <translation>In der Parametrierung: keine Position.</translation>
-    </message>
-    <message>
-        <source>A read-out value stands in IN: there is no position.</source>
-        <translation>In IN steht ein Auslesewert: keine Position.</translation>
     </message>
     <message>
         <source>In service mode: there is no position.</source>
@@ -988,14 +980,6 @@
     <message>
         <source>The encoder does not answer any more.</source>
         <translation>Der Geber antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>It has the values from before again: they were read back, and are equal.</source>
-        <translation>Er hat wieder die vorigen Werte: Sie wurden zurückgelesen und stimmen überein.</translation>
-    </message>
-    <message>
-        <source>It has confirmed the values from before and runs with them; it cannot be read.</source>
-        <translation>Er hat die vorigen Werte quittiert und läuft damit; auslesen lässt er sich nicht.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -1699,10 +1683,6 @@
         <translation>Das Zurücksetzen auf Werkseinstellungen wartet auf Run. Run führt es aus; beim Ausschalten des Gebers wird es verworfen.</translation>
     </message>
     <message>
-        <source>This encoder is now taken for: %1. What was known of it is forgotten.</source>
-        <translation>Dieser Geber gilt jetzt als: %1. Was über ihn bekannt war, ist vergessen.</translation>
-    </message>
-    <message>
         <source>The encoder was left in service mode: it shows no position. Set OUT to 0 to bring it back to normal mode.</source>
         <translation>Der Geber blieb im Dienstbetrieb: Er zeigt keine Position. OUT auf 0 setzen bringt ihn in den Normalbetrieb zurück.</translation>
     </message>
@@ -1717,10 +1697,6 @@
     <message>
         <source>Bus fault: %1.</source>
         <translation>Busfehler: %1.</translation>
-    </message>
-    <message>
-        <source>The bus fault is gone. Start the bus again.</source>
-        <translation>Der Busfehler ist behoben. Den Bus wieder starten.</translation>
     </message>
     <message>
         <source>Fault: %1. Confirm it when its cause is gone.</source>
@@ -1779,10 +1755,6 @@
         <translation>Projekt gespeichert: %1.</translation>
     </message>
     <message>
-        <source>Unsaved changes of %1 were brought back.</source>
-        <translation>Nicht gespeicherte Änderungen von %1 wurden zurückgeholt.</translation>
-    </message>
-    <message>
         <source>Stored in the project: %2 values of %1 encoders.</source>
         <translation>Im Projekt abgelegt (Geber: %1, Werte: %2).</translation>
     </message>
@@ -1801,10 +1773,6 @@
     <message>
         <source>Report saved: %1.</source>
         <translation>Bericht gespeichert: %1.</translation>
-    </message>
-    <message>
-        <source>The message file had reached its size: the oldest %1 messages were dropped.</source>
-        <translation>Die Meldungsdatei hatte ihre Größe erreicht: Die ältesten %1 Meldungen wurden entfernt.</translation>
     </message>
     <message>
         <source>%1 cannot be used: %2 What belongs there is kept only until the program ends.</source>
@@ -1857,14 +1825,6 @@
     <message>
         <source>Encoders found on the serial line: %1 (requests: %2).</source>
         <translation>Geber an der seriellen Leitung gefunden: %1 (Anfragen: %2).</translation>
-    </message>
-    <message>
-        <source>The values from before were written again, and read back: %1 (EEPROM writes: %2).</source>
-        <translation>Die vorigen Werte wurden wieder geschrieben und zurückgelesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
-    </message>
-    <message>
-        <source>The values from before were written again, confirmed and activated, but cannot be read: %1 (EEPROM writes: %2).</source>
-        <translation>Die vorigen Werte wurden wieder geschrieben, quittiert und aktiviert, lassen sich aber nicht auslesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
     </message>
     <message>
         <source>CRC errors in segment %1: %2 since the last message, %3 since the start.</source>
@@ -2364,10 +2324,6 @@
         <translation>Der Gesamtbereich wäre %1 Schritte groß; möglich sind höchstens %2. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
     </message>
     <message>
-        <source>%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder has. Choose fewer steps or more revolutions.</source>
-        <translation>%1 Schritte bei %2 Umdrehungen sind feiner als die %3 Schritte je Umdrehung, die der Geber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
-    </message>
-    <message>
         <source>%1 = %2 is outside the total range. Give a value of at most %3.</source>
         <translation>%1 = %2 liegt außerhalb des Gesamtbereichs. Höchstens %3 angeben.</translation>
     </message>
@@ -2546,10 +2502,6 @@
     <message>
         <source>%1, line %2, %3: %4 Nothing was taken from the file.</source>
         <translation>%1, Zeile %2, %3: %4 Aus der Datei wurde nichts übernommen.</translation>
-    </message>
-    <message>
-        <source>%1 holds cam program %2, not %3. Choose program %2, or another file.</source>
-        <translation>%1 enthält Nockenprogramm %2, nicht %3. Programm %2 oder eine andere Datei wählen.</translation>
     </message>
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is not understood. Allowed there: %3.</source>
@@ -2776,10 +2728,6 @@
         <translation>ist ein falscher Befehl</translation>
     </message>
     <message>
-        <source>The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in more than one. Leave the number of fraction bits as it is, or write the scaling anew.</source>
-        <translation>Der Skalierungsfaktor %1 passt zu %2 Schritten je Umdrehung und einem Messbereich von %3 in keinem oder in mehreren Formaten. Die Anzahl der Nachkommabits unverändert lassen oder die Skalierung neu schreiben.</translation>
-    </message>
-    <message>
         <source>The job ended after %1 was sent and before it was answered: it is not known whether the encoder has the new value. Read it before you go on.</source>
         <translation>Der Auftrag endete, nachdem %1 gesendet war und bevor die Antwort kam: Ob der Geber den neuen Wert hat, ist nicht bekannt. Vor dem Weitermachen auslesen.</translation>
     </message>
@@ -2826,10 +2774,6 @@
     <message>
         <source>Every encoder answers to address %1: it is for an encoder that is alone on its line, and there is %2 too. Use the address of the encoder itself.</source>
         <translation>Auf die Adresse %1 antwortet jeder Geber: Sie ist für einen Geber, der allein an seiner Leitung ist, und hier ist auch %2. Die eigene Adresse des Gebers verwenden.</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Read it again.</source>
-        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb unverändert; nichts wurde gespeichert. Die Datei neu lesen.</translation>
     </message>
     <message>
         <source>%1 does not answer. Check address, baud rate, wiring and supply.</source>
@@ -3352,10 +3296,6 @@
         <translation>Zurückgestellt</translation>
     </message>
     <message>
-        <source>Left in</source>
-        <translation>Zustand danach</translation>
-    </message>
-    <message>
         <source>Position before</source>
         <translation>Position vorher</translation>
     </message>
@@ -3479,10 +3419,6 @@
 </context>
 <context>
     <name>codewheel::AccountView</name>
-    <message>
-        <source>&amp;Save...</source>
-        <translation>&amp;Speichern...</translation>
-    </message>
     <message>
         <source>C&amp;opy</source>
         <translation>K&amp;opieren</translation>
@@ -3637,18 +3573,6 @@
 <context>
     <name>codewheel::BusModel</name>
     <message>
-        <source>A bus has a name: type one. Esc gives the name before.</source>
-        <translation>Ein Bus braucht einen Namen: einen eingeben. Esc stellt den vorigen wieder her.</translation>
-    </message>
-    <message>
-        <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
-        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
-    </message>
-    <message>
-        <source>Another bus is called &quot;%1&quot;: each name stands once in a project.</source>
-        <translation>Ein anderer Bus heißt schon „%1“: Jeder Name steht einmal in einem Projekt.</translation>
-    </message>
-    <message>
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
     </message>
@@ -3709,10 +3633,6 @@
     <message>
         <source>Scroll the ruler</source>
         <translation>Das Lineal verschieben</translation>
-    </message>
-    <message>
-        <source>Which part of the positions is in sight</source>
-        <translation>Welcher Teil der Positionen zu sehen ist</translation>
     </message>
     <message>
         <source>Zoom in (+)</source>
@@ -3899,20 +3819,8 @@
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>Taken from %1: program %2.</source>
-        <translation>Aus %1 übernommen: Programm %2.</translation>
-    </message>
-    <message>
         <source>Read</source>
         <translation>Auslesen</translation>
-    </message>
-    <message>
-        <source>Read this program from the encoder; the position is away meanwhile</source>
-        <translation>Dieses Programm aus dem Geber auslesen; solange fehlt die Position</translation>
-    </message>
-    <message>
-        <source>Write...</source>
-        <translation>Schreiben...</translation>
     </message>
     <message>
         <source>Show what will be written before anything is sent</source>
@@ -3937,10 +3845,6 @@
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Take the cam programs of a file</source>
-        <translation>Die Nockenprogramme einer Datei übernehmen</translation>
     </message>
     <message>
         <source>Save</source>
@@ -3971,28 +3875,8 @@
         <translation>Jedes Programm wird wieder verlassen: Was geändert, aber nicht gespeichert war, wird dabei gespeichert; bis zu 8 EEPROM-Schreibvorgänge</translation>
     </message>
     <message>
-        <source>&amp;Write all programs...</source>
-        <translation>Alle Programme &amp;schreiben...</translation>
-    </message>
-    <message>
         <source>All that are set here and are not known to be in the encoder</source>
         <translation>Alle, die hier gesetzt sind und von denen nicht bekannt ist, dass sie im Geber stehen</translation>
-    </message>
-    <message>
-        <source>&amp;Open this program alone...</source>
-        <translation>Nur dieses Programm ö&amp;ffnen...</translation>
-    </message>
-    <message>
-        <source>Take the program that is shown from a file</source>
-        <translation>Das gezeigte Programm aus einer Datei übernehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Save this program alone...</source>
-        <translation>Nur dieses Programm spei&amp;chern...</translation>
-    </message>
-    <message>
-        <source>Keep the program that is shown in a file</source>
-        <translation>Das gezeigte Programm in einer Datei speichern</translation>
     </message>
     <message>
         <source>&amp;Clear this program</source>
@@ -4017,10 +3901,6 @@
     <message>
         <source>Clear program %1</source>
         <translation>Programm %1 leeren</translation>
-    </message>
-    <message>
-        <source>Keep all eight programs in a file of their own</source>
-        <translation>Alle acht Programme in einer eigenen Datei ablegen</translation>
     </message>
     <message>
         <source>Not connected: what the encoder has and shows is not known. The cams are kept in the project.</source>
@@ -4124,20 +4004,8 @@
         <translation>Nur Version %1 des Formats ist lesbar.</translation>
     </message>
     <message>
-        <source>Cam program %1 stands above already.</source>
-        <translation>Nockenprogramm %1 steht schon weiter oben.</translation>
-    </message>
-    <message>
         <source>At least one cam program is expected here.</source>
         <translation>Hier wird mindestens ein Nockenprogramm erwartet.</translation>
-    </message>
-    <message>
-        <source>Cam %1 stands above already.</source>
-        <translation>Nocken %1 steht schon weiter oben.</translation>
-    </message>
-    <message>
-        <source>%1 holds cam programs for the device %2; this encoder is %3. Nothing was taken from the file.</source>
-        <translation>%1 enthält Nockenprogramme für das Gerät %2; dieser Geber ist %3. Aus der Datei wurde nichts übernommen.</translation>
     </message>
     <message>
         <source>Cam program %1 is already given above.</source>
@@ -4240,14 +4108,6 @@
         <translation>A&amp;uslesen</translation>
     </message>
     <message>
-        <source>&amp;Take it</source>
-        <translation>Über&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>Reads steps and revolutions. That sends words, and takes the position away for some cycles.</source>
-        <translation>Liest Schritte und Umdrehungen. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
-    </message>
-    <message>
         <source>Largest position</source>
         <translation>Größte Position</translation>
     </message>
@@ -4258,18 +4118,6 @@
     <message>
         <source>Total range - 1, from the encoder&apos;s papers; decimal, or hexadecimal as 0x.. or ..h</source>
         <translation>Gesamtbereich - 1, aus den Unterlagen des Gebers; dezimal oder hexadezimal als 0x.. oder ..h</translation>
-    </message>
-    <message>
-        <source>Takes the largest position as said; nothing is sent</source>
-        <translation>Übernimmt die eingegebene größte Position; gesendet wird nichts</translation>
-    </message>
-    <message>
-        <source>The positions go to %1, as you said; the encoder was not asked.</source>
-        <translation>Die Positionen gehen bis %1, von Hand eingetragen; der Geber wurde nicht gefragt.</translation>
-    </message>
-    <message>
-        <source>How many positions there are is not known.</source>
-        <translation>Wie viele Positionen es gibt, ist unbekannt.</translation>
     </message>
     <message>
         <source>&amp;Use it</source>
@@ -4297,10 +4145,6 @@
     <message>
         <source>A&amp;fterwards the encoder is in</source>
         <translation>&amp;Danach ist der Geber im</translation>
-    </message>
-    <message>
-        <source>Cams are written in cam mode: the position is away meanwhile. A program is stored in EEPROM when it is left.</source>
-        <translation>Nocken werden im Nockenbetrieb geschrieben: Solange fehlt die Position. Ein Programm wird im EEPROM gespeichert, wenn es verlassen wird.</translation>
     </message>
     <message>
         <source>Mode afterwards</source>
@@ -4345,10 +4189,6 @@
     <message>
         <source>Not listed are the words that read: 2020.... and the 00000000 behind each.</source>
         <translation>Nicht aufgeführt sind die Worte zum Lesen: 2020.... und jeweils 00000000 danach.</translation>
-    </message>
-    <message>
-        <source>Sent although it is there: %1. Outside cam mode the word behind it would mean something else.</source>
-        <translation>Wird gesendet, obwohl es schon gilt: %1. Außerhalb des Nockenbetriebs hätte das Wort danach eine andere Bedeutung.</translation>
     </message>
     <message>
         <source>none</source>
@@ -4636,20 +4476,8 @@
         <translation>einen Wert, den er noch nicht quittiert hat</translation>
     </message>
     <message>
-        <source>How should the encoder %1 be left?</source>
-        <translation>In welchem Zustand soll der Geber %1 bleiben?</translation>
-    </message>
-    <message>
         <source>It has already taken: %1.</source>
         <translation>Übernommen hat er schon: %1.</translation>
-    </message>
-    <message>
-        <source>Restore writes the values from before again and runs with them.</source>
-        <translation>Wiederherstellen schreibt die vorigen Werte neu, dann Run.</translation>
-    </message>
-    <message>
-        <source>The values from before are not all known, so they cannot be restored.</source>
-        <translation>Die vorigen Werte sind nicht alle bekannt und lassen sich deshalb nicht wiederherstellen.</translation>
     </message>
     <message>
         <source>What it has taken is valid already.</source>
@@ -4662,10 +4490,6 @@
     <message>
         <source>Left in parameterization, it gives no position until somebody sends run.</source>
         <translation>In der Parametrierung liefert er keine Position, bis jemand Run sendet.</translation>
-    </message>
-    <message>
-        <source>&amp;Restore values from before</source>
-        <translation>&amp;Vorige Werte wiederherstellen</translation>
     </message>
     <message>
         <source>R&amp;un with what it has</source>
@@ -4686,10 +4510,6 @@
     <message>
         <source>The job goes on</source>
         <translation>Der Auftrag geht weiter</translation>
-    </message>
-    <message>
-        <source>Writes the values from before again</source>
-        <translation>Schreibt die vorigen Werte wieder</translation>
     </message>
     <message>
         <source>&amp;Leave it with what it has</source>
@@ -4739,10 +4559,6 @@
         <translation>%1, Zeile %2</translation>
     </message>
     <message>
-        <source>This key stands here twice.</source>
-        <translation>Dieser Schlüssel steht hier doppelt.</translation>
-    </message>
-    <message>
         <source>This is not valid JSON: check brackets, commas and quotation marks.</source>
         <translation>Das ist kein gültiges JSON: Klammern, Kommas und Anführungszeichen prüfen.</translation>
     </message>
@@ -4753,10 +4569,6 @@
     <message>
         <source>This is not UTF-8 text: save the file as UTF-8.</source>
         <translation>Das ist kein UTF-8-Text: Die Datei als UTF-8 speichern.</translation>
-    </message>
-    <message>
-        <source>A NUL character stands here, which is not part of a text: remove it.</source>
-        <translation>Hier steht ein NUL-Zeichen, das nicht in einen Text gehört: entfernen.</translation>
     </message>
     <message>
         <source>The file begins with a byte order mark: save it as UTF-8 without one.</source>
@@ -5065,10 +4877,6 @@
         <translation>OUT-Worte</translation>
     </message>
     <message>
-        <source>how long a word stands that nothing acknowledges (3)</source>
-        <translation>wie lange ein Wort steht, das nichts quittiert (3)</translation>
-    </message>
-    <message>
         <source>send words as they are, and print what comes back</source>
         <translation>Worte unverändert senden und ausgeben, was zurückkommt</translation>
     </message>
@@ -5284,10 +5092,6 @@ Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu progra
         <translation>%1, %2, wird auf Werkseinstellungen zurückgesetzt (0E000000, dann Run).</translation>
     </message>
     <message>
-        <source>Lost are: %1.</source>
-        <translation>Verloren gehen: %1.</translation>
-    </message>
-    <message>
         <source>All cam programs are lost, too, and the encoder is in position mode afterwards.</source>
         <translation>Auch alle Nockenprogramme gehen verloren; danach ist der Geber im Positionsbetrieb.</translation>
     </message>
@@ -5452,16 +5256,8 @@ Rückgabewert 2.</translation>
         <translation>Der Geber blieb im Fehlerzustand: Er zeigt die letzte bekannte Position.</translation>
     </message>
     <message>
-        <source>take the encoder for this one: a name of &quot;devices&quot;, or the key on its label</source>
-        <translation>der Geber gilt als dieser: ein Name aus „devices“ oder der Schlüssel auf dem Typenschild</translation>
-    </message>
-    <message>
         <source>what the key on a label says, and whose it is</source>
         <translation>was der Schlüssel auf einem Typenschild bedeutet und zu welchem Gerät er gehört</translation>
-    </message>
-    <message>
-        <source>whether a description file is sound</source>
-        <translation>ob eine Beschreibungsdatei in Ordnung ist</translation>
     </message>
     <message>
         <source>Give one of these: a NAME, --label KEY or --check FILE.</source>
@@ -5494,10 +5290,6 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <translation> (aus der Beschreibung: Der Schlüssel nennt sie nicht)</translation>
     </message>
     <message>
-        <source>%1 is sound: %2 (%3)</source>
-        <translation>%1 ist in Ordnung: %2 (%3)</translation>
-    </message>
-    <message>
         <source>%1 (manual: %2)</source>
         <comment>Electrical data (manual: 6.1)</comment>
         <translation>%1 (Handbuch: %2)</translation>
@@ -5525,10 +5317,6 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     <message>
         <source>Supply</source>
         <translation>Versorgung</translation>
-    </message>
-    <message>
-        <source>%1 stands on the label of the %2 only: it is neither read nor written over the bus. There are: %3.</source>
-        <translation>%1 steht nur auf dem Typenschild (%2): wird über den Bus weder gelesen noch geschrieben. Es gibt: %3.</translation>
     </message>
     <message>
         <source>IN %1, and the mode of the encoder is not known</source>
@@ -5570,26 +5358,12 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>die Werte eines Gebers in andere Geber übertragen</translation>
     </message>
     <message>
-        <source>Reads the encoder at FROM, which takes its position away for some cycles, and writes its values to
-encoders of the same kind, as &quot;transfer&quot; does. The zero offset is not taken along: it belongs to
-the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its
-own; leaving one that was changed before costs an EEPROM write.</source>
-        <translation>Liest den Geber an FROM aus, der dabei für einige Zyklen keine Position zeigt, und schreibt seine Werte
-wie „transfer“ in Geber derselben Art. Die Nullpunkt-Verschiebung wird nicht mitgenommen: Sie hängt vom
-Anbau des Gebers ab. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen Nockenbetrieb
-gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
         <source>read the cam programs as well</source>
         <translation>auch die Nockenprogramme lesen</translation>
     </message>
     <message>
         <source>Nothing is known of it.</source>
         <translation>Von ihm ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>keep what encoders have in a project</source>
-        <translation>die Werte der Geber in einem Projekt ablegen</translation>
     </message>
     <message>
         <source>write what was stored of the encoders, not what is wanted</source>
@@ -5616,16 +5390,8 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
         <translation>zeigen, was geschrieben würde, und nichts schreiben</translation>
     </message>
     <message>
-        <source>begin no other encoder after one has refused</source>
-        <translation>keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
-    </message>
-    <message>
         <source>cam program %1</source>
         <translation>Nockenprogramm %1</translation>
-    </message>
-    <message>
-        <source>EEPROM writes: %1. Left %2.</source>
-        <translation>EEPROM-Schreibvorgänge: %1. Danach: %2.</translation>
     </message>
     <message>
         <source>Written: %1. Already there: %2. EEPROM writes: %3.</source>
@@ -5708,16 +5474,8 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
         <translation>vor dieser Zeit</translation>
     </message>
     <message>
-        <source>with this text somewhere in the line</source>
-        <translation>mit diesem Text irgendwo in der Zeile</translation>
-    </message>
-    <message>
         <source>the newest N (100); 0: all</source>
         <translation>die neuesten N (100); 0: alle</translation>
-    </message>
-    <message>
-        <source>write them to FILE, .csv or .html, all that fit</source>
-        <translation>alle passenden in FILE schreiben, .csv oder .html</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time. Write it as 2026-03-01 or 2026-03-01T14:02.</source>
@@ -5734,14 +5492,6 @@ gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.
     <message>
         <source>Messages written to %1: %2.</source>
         <translation>In %1 geschriebene Meldungen: %2.</translation>
-    </message>
-    <message>
-        <source>No messages are kept in %1.</source>
-        <translation>In %1 sind keine Meldungen aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>list or export the messages that are kept</source>
-        <translation>die aufbewahrten Meldungen auflisten oder exportieren</translation>
     </message>
     <message>
         <source>Lists the messages that the window keeps on disk, oldest first: those that fit all that is given.
@@ -5822,20 +5572,12 @@ die sämtliche Angaben zutreffen. Braucht keinen Bus.</translation>
         <translation>Konfiguration:  %1</translation>
     </message>
     <message>
-        <source>%1 is not taken for &quot;%2&quot; of the project: there is no such description, or it is of another device code.</source>
-        <translation>%1 gilt nicht als „%2“ des Projekts: Es gibt keine solche Beschreibung, oder sie hat einen anderen Gerätecode.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is neither a device number nor a station of the project.</source>
         <translation>„%1“ ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
     </message>
     <message>
         <source>where to save the report: a name in .html or .pdf</source>
         <translation>wo der Bericht gespeichert wird: ein Name auf .html oder .pdf</translation>
-    </message>
-    <message>
-        <source>ask the encoders of the bus what they have; takes their positions away meanwhile</source>
-        <translation>die Geber am Bus auslesen; solange zeigen sie keine Position</translation>
     </message>
     <message>
         <source>Name the file of the report: -o FILE, with a name that ends in .html or .pdf.</source>
@@ -5875,25 +5617,6 @@ Unterschreiben.
 Bekannt ist, was im Projekt abgelegt ist. Mit --read werden von den Gebern die Parameter gelesen und
 die Nockenprogramme, die das Projekt wünscht; solange zeigen sie keine Position. Dann wird auch der
 Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
-    </message>
-    <message>
-        <source>Shows what is known of the parameters, what they shall become, and the words for it; asks; writes them
-in the order given, and tells by which evidence they are there. What the encoder already has is not
-written again, unless --all is given: it is read first where that is possible, else it is what was
-written from here. Where nobody can be asked, --yes is needed: without it nothing is sent, exit code 2.
-
-Parameters: steps revolutions direction coding preset zero-offset offset measuring-range; of a linear
-encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).
-A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
-        <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
-sie in der angegebenen Reihenfolge und sagt, wodurch belegt ist, dass sie wirken. Was der Geber schon
-hat, wird nicht noch einmal geschrieben, außer mit --all: Wo es geht, wird er zuerst ausgelesen, sonst
-gilt, was von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Sonst wird nichts
-gesendet, Rückgabewert 2.
-
-Parameter: steps revolutions direction coding preset zero-offset offset measuring-range; bei einem
-Lineargeber direction measuring-length external-preset; soweit der Geber sie hat (devices NAME).
-VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     </message>
     <message>
         <source>of 1000 bytes, so many are lost</source>
@@ -5993,10 +5716,6 @@ allem mit einem Fehlerplan sinnvoll.</translation>
         <translation>ohne Rückfrage schreiben, auch wenn die Schreibvorgänge des EEPROMs aufgebraucht sind; beim Lesen FILE ersetzen</translation>
     </message>
     <message>
-        <source>the new encoder: a name of &quot;devices&quot;; else it is like the one before</source>
-        <translation>der neue Geber: ein Name aus „devices“; sonst ist er wie der vorige</translation>
-    </message>
-    <message>
         <source>the new encoder: the key on its label</source>
         <translation>der neue Geber: der Schlüssel auf seinem Typenschild</translation>
     </message>
@@ -6029,16 +5748,8 @@ allem mit einem Fehlerplan sinnvoll.</translation>
         <translation>Die Position, die das Projekt aufbewahrt: %1, gesehen am %2.</translation>
     </message>
     <message>
-        <source>It fits: as far as the project shows, it is like the one before.</source>
-        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
-    </message>
-    <message>
         <source>Name the project with --project FILE: the values are taken from it, and the new encoder is put into it.</source>
         <translation>Das Projekt mit --project FILE nennen: Ihm werden die Werte entnommen, und der neue Geber wird darin eingetragen.</translation>
-    </message>
-    <message>
-        <source>give a new encoder the values and the position of the one before</source>
-        <translation>einem neuen Geber Werte und Position des vorigen geben</translation>
     </message>
     <message>
         <source>Tells how the new encoder differs from the one the project has at PLACE, shows what will be written,
@@ -6071,10 +5782,6 @@ Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen 
     <message>
         <source>&quot;%1&quot; is not a time. Write it as 14:02 or 2026-03-01T14:02.</source>
         <translation>„%1“ ist keine Zeitangabe. Als 14:02 oder 2026-03-01T14:02 schreiben.</translation>
-    </message>
-    <message>
-        <source>Nothing was written to %1 at %2 of which the values from before are kept. See codewheel-cli restore %1 --list.</source>
-        <translation>Um %2 wurde nichts an %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
     </message>
     <message>
         <source>write the values again that an encoder had before a write</source>
@@ -6394,10 +6101,6 @@ ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder man
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>The scaling factor is computed from them: they act once it is sent.</source>
-        <translation>Der Skalierungsfaktor wird daraus berechnet: Diese Werte wirken, sobald er gesendet ist.</translation>
-    </message>
-    <message>
         <source>Each command is sent once, and what was written is read back.</source>
         <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
     </message>
@@ -6417,10 +6120,6 @@ vorhanden ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird
 Geber, in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben, und auch keiner, der
 nicht der des Projekts ist: Sein Platz kann jetzt eine andere Nummer haben (siehe „compare“).
 Rückgabewert 1, wenn ein Geber nicht alles bekommen hat.</translation>
-    </message>
-    <message>
-        <source>No message is kept that fits.</source>
-        <translation>Keine der aufbewahrten Meldungen passt dazu.</translation>
     </message>
     <message>
         <source>With --dry-run nothing is written, so there is nothing to report. Leave out --report or --dry-run.</source>
@@ -6469,10 +6168,6 @@ bleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
         <translation>Der Schlüssel „%1“ gehört nicht zu %2. Er kann gehören zu: %3.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; stands there twice. Give it once.</source>
-        <translation>„%1“ steht zweimal da. Einmal angeben.</translation>
-    </message>
-    <message>
         <source>Reads the parameters named, or all that can be read but the registers of the bus chip, which are
 read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.
 An encoder without read-out (devices tells which) is not asked: exit code 1.
@@ -6485,10 +6180,6 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
     <message>
         <source>At %1 no encoder tells its serial number twice the same: several may answer at once. The address is for an encoder that is alone on its line. codewheel-cli scan finds the addresses of all.</source>
         <translation>An %1 meldet kein Geber zweimal dieselbe Seriennummer: Vielleicht antworten mehrere zugleich. Die Adresse ist für einen Geber, der allein an seiner Leitung ist. codewheel-cli scan findet die Adressen aller.</translation>
-    </message>
-    <message>
-        <source>Nothing was written to an encoder.</source>
-        <translation>Es wurde in keinen Geber etwas geschrieben.</translation>
     </message>
     <message>
         <source>This was done:</source>
@@ -6709,27 +6400,6 @@ Sendet nichts an einen Ring.</translation>
         <translation>Entweder --place oder --bus angeben. Ein Platz an einem anderen Bus wird als 3/1.0 geschrieben.</translation>
     </message>
     <message>
-        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
-(mode, coding, the word the other way) widens it to all meanings the word can have.
-A K1 or K2 is taken for the standard one, unless its --label tells otherwise.
-
-Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
-the answer to it: its digits, or CRLF for a bare line end. Of several lines of the link it goes by
-the one named before the request (&quot;Gate 2/05P&quot;), else by the only one that has its address.
-
-Needs no bus and sends nothing.</source>
-        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
-angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
-die das Wort haben kann. Ein K1 oder K2 gilt als Standardgeber, wenn --label nichts anderes sagt.
-
-Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
---other REQUEST, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende. Von mehreren
-Leitungen der Verbindung gilt die, die vor der Anfrage steht („Gate 2/05P“), sonst die einzige, die
-ihre Adresse hat.
-
-Braucht keinen Bus und sendet nichts.</translation>
-    </message>
-    <message>
         <source>Name the line before the request, as %1/%2.</source>
         <translation>Die Leitung vor der Anfrage nennen, wie %1/%2.</translation>
     </message>
@@ -6746,10 +6416,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Das Projekt hat keine Busse für die Verbindung „%1“.</translation>
     </message>
     <message>
-        <source>The bus &quot;%1&quot; differs from the project, so &quot;%2&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
-        <translation>Der Bus „%1“ weicht vom Projekt ab, also kann „%2“ woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
-    </message>
-    <message>
         <source>The bus &quot;%1&quot; differs from the project. See codewheel-cli compare.</source>
         <translation>Der Bus „%1“ weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
     </message>
@@ -6764,10 +6430,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Whether the position was set is not known: read it.</source>
         <translation>Ob die Position gesetzt wurde, ist nicht bekannt: Die Position auslesen.</translation>
-    </message>
-    <message>
-        <source>%1: nobody answers there. The encoders that are planned on it stay in the project.</source>
-        <translation>%1: Dort antwortet niemand. Die Geber, die dort geplant sind, bleiben im Projekt.</translation>
     </message>
     <message>
         <source>Not searched any more: the search was cancelled.</source>
@@ -7159,10 +6821,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Der Bus ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>The bus is as it is configured.</source>
-        <translation>Der Bus ist so, wie er projektiert ist.</translation>
-    </message>
-    <message>
         <source>Take over from the bus</source>
         <translation>Vom Bus übernehmen</translation>
     </message>
@@ -7213,10 +6871,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>&amp;Dezimal: 33554687</translation>
     </message>
     <message>
-        <source>&amp;Binary: 2#0000_0010_...</source>
-        <translation>&amp;Binär: 2#0000_0010_...</translation>
-    </message>
-    <message>
         <source>Copy as &amp;two words of a PLC</source>
         <translation>Als &amp;zwei SPS-Worte kopieren</translation>
     </message>
@@ -7255,14 +6909,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
     </message>
     <message>
-        <source>This value stands here twice.</source>
-        <translation>Dieser Wert steht hier doppelt.</translation>
-    </message>
-    <message>
-        <source>This key stands here twice.</source>
-        <translation>Dieser Schlüssel steht hier doppelt.</translation>
-    </message>
-    <message>
         <source>The minimum is larger than the maximum.</source>
         <translation>Das Minimum ist größer als das Maximum.</translation>
     </message>
@@ -7273,18 +6919,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>The factory setting is none of the choices.</source>
         <translation>Die Werkseinstellung ist nicht unter den Auswahlwerten.</translation>
-    </message>
-    <message>
-        <source>This parameter stands here twice.</source>
-        <translation>Dieser Parameter steht hier doppelt.</translation>
-    </message>
-    <message>
-        <source>This number stands here twice.</source>
-        <translation>Diese Nummer steht hier doppelt.</translation>
-    </message>
-    <message>
-        <source>This readOut code stands here twice.</source>
-        <translation>Dieser readOut-Code steht hier doppelt.</translation>
     </message>
     <message>
         <source>The budget is larger than eepromLimit.</source>
@@ -7321,10 +6955,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel; on a serial line the commands read or write.</source>
         <translation>Ein Parameter braucht number zum Schreiben, einen readOut-Code zum Lesen, beides oder onLabel; an einer seriellen Leitung die Befehle read oder write.</translation>
-    </message>
-    <message>
-        <source>This command stands here twice.</source>
-        <translation>Dieser Befehl steht hier doppelt.</translation>
     </message>
     <message>
         <source>This value is here twice.</source>
@@ -7709,6 +7339,26 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::DialHead</name>
+    <message>
+        <source>Pin dial</source>
+        <translation>Anzeige anheften</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <comment>the dial</comment>
+        <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>Let the dial follow the bus structure again</source>
+        <translation>Die Anzeige wieder dem Busaufbau folgen lassen</translation>
+    </message>
+    <message>
+        <source>Keep this dial when another encoder is chosen</source>
+        <translation>Diese Anzeige behalten, wenn ein anderer Geber gewählt wird</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DialPanel</name>
     <message>
         <source>No encoder is chosen.</source>
@@ -7767,16 +7417,8 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>Forget the moves seen so far.</source>
-        <translation>Die bisherigen Bewegungen vergessen.</translation>
-    </message>
-    <message>
         <source>The direction of the encoder is kept.</source>
         <translation>Die Zählrichtung des Gebers bleibt.</translation>
-    </message>
-    <message>
-        <source>The other direction is put among the wanted values.</source>
-        <translation>Die andere Zählrichtung kommt zu den gewünschten Werten.</translation>
     </message>
     <message>
         <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
@@ -7805,10 +7447,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Counts down</source>
         <translation>Zählt abwärts</translation>
-    </message>
-    <message>
-        <source>When moved this way, the position shall:</source>
-        <translation>Bei dieser Bewegung soll die Position:</translation>
     </message>
     <message>
         <source>Move the magnet a little, the way the machine moves forward. Nothing is sent.</source>
@@ -7915,14 +7553,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>%1 lässt sich nicht lesen.</translation>
     </message>
     <message>
-        <source>%1 is a file of Codewheel, but none that is opened by dropping it: projects, cams, sequences and device descriptions are.</source>
-        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
-    </message>
-    <message>
-        <source>%1 is none of the files that can be dropped here: projects, cams, sequences and device descriptions.</source>
-        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
-    </message>
-    <message>
         <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences and device descriptions can.</source>
         <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
     </message>
@@ -8021,10 +7651,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>&amp;Schreiben</translation>
     </message>
     <message>
-        <source>Starts what was asked for</source>
-        <translation>Beginnt mit dem, was verlangt wurde</translation>
-    </message>
-    <message>
         <source>Other encoders as well: %1.</source>
         <translation>Auch andere Geber: %1.</translation>
     </message>
@@ -8038,10 +7664,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>IN is 0</source>
         <translation>IN ist 0</translation>
-    </message>
-    <message>
-        <source>IN of %1 fell to 00000000: the encoder has no supply, or stands at position 0. Check its supply, or turn the shaft to see it change.</source>
-        <translation>IN von %1 fiel auf 00000000: Der Geber hat keine Versorgung oder steht auf Position 0. Versorgung prüfen, oder die Welle drehen und sehen, ob sich IN ändert.</translation>
     </message>
     <message>
         <source>slow</source>
@@ -8077,14 +7699,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>P&amp;ositionsbetrieb</translation>
     </message>
     <message>
-        <source>FRABA &amp;preset...</source>
-        <translation>FRABA-&amp;Preset...</translation>
-    </message>
-    <message>
-        <source>Reset to &amp;factory settings...</source>
-        <translation>Auf &amp;Werkseinstellungen zurücksetzen...</translation>
-    </message>
-    <message>
         <source>The encoder sends its position; ends velocity and cam mode</source>
         <translation>Der Geber sendet seine Position; beendet Drehzahl- und Nockenbetrieb</translation>
     </message>
@@ -8105,10 +7719,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>&amp;Drehzahlbetrieb (jetzt: %1)</translation>
     </message>
     <message>
-        <source>Lost are: %1.</source>
-        <translation>Verloren gehen: %1.</translation>
-    </message>
-    <message>
         <source>All cam programs are lost, too, and the encoder is in position mode afterwards.</source>
         <translation>Auch alle Nockenprogramme gehen verloren; danach ist der Geber im Positionsbetrieb.</translation>
     </message>
@@ -8123,10 +7733,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>It is in &amp;position mode</source>
         <translation>Er ist im &amp;Positionsbetrieb</translation>
-    </message>
-    <message>
-        <source>Goes on, as you have made sure of it</source>
-        <translation>Geht weiter, weil dies sichergestellt ist</translation>
     </message>
     <message>
         <source>Put it into position &amp;mode</source>
@@ -8177,10 +7783,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Danach wird der Geber ausgelesen, um seinen Stand zu kennen.</translation>
     </message>
     <message>
-        <source>It cannot be read: afterwards it is taken to have the factory settings of its manual.</source>
-        <translation>Er lässt sich nicht auslesen: Danach gelten die Werkseinstellungen laut Handbuch.</translation>
-    </message>
-    <message>
         <source>Reset %1 to factory settings?</source>
         <translation>%1 auf Werkseinstellungen zurücksetzen?</translation>
     </message>
@@ -8193,16 +7795,8 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
-        <source>Sends 0E000000, then run. This cannot be taken back.</source>
-        <translation>Sendet 0E000000, dann Run. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
         <source>It &amp;is in position mode</source>
         <translation>Er &amp;ist im Positionsbetrieb</translation>
-    </message>
-    <message>
-        <source>Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
-        <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>FRABA &amp;preset…</source>
@@ -8343,10 +7937,6 @@ Braucht keinen Bus und sendet nichts.</translation>
 <context>
     <name>codewheel::FaultPlanBar</name>
     <message>
-        <source>Fault plan...</source>
-        <translation>Fehlerplan...</translation>
-    </message>
-    <message>
         <source>Loads a file of faults with their times and places</source>
         <translation>Lädt eine Datei mit Fehlern, ihren Zeiten und Orten</translation>
     </message>
@@ -8405,10 +7995,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Hier wird mindestens ein Schritt erwartet.</translation>
     </message>
     <message>
-        <source>The step above comes later: the steps stand in the order of their times.</source>
-        <translation>Der Schritt darüber kommt später: Die Schritte müssen nach ihrer Zeit geordnet sein.</translation>
-    </message>
-    <message>
         <source>The device at %1 cannot have this fault.</source>
         <translation>Der Teilnehmer %1 kann diesen Fehler nicht haben.</translation>
     </message>
@@ -8455,10 +8041,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Vorige</translation>
     </message>
     <message>
-        <source>The one before (Shift+F3)</source>
-        <translation>Die Stelle davor (Umschalt+F3)</translation>
-    </message>
-    <message>
         <source>Next</source>
         <translation>Nächste</translation>
     </message>
@@ -8469,10 +8051,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Ends finding (Esc)</source>
-        <translation>Beendet die Suche (Esc)</translation>
     </message>
     <message>
         <source>Not on this page</source>
@@ -8553,16 +8131,8 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Getriebe: Umdrehungen des Gebers</translation>
     </message>
     <message>
-        <source>Turns of the encoder ...</source>
-        <translation>Umdrehungen des Gebers ...</translation>
-    </message>
-    <message>
         <source>Part turns of the gear</source>
         <translation>Getriebe: Umdrehungen der Last</translation>
-    </message>
-    <message>
-        <source>... while the driven part makes so many turns.</source>
-        <translation>... bei so vielen Umdrehungen des angetriebenen Teils.</translation>
     </message>
     <message>
         <source>Wanted resolution</source>
@@ -8591,10 +8161,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>to &amp;load</source>
         <translation>zu &amp;Last</translation>
-    </message>
-    <message>
-        <source>Puts these steps and revolutions among the wanted values.</source>
-        <translation>Übernimmt diese Schritte und Umdrehungen in die gewünschten Werte.</translation>
     </message>
     <message>
         <source>The encoder cannot resolve this. Choose more mm per step.</source>
@@ -8691,10 +8257,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Auto&amp;matisch</translation>
     </message>
     <message>
-        <source>Rest&amp;ore values from before</source>
-        <translation>&amp;Vorige Werte wiederherstellen</translation>
-    </message>
-    <message>
         <source>R&amp;un with what it has</source>
         <translation>R&amp;un mit dem jetzigen Stand</translation>
     </message>
@@ -8765,10 +8327,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>&amp;Report</source>
         <translation>Be&amp;richt</translation>
-    </message>
-    <message>
-        <source>Writes the values from before again.</source>
-        <translation>Schreibt die vorigen Werte wieder.</translation>
     </message>
     <message>
         <source>&amp;End the service</source>
@@ -8867,10 +8425,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Vorwärts</translation>
     </message>
     <message>
-        <source>To the page that was left by Back</source>
-        <translation>Zur Seite, die mit Zurück verlassen wurde</translation>
-    </message>
-    <message>
         <source>First page</source>
         <translation>Erste Seite</translation>
     </message>
@@ -8893,14 +8447,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Marks a text on this page</source>
         <translation>Markiert einen Text auf dieser Seite</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>Nächste Stelle</translation>
-    </message>
-    <message>
-        <source>Place before</source>
-        <translation>Stelle davor</translation>
     </message>
     <message>
         <source>The manual is not there: %1 is missing. It comes with the program; build or install the program again.</source>
@@ -8980,10 +8526,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Place</source>
         <translation>Platz</translation>
-    </message>
-    <message>
-        <source>Where the device is inserted, seen from the chosen one</source>
-        <translation>Wo das Gerät eingefügt wird, vom gewählten aus gesehen</translation>
     </message>
     <message>
         <source>Inserts the device at this place</source>
@@ -9076,10 +8618,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Ends the job; asks how to leave the encoder</source>
-        <translation>Beendet den Auftrag; fragt, in welchem Zustand der Geber bleiben soll</translation>
-    </message>
-    <message>
         <source>Progress of the job</source>
         <translation>Fortschritt des Auftrags</translation>
     </message>
@@ -9104,16 +8642,8 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Schritte des laufenden Auftrags</translation>
     </message>
     <message>
-        <source>Ends the job, after asking how to leave the encoder; the others are not begun</source>
-        <translation>Beendet den Auftrag, nach der Frage, in welchem Zustand der Geber bleiben soll; die anderen werden nicht begonnen</translation>
-    </message>
-    <message>
         <source>Encoder %1 of %2: %3.</source>
         <translation>Geber %1 von %2: %3.</translation>
-    </message>
-    <message>
-        <source>No other is begun.</source>
-        <translation>Kein weiterer wird begonnen.</translation>
     </message>
     <message>
         <source>Ends the job; asks in which state to leave the encoder</source>
@@ -9143,10 +8673,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>sie ist nicht beschreibbar.</translation>
     </message>
     <message>
-        <source>it holds more than fits into the memory.</source>
-        <translation>sie enthält mehr, als in den Speicher passt.</translation>
-    </message>
-    <message>
         <source>its folder cannot be made.</source>
         <translation>ihr Ordner lässt sich nicht anlegen.</translation>
     </message>
@@ -9157,10 +8683,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>it is the database of another program.</source>
         <translation>sie ist die Datenbank eines anderen Programms.</translation>
-    </message>
-    <message>
-        <source>it was made by a newer Codewheel (version %1 of the file; this one reads up to %2).</source>
-        <translation>sie stammt von einem neueren Codewheel (Dateiversion %1; dieses liest bis %2).</translation>
     </message>
     <message>
         <source>Message &quot;%1&quot; of another version of Codewheel.</source>
@@ -9332,20 +8854,12 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Was vom Geber bekannt ist</translation>
     </message>
     <message>
-        <source>Reads all values. The position is away for some cycles each.</source>
-        <translation>Liest alle Werte aus. Die Position fehlt jeweils für einige Zyklen.</translation>
-    </message>
-    <message>
         <source>Say what the encoder has, for instance from its papers. Nothing is sent.</source>
         <translation>Eintragen, was der Geber hat, etwa aus seinen Unterlagen. Gesendet wird nichts.</translation>
     </message>
     <message>
         <source>Say that the encoder is in position mode, not in velocity or cam mode. Setting the position would change a cam otherwise.</source>
         <translation>Angeben, dass der Geber im Positionsbetrieb ist, nicht im Drehzahl- oder Nockenbetrieb. Das Setzen der Position würde sonst einen Nocken ändern.</translation>
-    </message>
-    <message>
-        <source>Reading sends words: the position is away for some cycles. Needs Operate.</source>
-        <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur in Bedienen möglich.</translation>
     </message>
     <message>
         <source>The %1 has no read-out. Only what was written from here, or set manually, is known.</source>
@@ -9366,10 +8880,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Cam mode</source>
         <translation>Nockenbetrieb</translation>
-    </message>
-    <message>
-        <source>Reading, step %1 of %2 ...</source>
-        <translation>Auslesen, Schritt %1 von %2 ...</translation>
     </message>
     <message>
         <source>All values were read.</source>
@@ -9509,16 +9019,8 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Serielle &amp;Leitung</translation>
     </message>
     <message>
-        <source>&amp;Port and settings...</source>
-        <translation>&amp;Anschluss und Einstellungen...</translation>
-    </message>
-    <message>
         <source>Connects a serial port; nothing is written</source>
         <translation>Verbindet einen seriellen Anschluss; nichts wird geschrieben</translation>
-    </message>
-    <message>
-        <source>&amp;Search for encoders...</source>
-        <translation>Geber &amp;suchen...</translation>
     </message>
     <message>
         <source>Asks one address after the other; nothing is written</source>
@@ -9527,10 +9029,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>&amp;Terminal</source>
         <translation>&amp;Terminal</translation>
-    </message>
-    <message>
-        <source>Shows what passes on the line, and sends what you type</source>
-        <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
     </message>
     <message>
         <source>Line st&amp;atistics</source>
@@ -9699,10 +9197,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Batterie ersetzen lassen und die Position prüfen.</translation>
     </message>
     <message>
-        <source>Let it cool down, and look what heats it.</source>
-        <translation>Abkühlen lassen und nachsehen, was ihn erwärmt.</translation>
-    </message>
-    <message>
         <source>Switch it off and on; if the alarm comes back, replace the encoder.</source>
         <translation>Aus- und einschalten; kommt der Alarm wieder, den Geber ersetzen.</translation>
     </message>
@@ -9717,10 +9211,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>alarm</source>
         <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>%1 gives an alarm: %2. %3</source>
-        <translation>%1 meldet einen Alarm: %2. %3</translation>
     </message>
     <message>
         <source>warning</source>
@@ -10064,10 +9554,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Abfrage</translation>
     </message>
     <message>
-        <source>Whether the encoders are asked by turns</source>
-        <translation>Ob die Geber reihum abgefragt werden</translation>
-    </message>
-    <message>
         <source>Writing</source>
         <translation>Schreiben</translation>
     </message>
@@ -10132,10 +9618,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>not asked for</source>
         <comment>low latency</comment>
         <translation>nicht verlangt</translation>
-    </message>
-    <message>
-        <source>no adapter to be asked</source>
-        <translation>kein Adapter da</translation>
     </message>
     <message>
         <source>Low latency</source>
@@ -10246,10 +9728,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>The serial line is not open. Connect it first.</source>
         <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
-    </message>
-    <message>
-        <source>This session holds no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
-        <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
     </message>
     <message>
         <source>This session contains no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
@@ -10468,10 +9946,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Einstellungen der seriellen Leitung</translation>
     </message>
     <message>
-        <source>Opens the line, and asks positions from then on. Nothing is written (Alt+C)</source>
-        <translation>Öffnet die Leitung und fragt ab dann Positionen ab. Nichts wird geschrieben (Alt+V)</translation>
-    </message>
-    <message>
         <source>Port</source>
         <translation>Anschluss</translation>
     </message>
@@ -10640,10 +10114,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
     </message>
     <message>
-        <source>Connecting ...</source>
-        <translation>Verbindet ...</translation>
-    </message>
-    <message>
         <source>&amp;Keep in project</source>
         <translation>Ins Pro&amp;jekt</translation>
     </message>
@@ -10738,10 +10208,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>leitung.txt</translation>
     </message>
     <message>
-        <source>Texts (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
-    </message>
-    <message>
         <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
         <translation>Adresse und Befehl, etwa 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
     </message>
@@ -10750,20 +10216,12 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Sendet die Anfrage (Eingabe)</translation>
     </message>
     <message>
-        <source>What passed on the line</source>
-        <translation>Was über die Leitung ging</translation>
-    </message>
-    <message>
         <source>Line terminal</source>
         <translation>Leitungsterminal</translation>
     </message>
     <message>
         <source>Nothing has passed on the line yet</source>
         <translation>Noch ging nichts über die Leitung</translation>
-    </message>
-    <message>
-        <source>What is sent and answered on a serial line stands here. Connect one, or open a saved session.</source>
-        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -10778,10 +10236,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Hold the table; rows that come are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
@@ -10792,10 +10246,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Keep all rows in a file, to be looked at and sent again</source>
-        <translation>Alle Zeilen in einer Datei ablegen, zum Ansehen und erneuten Senden</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11262,10 +10712,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Letzte 7 Tage</translation>
     </message>
     <message>
-        <source>From ... to ...</source>
-        <translation>Von ... bis ...</translation>
-    </message>
-    <message>
         <source>Time of messages</source>
         <translation>Zeit der Meldungen</translation>
     </message>
@@ -11398,10 +10844,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Folgen</translation>
     </message>
     <message>
-        <source>Keep the newest message in sight (Ctrl+End)</source>
-        <translation>Automatisch folgen: Die neueste Meldung bleibt im Blick (Strg+Ende)</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
@@ -11428,10 +10870,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>What happens to the bus and its devices is listed here.</source>
         <translation>Hier steht, was am Bus und an seinen Geräten geschieht.</translation>
-    </message>
-    <message>
-        <source>No message fits the filter</source>
-        <translation>Keine Meldung passt zum Filter</translation>
     </message>
     <message>
         <source>Change it, or show all messages.</source>
@@ -11545,10 +10983,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>&amp;Fehlendes auslesen</translation>
     </message>
     <message>
-        <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
-        <translation>Liest aus dem Geber, was die Anzeige braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
-    </message>
-    <message>
         <source>Read what the dial needs</source>
         <translation>Auslesen, was die Anzeige braucht</translation>
     </message>
@@ -11573,10 +11007,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>%1 has no words to show: it takes no part in the process data.</source>
         <translation>%1 hat keine Worte zu zeigen: Prozessdaten gibt es hier nicht.</translation>
-    </message>
-    <message>
-        <source>%1 has no words: its position stands in the panels, what passes on its bus in the terminal.</source>
-        <translation>%1 hat keine Worte: Die Position steht in den Bereichen am Rand, der Verkehr auf dem Bus im Terminal.</translation>
     </message>
     <message>
         <source>%1 is not connected: its words are shown once it is.</source>
@@ -11614,20 +11044,12 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Die Geber des Katalogs mit diesem Gerätecode</translation>
     </message>
     <message>
-        <source>Takes the device for this encoder from now on. Nothing is sent; what was known of it is forgotten.</source>
-        <translation>Das Gerät gilt ab jetzt als dieser Geber. Gesendet wird nichts; was über ihn bekannt war, ist vergessen.</translation>
-    </message>
-    <message>
         <source>Label key</source>
         <translation>Typenschlüssel</translation>
     </message>
     <message>
         <source>Which encoder is %1? The bus tells its device code (%2) but not its make.</source>
         <translation>Welcher Geber ist %1? Der Bus nennt den Gerätecode (%2), aber nicht den Hersteller.</translation>
-    </message>
-    <message>
-        <source>%1 has been named. Choose &quot;make not known&quot; to take that back.</source>
-        <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
     </message>
     <message>
         <source>make not known</source>
@@ -11743,10 +11165,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Ein Code besteht aus den Buchstaben A bis Z und Ziffern.</translation>
     </message>
     <message>
-        <source>This code stands here twice.</source>
-        <translation>Dieser Code steht hier doppelt.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; and &quot;%2&quot; cannot be told apart: one begins with the other.</source>
         <translation>„%1“ und „%2“ lassen sich nicht unterscheiden: Eines beginnt mit dem anderen.</translation>
     </message>
@@ -11789,10 +11207,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Close</source>
         <comment>a page</comment>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>What is typed there is not taken.</source>
-        <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
     </message>
     <message>
         <source>Close this page?</source>
@@ -11925,16 +11339,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>%1, aufgeklappt</translation>
     </message>
     <message>
-        <source>%1, folded away</source>
-        <translation>%1, zugeklappt</translation>
-    </message>
-    <message>
         <source>What the encoder reports and nobody can write</source>
         <translation>Was der Geber meldet und sich nicht schreiben lässt</translation>
-    </message>
-    <message>
-        <source>Click, or Enter: folds the registers away</source>
-        <translation>Klick oder Eingabe: klappt die Register zu</translation>
     </message>
     <message>
         <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
@@ -11990,14 +11396,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Aus&amp;lesen</translation>
     </message>
     <message>
-        <source>&amp;Write...</source>
-        <translation>&amp;Schreiben...</translation>
-    </message>
-    <message>
-        <source>Wi&amp;zard...</source>
-        <translation>Assis&amp;tent...</translation>
-    </message>
-    <message>
         <source>Shows what will be written before anything is sent</source>
         <translation>Zeigt, was geschrieben wird, bevor etwas gesendet wird</translation>
     </message>
@@ -12014,10 +11412,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Mehr zu den Parametern</translation>
     </message>
     <message>
-        <source>Set &amp;manually what the encoder has...</source>
-        <translation>&amp;Eintragen, was der Geber hat...</translation>
-    </message>
-    <message>
         <source>Take &amp;known values as wanted</source>
         <translation>&amp;Bekannte Werte als gewünschte übernehmen</translation>
     </message>
@@ -12028,10 +11422,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>The %1 has no read-out. Only what was written from here, or set manually, is known.</source>
         <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder von Hand eingetragen wurde.</translation>
-    </message>
-    <message>
-        <source>Reading takes the position away for some cycles.</source>
-        <translation>Beim Auslesen fehlt die Position für einige Zyklen.</translation>
     </message>
     <message>
         <source>1 value differs</source>
@@ -12062,10 +11452,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Mit welchen Worten %1 eingerichtet wird, steht in keiner Quelle; darum werden keine gesendet. Die Position wird gezeigt.</translation>
     </message>
     <message>
-        <source>&amp;Set the position...</source>
-        <translation>Position &amp;setzen...</translation>
-    </message>
-    <message>
         <source>%1: the encoder has</source>
         <comment>parameter name</comment>
         <translation>%1: Der Geber hat</translation>
@@ -12077,10 +11463,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>&amp;Set manually</source>
         <translation>&amp;Eintragen</translation>
-    </message>
-    <message>
-        <source>Takes the value as set manually; nothing is sent. An empty field takes it back.</source>
-        <translation>Trägt den Wert von Hand als bekannt ein; gesendet wird nichts. Ein leeres Feld nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>The position here is to be</source>
@@ -12162,12 +11544,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Beim Eingeben: zum nächsten gewünschten Wert oder zum vorigen</translation>
     </message>
     <message>
-        <source>Leaves the selected parameters alone</source>
-        <translation>Lässt die gewählten Parameter, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Leaves the parameter unchanged</source>
-        <translation>Lässt den Parameter, wie er ist</translation>
+        <source>Leaves the selected parameters unchanged</source>
+        <translation>Lässt die gewählten Parameter unverändert</translation>
     </message>
 </context>
 <context>
@@ -12197,10 +11575,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Sendet die Schritte oben an den Geber.</translation>
     </message>
     <message>
-        <source>Takes back what was set here, and leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
-        <translation>Nimmt zurück, was hier eingestellt wurde, und verlässt den Assistenten. Während eines Handshakes erst nach der Frage, wie der Geber verlassen werden soll.</translation>
-    </message>
-    <message>
         <source>Parameter wizard %1/%2</source>
         <comment>step of steps</comment>
         <translation>Parametrierassistent %1/%2</translation>
@@ -12216,10 +11590,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Nothing is sent here.</source>
         <translation>Hier wird nichts gesendet.</translation>
-    </message>
-    <message>
-        <source>What was set in the wizard is taken back: %1.</source>
-        <translation>Was im Assistenten eingestellt wurde, wird zurückgenommen: %1.</translation>
     </message>
     <message>
         <source>Undoes what was set here, and leaves the wizard. During a handshake it first asks in which state to leave the encoder.</source>
@@ -12396,28 +11766,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Was für %1 vorgesehen ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Mit dem Ring vergleichen, in das Projekt übernehmen, dann speichern.</translation>
     </message>
     <message>
-        <source>%1 holds something else than was read or saved here: another program has changed it.</source>
-        <translation>%1 enthält etwas anderes, als hier gelesen oder gespeichert wurde: Ein anderes Programm hat die Datei geändert.</translation>
-    </message>
-    <message>
-        <source>It was changed at %1. If it is replaced, the project that it holds is kept as %2.</source>
-        <translation>Geändert: %1. Wird die Datei ersetzt, bleibt das Projekt darin als %2 erhalten.</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>Speichern &amp;unter...</translation>
-    </message>
-    <message>
-        <source>Saves the project in another file; this one stays as it is</source>
-        <translation>Speichert das Projekt in einer anderen Datei; diese bleibt unverändert</translation>
-    </message>
-    <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
-    </message>
-    <message>
-        <source>Saves the project in place of what the file holds</source>
-        <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
     </message>
     <message>
         <source>%1 no longer holds what was read or saved here: another program has changed it.</source>
@@ -12447,20 +11797,12 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Titel des Projekts</translation>
     </message>
     <message>
-        <source>Stands at the head of the commissioning report</source>
-        <translation>Steht über dem Inbetriebnahmebericht</translation>
-    </message>
-    <message>
         <source>Crane 1</source>
         <translation>Kran 1</translation>
     </message>
     <message>
         <source>Note on the project</source>
         <translation>Notiz zum Projekt</translation>
-    </message>
-    <message>
-        <source>What whoever opens the project next should know</source>
-        <translation>Hinweise für den, der das Projekt als Nächstes öffnet</translation>
     </message>
     <message>
         <source>&amp;Title</source>
@@ -12481,10 +11823,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>B&amp;uses</source>
         <translation>B&amp;usse</translation>
-    </message>
-    <message>
-        <source>Edits what the project says of itself, and its list of buses. Nothing is sent here.</source>
-        <translation>Bearbeitet Angaben und Busse des Projekts. Hier wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Project</source>
@@ -12518,24 +11856,12 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Ein Gerätecode hat höchstens vier Ziffern, etwa &quot;0237h&quot;.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot stand here: by its place in the list this device is %2 on the remote bus, or %3 on a local bus.</source>
-        <translation>„%1“ kann hier nicht stehen: Nach seinem Platz in der Liste ist dieser Teilnehmer %2 am Fernbus oder %3 an einem Lokalbus.</translation>
-    </message>
-    <message>
         <source>A time such as &quot;2026-03-01T14:02:00.000Z&quot; is expected here (UTC).</source>
         <translation>Hier wird eine Zeit wie &quot;2026-03-01T14:02:00.000Z&quot; erwartet (UTC).</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;.</source>
         <translation>Es gibt keinen Parameter „%1“.</translation>
-    </message>
-    <message>
-        <source>The parameter &quot;%1&quot; stands above already.</source>
-        <translation>Der Parameter „%1“ steht schon weiter oben.</translation>
-    </message>
-    <message>
-        <source>The address &quot;%1&quot; stands above already.</source>
-        <translation>Die Adresse „%1“ steht schon weiter oben.</translation>
     </message>
     <message>
         <source>A number of USB has at most four digits, such as &quot;0403h&quot;.</source>
@@ -12546,20 +11872,12 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Hier wird eine Adresse von &quot;esc:01&quot; bis &quot;esc:1F&quot; erwartet, oder &quot;esc:00&quot; für einen Geber, der allein an seiner Leitung ist.</translation>
     </message>
     <message>
-        <source>Every encoder answers to &quot;esc:00&quot;: one that stands there must be alone on its line.</source>
-        <translation>Auf &quot;esc:00&quot; antwortet jeder Geber: Einer, der dort steht, muss allein an seiner Leitung sein.</translation>
-    </message>
-    <message>
         <source>Another bus above has the number %1.</source>
         <translation>Ein anderer Bus weiter oben hat die Nummer %1.</translation>
     </message>
     <message>
         <source>Another bus above is called &quot;%1&quot;.</source>
         <translation>Ein anderer Bus weiter oben heißt „%1“.</translation>
-    </message>
-    <message>
-        <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
-        <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
     </message>
     <message>
         <source>A bus needs a name, such as &quot;Ring&quot;.</source>
@@ -12591,10 +11909,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>a project that was never saved</source>
         <translation>einem nie gespeicherten Projekt</translation>
-    </message>
-    <message>
-        <source>Codewheel ended without asking. Changes of %1 are kept as they were at %2.</source>
-        <translation>Codewheel wurde unerwartet beendet. Die Änderungen an %1 sind erhalten, Stand: %2.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -12741,16 +12055,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Der Katalog hat keinen Geber für diesen Platz.</translation>
     </message>
     <message>
-        <source>It fits: as far as the project shows, it is like the one before.</source>
-        <translation>Er passt: Soweit aus dem Projekt bekannt, ist er wie der vorige.</translation>
-    </message>
-    <message>
         <source>The key is not that of the chosen encoder. Choose the encoder of the label, or clear the key.</source>
         <translation>Der Schlüssel gehört nicht zum gewählten Geber. Den Geber vom Typenschild wählen oder den Schlüssel löschen.</translation>
-    </message>
-    <message>
-        <source>The encoders of the catalog that can stand at this place</source>
-        <translation>Die Geber des Katalogs, die auf diesem Platz stehen können</translation>
     </message>
     <message>
         <source>It fits: as far as the project shows, it is like the previous one.</source>
@@ -12828,10 +12134,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>&amp;Position of the encoder before</source>
-        <translation>&amp;Position des vorigen Gebers</translation>
-    </message>
-    <message>
         <source>&amp;Set the position to</source>
         <translation>Position &amp;setzen auf</translation>
     </message>
@@ -12840,16 +12142,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Position &amp;lassen, wie der neue Geber sie zeigt</translation>
     </message>
     <message>
-        <source>The shaft must stand where it stood then. The zero offset of the encoder before is not written: setting the position makes a new one. A preset that the project wants is written last, and does not act by itself.</source>
-        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunkt-Verschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt wünscht, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
-    </message>
-    <message>
         <source>The position that was seen last, and when</source>
         <translation>Die zuletzt gesehene Position, und wann</translation>
-    </message>
-    <message>
-        <source>From a note, or from what the machine stands at</source>
-        <translation>Aus Notizen oder nach dem Stand der Maschine</translation>
     </message>
     <message>
         <source>Nothing is set: the machine has to be referenced another way</source>
@@ -12872,16 +12166,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>&amp;Position %1, gesehen um %2, bevor der Geber verschwand</translation>
     </message>
     <message>
-        <source>Give the position as a whole number, 0 or more, or leave it as it is.</source>
-        <translation>Die Position als ganze Zahl ab 0 angeben oder unverändert lassen.</translation>
-    </message>
-    <message>
         <source>Position kept in the pro&amp;ject</source>
         <translation>Im Pro&amp;jekt aufbewahrte Position</translation>
-    </message>
-    <message>
-        <source>The position the encoder before showed last when the project was saved</source>
-        <translation>Die Position, die der vorige Geber zuletzt zeigte, als das Projekt gespeichert wurde</translation>
     </message>
     <message>
         <source>Position %1, kept in the pro&amp;ject: seen at %2</source>
@@ -12890,14 +12176,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>&amp;Position %1, shown at %2; not away since</source>
         <translation>&amp;Position %1, gezeigt um %2; seitdem ununterbrochen da</translation>
-    </message>
-    <message>
-        <source>The encoder has not been away since: it may still be the one before</source>
-        <translation>Der Geber war seitdem ununterbrochen da: Es kann noch der vorige sein</translation>
-    </message>
-    <message>
-        <source>The position the encoder before showed last</source>
-        <translation>Die Position, die der vorige Geber zuletzt zeigte</translation>
     </message>
     <message>
         <source>&amp;Position of the previous encoder</source>
@@ -13032,10 +12310,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>The report was not saved: %1 ends neither in .pdf nor in .html.</source>
         <translation>Der Bericht wurde nicht gespeichert: %1 endet weder auf .pdf noch auf .html.</translation>
-    </message>
-    <message>
-        <source>No program of this computer opens %1. The report is saved.</source>
-        <translation>Kein Programm dieses Rechners öffnet %1. Der Bericht ist gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -13619,10 +12893,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Worte, die gesendet werden</translation>
     </message>
     <message>
-        <source>Each write costs the EEPROM of the encoder one of its writes.</source>
-        <translation>Jedes Schreiben kostet das EEPROM des Gebers einen seiner Schreibvorgänge.</translation>
-    </message>
-    <message>
         <source>Words that will be sent, in this order:</source>
         <translation>Worte, die gesendet werden, in dieser Reihenfolge:</translation>
     </message>
@@ -13726,10 +12996,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>&amp;Ring einlesen</translation>
     </message>
     <message>
-        <source>The master finds the devices of the ring anew; data cycles stop meanwhile. Needs Operate.</source>
-        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still. Nur in Bedienen möglich.</translation>
-    </message>
-    <message>
         <source>&amp;Confirm diagnostics</source>
         <translation>Diagnose &amp;quittieren</translation>
     </message>
@@ -13767,10 +13033,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>&amp;Read in the ring</source>
         <translation>&amp;Ring einlesen</translation>
-    </message>
-    <message>
-        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
-        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still</translation>
     </message>
     <message>
         <source>Chosen lines into the &amp;master</source>
@@ -13859,10 +13121,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Der ganze Teilnehmer: Der Ring ist dort unterbrochen</translation>
     </message>
     <message>
-        <source>A K2 stands there in place of what is configured: the bus fails</source>
-        <translation>Dort steht ein K2 statt des projektierten Geräts: Der Bus fällt aus</translation>
-    </message>
-    <message>
         <source>The device reports it. The bus goes on; the fault stays until it is confirmed.</source>
         <translation>Der Teilnehmer meldet ihn. Der Bus läuft weiter; der Fehler bleibt, bis er quittiert wird.</translation>
     </message>
@@ -13893,10 +13151,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>the master</source>
         <translation>dem Master</translation>
-    </message>
-    <message>
-        <source>%1 is not found as configured: it has no supply, the cable between %2 and %1 is interrupted, or another device stands there. Check 24 V, plug, and which device it is.</source>
-        <translation>%1 wird nicht wie konfiguriert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort steht ein anderes Gerät. 24 V, Stecker und Gerät prüfen.</translation>
     </message>
     <message>
         <source>The ring has failed. The master is looking for the place: wait for it.</source>
@@ -14084,10 +13338,6 @@ Zustand: %7</translation>
     <message>
         <source>Step &amp;5</source>
         <translation>Step &amp;5</translation>
-    </message>
-    <message>
-        <source>With a Step 5 PLC encoders must stand above P127: checks that</source>
-        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: Das wird geprüft</translation>
     </message>
     <message>
         <source>About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters</source>
@@ -14495,20 +13745,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Liest, warum das Fehlerbit gesetzt ist. Das löscht es, sobald der Magnet zurück ist.</translation>
     </message>
     <message>
-        <source>Takes the length as set manually. Nothing is sent.</source>
-        <translation>Trägt die Länge von Hand ein. Gesendet wird nichts.</translation>
-    </message>
-    <message>
         <source>Rod &amp;length, from its label:</source>
         <translation>Stab&amp;länge, vom Typenschild:</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>The position was set by a preset: where the magnet stands on the rod is not known.</source>
-        <translation>Die Position wurde durch einen Preset gesetzt: Wo der Magnet auf dem Stab steht, ist unbekannt.</translation>
     </message>
     <message>
         <source>Not known: %1.</source>
@@ -14560,10 +13802,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>mm for one step of the position.</source>
         <translation>mm für einen Schritt der Position.</translation>
-    </message>
-    <message>
-        <source>Puts this measuring length among the wanted values, and takes the length of the rod as set manually.</source>
-        <translation>Übernimmt diese Messlänge in die gewünschten Werte und trägt die Stablänge von Hand ein.</translation>
     </message>
     <message>
         <source>%1 steps (%2): %3, %4 mm off over %5 mm.</source>
@@ -14830,10 +14068,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Keep this sequence in a file</source>
-        <translation>Diese Sequenz in einer Datei speichern</translation>
-    </message>
-    <message>
         <source> cycles</source>
         <comment>unit of a number of bus cycles</comment>
         <translation> Zyklen</translation>
@@ -14841,10 +14075,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Cycles for words that nothing acknowledges</source>
         <translation>Zyklen für Worte, die nichts quittiert</translation>
-    </message>
-    <message>
-        <source>How long a word stands that nothing acknowledges; others stand until they are</source>
-        <translation>Wie lange ein Wort steht, das nichts quittiert; andere stehen bis zur Quittung</translation>
     </message>
     <message>
         <source>Send the sequence</source>
@@ -14855,16 +14085,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Die Sequenz anhalten</translation>
     </message>
     <message>
-        <source>End the sequence, and choose what becomes of the encoder</source>
-        <translation>Die Sequenz beenden und wählen, in welchem Zustand der Geber bleibt</translation>
-    </message>
-    <message>
         <source>&amp;Run: end the parameterization with what the encoder has taken</source>
         <translation>&amp;Run: die Parametrierung mit dem beenden, was der Geber übernommen hat</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the encoder as it is, OUT back to 0</source>
-        <translation>Geber un&amp;verändert lassen, OUT zurück auf 0</translation>
     </message>
     <message>
         <source>Open a sequence</source>
@@ -14983,10 +14205,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Meldungen und Zählung der EEPROM-Schreibvorgänge</translation>
     </message>
     <message>
-        <source>Unsaved changes, for after a crash</source>
-        <translation>Nicht gespeicherte Änderungen, für nach einem Absturz</translation>
-    </message>
-    <message>
         <source>Your own device descriptions</source>
         <translation>Eigene Gerätebeschreibungen</translation>
     </message>
@@ -15002,20 +14220,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Language and look</source>
-        <translation>Sprache und Aussehen</translation>
-    </message>
-    <message>
         <source>&amp;Language</source>
         <translation>&amp;Sprache</translation>
-    </message>
-    <message>
-        <source>Of all texts. The window is made anew; the buses go on.</source>
-        <translation>Aller Texte. Das Fenster wird neu aufgebaut; die Busse laufen weiter.</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
     </message>
     <message>
         <source>&amp;Numbers</source>
@@ -15024,10 +14230,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The sign before decimals. Typed numbers are understood with either.</source>
         <translation>Das Zeichen vor den Nachkommastellen. Getippte Zahlen werden mit beiden verstanden.</translation>
-    </message>
-    <message>
-        <source>As the language writes them</source>
-        <translation>Wie in der Sprache üblich</translation>
     </message>
     <message>
         <source>Decimal point: 0.25</source>
@@ -15091,10 +14293,6 @@ Worte: IN %3, OUT %4</translation>
         <translation> %</translation>
     </message>
     <message>
-        <source>From this share of the writes of which the manual of an encoder speaks, each write has to be confirmed. It can only be earlier than the usual 75 %. Beyond what the manual guarantees, the place always has to be typed.</source>
-        <translation>Ab diesem Anteil der Schreibvorgänge, von denen das Handbuch eines Gebers spricht, ist jedes Schreiben zu bestätigen. Es kann nur früher sein als die üblichen 75 %. Jenseits dessen, was das Handbuch garantiert, ist immer der Platz einzutippen.</translation>
-    </message>
-    <message>
         <source>Files</source>
         <translation>Dateien</translation>
     </message>
@@ -15108,10 +14306,6 @@ Worte: IN %3, OUT %4</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>Beyond it the oldest messages are dropped. Acts at the next start.</source>
-        <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
-    </message>
-    <message>
         <source>&amp;Handshake trace, at most</source>
         <translation>Handshake-&amp;Protokoll, höchstens</translation>
     </message>
@@ -15121,10 +14315,6 @@ Worte: IN %3, OUT %4</translation>
         <translation> Zeilen</translation>
     </message>
     <message>
-        <source>Kept of one encoder while the program runs; the oldest go.</source>
-        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
-    </message>
-    <message>
         <source>&amp;Unsaved changes, every</source>
         <translation>&amp;Nicht Gespeichertes, alle</translation>
     </message>
@@ -15132,10 +14322,6 @@ Worte: IN %3, OUT %4</translation>
         <source> s</source>
         <comment>seconds</comment>
         <translation> s</translation>
-    </message>
-    <message>
-        <source>So often what is not saved is kept for after a crash. It is offered at the next start until it is recovered or discarded.</source>
-        <translation>So oft wird nicht Gespeichertes für nach einem Absturz aufgehoben. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
     </message>
     <message>
         <source>The folders follow XDG_CONFIG_HOME and XDG_DATA_HOME of the system, so that window and command line share one account of EEPROM writes; they are not changed here.</source>
@@ -15148,10 +14334,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Restores what was set before (Esc)</source>
         <translation>Stellt wieder her, was vorher eingestellt war (Esc)</translation>
-    </message>
-    <message>
-        <source>Sets everything as it is after the installation; Cancel takes that back</source>
-        <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
     </message>
     <message>
         <source>Language and appearance</source>
@@ -15304,10 +14486,6 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::Start</name>
     <message>
-        <source>Replace an encoder: connect the bus on which the new encoder stands.</source>
-        <translation>Geber ersetzen: den Bus verbinden, an dem der neue Geber steht.</translation>
-    </message>
-    <message>
         <source>&amp;Connect</source>
         <translation>&amp;Verbinden</translation>
     </message>
@@ -15347,10 +14525,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Projekt öffnen</translation>
     </message>
     <message>
-        <source>The planned encoders, with the values they shall have.</source>
-        <translation>Die geplanten Geber, mit den Werten, die sie haben sollen.</translation>
-    </message>
-    <message>
         <source>Recent projects</source>
         <translation>Zuletzt benutzte Projekte</translation>
     </message>
@@ -15361,10 +14535,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Replace an encoder</source>
         <translation>Geber ersetzen</translation>
-    </message>
-    <message>
-        <source>Gives a new encoder the values and the position of the one before, from the project.</source>
-        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
     </message>
     <message>
         <source>Start</source>
@@ -15587,10 +14757,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Gerät einfügen</translation>
     </message>
     <message>
-        <source>Insert...</source>
-        <translation>Einfügen...</translation>
-    </message>
-    <message>
         <source>Insert a device from the catalog or by ID code</source>
         <translation>Gerät aus dem Katalog oder nach ID-Code einfügen</translation>
     </message>
@@ -15649,10 +14815,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Search the structure</source>
         <translation>Aufbau durchsuchen</translation>
-    </message>
-    <message>
-        <source>Goes to the devices with this text; Enter and Shift+Enter to the next and to the one before (Ctrl+F)</source>
-        <translation>Geht zu den Teilnehmern mit diesem Text; Eingabe und Umschalt+Eingabe zum nächsten und zum vorigen (Strg+F)</translation>
     </message>
     <message>
         <source>Planned bus structure</source>
@@ -15789,10 +14951,6 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::Support</name>
     <message>
-        <source>The project as it is now, with what is not saved</source>
-        <translation>Das Projekt, wie es jetzt ist, mit dem, was nicht gespeichert ist</translation>
-    </message>
-    <message>
         <source>The newest messages, %1 at most</source>
         <translation>Die neuesten Meldungen, höchstens %1</translation>
     </message>
@@ -15836,16 +14994,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>What the chosen file holds</source>
-        <translation>Was in der gewählten Datei steht</translation>
-    </message>
-    <message>
         <source>Collect for support</source>
         <translation>Für den Support sammeln</translation>
-    </message>
-    <message>
-        <source>&amp;Save...</source>
-        <translation>&amp;Speichern...</translation>
     </message>
     <message>
         <source>Asks where to save the file; nothing is sent</source>
@@ -15868,27 +15018,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>What it tells</source>
-        <translation>Was darin steht</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files, %1 before they are compressed</source>
-        <translation>
-            <numerusform>%n Datei, %1 unkomprimiert</numerusform>
-            <numerusform>%n Dateien, %1 unkomprimiert</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Save for support</source>
         <translation>Für den Support speichern</translation>
     </message>
     <message>
         <source>Zip files (*.zip)</source>
         <translation>Zip-Dateien (*.zip)</translation>
-    </message>
-    <message>
-        <source>One file with what is needed to look into a problem. It holds what is ticked here and nothing else. The home folder, the name of the user in paths and that of this computer are taken out. Nothing is sent: give the file to whom you want.</source>
-        <translation>Eine Datei mit dem, was zur Klärung eines Problems nötig ist. Sie enthält, was hier angehakt ist, und sonst nichts. Persönlicher Ordner, Benutzername in Pfaden und Name dieses Rechners sind entfernt. Es wird nichts gesendet: Die Datei kann weitergeben, wer will.</translation>
     </message>
     <message>
         <source>What the chosen file contains</source>
@@ -15916,10 +15051,6 @@ Worte: IN %3, OUT %4</translation>
 </context>
 <context>
     <name>codewheel::TablesReader</name>
-    <message>
-        <source>This stands here twice.</source>
-        <translation>Das steht hier doppelt.</translation>
-    </message>
     <message>
         <source>At least one row is expected here.</source>
         <translation>Hier wird mindestens eine Zeile erwartet.</translation>
@@ -15958,10 +15089,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Pause</source>
         <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Hold the table; rows that come are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -16007,10 +15134,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 is on a serial line</source>
         <translation>%1 ist an einer seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>It has no words. What passes on its line stands in the terminal.</source>
-        <translation>Er hat keine Worte. Was über seine Leitung geht, steht im Terminal.</translation>
     </message>
     <message>
         <source>Open the terminal</source>
@@ -16244,10 +15367,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Hier wird eine Teilnehmernummer wie &quot;6.1&quot; erwartet.</translation>
     </message>
     <message>
-        <source>The participants must stand in the order of the ring.</source>
-        <translation>Die Teilnehmer müssen in der Reihenfolge des Rings stehen.</translation>
-    </message>
-    <message>
         <source>A branch needs a bus terminal before it: %1.0.</source>
         <translation>Vor einem Abzweig muss eine Busklemme stehen: %1.0.</translation>
     </message>
@@ -16303,10 +15422,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Werte eines Gebers an andere übertragen</translation>
     </message>
     <message>
-        <source>Restore values from before</source>
-        <translation>Vorige Werte wiederherstellen</translation>
-    </message>
-    <message>
         <source>What is transferred</source>
         <translation>Was übertragen wird</translation>
     </message>
@@ -16323,10 +15438,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Der Geber, dessen Werte die anderen bekommen, soweit sie bekannt sind</translation>
     </message>
     <message>
-        <source>Values from before</source>
-        <translation>Vorige Werte</translation>
-    </message>
-    <message>
         <source>What the encoder had before this program wrote to it</source>
         <translation>Was der Geber hatte, bevor dieses Programm in ihn schrieb</translation>
     </message>
@@ -16337,10 +15448,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Transfer</source>
         <translation>Über&amp;tragen</translation>
-    </message>
-    <message>
-        <source>Nothing is kept of %1.</source>
-        <translation>Von %1 ist nichts aufbewahrt.</translation>
     </message>
     <message>
         <source>Restore earlier values</source>
@@ -16378,10 +15485,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>gleich</translation>
     </message>
     <message>
-        <source>another</source>
-        <translation>weicht ab</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
@@ -16402,25 +15505,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Jedes seiner Nockenprogramme wird in dessen Nockenbetrieb gelesen. Ein zuvor geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
-        <source>Known now, beside what the project has stored</source>
-        <translation>Jetzt bekannt, neben dem, was im Projekt abgelegt ist</translation>
-    </message>
-    <message>
-        <source>Computed from the other values, which act once it is sent</source>
-        <translation>Aus den anderen Werten berechnet, die wirken, sobald er gesendet ist</translation>
-    </message>
-    <message>
         <source>What will be sent for it</source>
         <translation>Was dafür gesendet wird</translation>
     </message>
     <message>
         <source>Values to read: %1. It goes on showing its position.</source>
         <translation>Zu lesende Werte: %1. Dabei zeigt er weiter seine Position.</translation>
-    </message>
-    <message>
-        <source>Known values are not up to date: %1</source>
-        <comment>a sentence</comment>
-        <translation>Bekannte Werte sind nicht aktuell: %1</translation>
     </message>
     <message>
         <source>The project has none stored.</source>
@@ -16454,10 +15544,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Encoder and parameter</source>
         <translation>Geber, Parameter</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
     </message>
     <message>
         <source>In the project</source>
@@ -16515,14 +15601,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Wählt jeden Geber, in den geschrieben werden kann</translation>
     </message>
     <message>
-        <source>Chooses none</source>
-        <translation>Wählt keinen</translation>
-    </message>
-    <message>
-        <source>Begin no other encoder after one has refused</source>
-        <translation>Keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
-    </message>
-    <message>
         <source>Shows what differs now</source>
         <translation>Zeigt, was jetzt abweicht</translation>
     </message>
@@ -16559,20 +15637,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Werte von %1</translation>
     </message>
     <message>
-        <source>Reads the chosen encoders, and keeps what they have in the project. Those of a ring show no position meanwhile</source>
-        <translation>Liest die gewählten Geber aus und legt ihre Werte im Projekt ab. Die eines Rings zeigen solange keine Position</translation>
-    </message>
-    <message>
         <source>Sends what is shown above to the chosen encoders, one after the other</source>
         <translation>Sendet das oben Gezeigte an die gewählten Geber, an einen nach dem anderen</translation>
     </message>
     <message>
         <source>What was written. Nothing more is sent.</source>
         <translation>Was geschrieben wurde. Es wird nichts mehr gesendet.</translation>
-    </message>
-    <message>
-        <source>Keeps what encoders have in the project. Nothing is sent before Read and store.</source>
-        <translation>Legt im Projekt ab, was Geber haben. Vor Lesen und Ablegen wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Writes to encoders. Nothing is sent before Write.</source>
@@ -16600,14 +15670,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>No encoder is chosen.</source>
         <translation>Kein Geber gewählt.</translation>
-    </message>
-    <message>
-        <source>Gives a new encoder in its place the values and the position of the one before</source>
-        <translation>Gibt einem neuen Geber an diesem Platz die Werte und die Position des vorigen</translation>
-    </message>
-    <message>
-        <source>Restore &amp;values from before...</source>
-        <translation>Vorige &amp;Werte wiederherstellen...</translation>
     </message>
     <message>
         <source>Restore &amp;values of %1...</source>
@@ -16639,10 +15701,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Values of one encoder given to others</source>
         <translation>Werte eines Gebers an andere übertragen</translation>
-    </message>
-    <message>
-        <source>Values from before restored</source>
-        <translation>Vorige Werte wiederhergestellt</translation>
     </message>
     <message>
         <source>Encoder replaced</source>
@@ -16683,10 +15741,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Position after</source>
         <translation>Position nachher</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Zustand danach</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -16771,10 +15825,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>War schon vorhanden</translation>
     </message>
     <message>
-        <source>Value from before restored</source>
-        <translation>Voriger Wert wiederhergestellt</translation>
-    </message>
-    <message>
         <source>Not done</source>
         <translation>Nicht ausgeführt</translation>
     </message>
@@ -16819,48 +15869,16 @@ Worte: IN %3, OUT %4</translation>
         <translation>Nockenprogramme werden gelesen, bei Abweichung geschrieben und beim Verlassen gespeichert.</translation>
     </message>
     <message>
-        <source>The position is set to %1 at the end of it.</source>
-        <translation>Am Ende wird die Position auf %1 gesetzt.</translation>
-    </message>
-    <message>
         <source>A preset acts once: it is programmed again where it is used up.</source>
         <translation>Ein Preset wirkt einmal: Ist er verbraucht, wird er neu programmiert.</translation>
-    </message>
-    <message>
-        <source>Nothing is wanted of it.</source>
-        <translation>Von ihm wird nichts gewünscht.</translation>
-    </message>
-    <message>
-        <source>All of it is there: nothing is sent.</source>
-        <translation>Alles ist schon vorhanden: Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Values and cam programs to write: %1. EEPROM writes: at most %2.</source>
         <translation>Zu schreibende Werte und Nockenprogramme: %1. EEPROM-Schreibvorgänge: höchstens %2.</translation>
     </message>
     <message>
-        <source>Not begun.</source>
-        <translation>Nicht begonnen.</translation>
-    </message>
-    <message>
-        <source>All of it was there: nothing was sent.</source>
-        <translation>Alles war schon vorhanden: Es wurde nichts gesendet.</translation>
-    </message>
-    <message>
         <source>Done.</source>
         <translation>Erledigt.</translation>
-    </message>
-    <message>
-        <source>Planned was a %1; the new one is a %2.</source>
-        <translation>Geplant war ein %1; der neue ist ein %2.</translation>
-    </message>
-    <message>
-        <source>It has %2 physical steps per turn, the one before had %1.</source>
-        <translation>Er hat %2 physikalische Schritte je Umdrehung, der vorige hatte %1.</translation>
-    </message>
-    <message>
-        <source>It has %2 turns, the one before had %1.</source>
-        <translation>Er hat %2 Umdrehungen, der vorige hatte %1.</translation>
     </message>
     <message>
         <source>It has no &quot;%1&quot;: the value %2 is not written.</source>
@@ -16873,10 +15891,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>silent: it does not answer</source>
         <translation>stumm: antwortet nicht</translation>
-    </message>
-    <message>
-        <source>Taken, but not valid until run is sent</source>
-        <translation>Übernommen, aber erst nach Run gültig</translation>
     </message>
     <message>
         <source>Sent: it is not known whether the encoder has it</source>
@@ -16930,10 +15944,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Geräte filtern</translation>
     </message>
     <message>
-        <source>Shows the devices whose station, place, make or state has these words; Esc shows all</source>
-        <translation>Zeigt die Geräte, in deren Station, Platz, Hersteller oder Zustand diese Wörter stehen; Esc zeigt alle</translation>
-    </message>
-    <message>
         <source>To the devices that are left</source>
         <translation>Zu den Geräten, die übrig sind</translation>
     </message>
@@ -16966,10 +15976,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Leaves everything as it is (Esc)</source>
-        <translation>Lässt alles unverändert (Esc)</translation>
     </message>
     <message>
         <source>Leaves everything unchanged (Esc)</source>
@@ -17037,16 +16043,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Export handshake &amp;trace...</source>
-        <translation>Handshake-&amp;Protokoll exportieren...</translation>
-    </message>
-    <message>
         <source>Saves the handshake trace as a CSV file</source>
         <translation>Speichert das Handshake-Protokoll als CSV-Datei</translation>
-    </message>
-    <message>
-        <source>Export &amp;messages...</source>
-        <translation>&amp;Meldungen exportieren...</translation>
     </message>
     <message>
         <source>Saves the messages as a CSV file</source>
@@ -17055,10 +16053,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Ends the program</source>
-        <translation>Beendet das Programm</translation>
     </message>
     <message>
         <source>&amp;Bus</source>
@@ -17225,10 +16219,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Beginnt ein leeres Projekt</translation>
     </message>
     <message>
-        <source>&amp;Open...</source>
-        <translation>Ö&amp;ffnen...</translation>
-    </message>
-    <message>
         <source>Opens a project</source>
         <translation>Öffnet ein Projekt</translation>
     </message>
@@ -17243,10 +16233,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Saves the project</source>
         <translation>Speichert das Projekt</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>Speichern &amp;unter...</translation>
     </message>
     <message>
         <source>Saves the project in another file</source>
@@ -17265,24 +16251,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Undoes the last change of the project</source>
-        <translation>Nimmt die letzte Änderung des Projekts zurück</translation>
-    </message>
-    <message>
-        <source>Does again what was undone</source>
-        <translation>Stellt die zurückgenommene Änderung wieder her</translation>
-    </message>
-    <message>
         <source>&amp;Bus structure</source>
         <translation>&amp;Busaufbau</translation>
     </message>
     <message>
         <source>Edits the planned bus</source>
         <translation>Bearbeitet den geplanten Bus</translation>
-    </message>
-    <message>
-        <source>&amp;Commissioning report...</source>
-        <translation>&amp;Inbetriebnahmebericht...</translation>
     </message>
     <message>
         <source>Saves the commissioning report of the project as a PDF or a web page; sends nothing</source>
@@ -17301,20 +16275,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Geber &amp;ersetzen</translation>
     </message>
     <message>
-        <source>Restore &amp;values from before...</source>
-        <translation>Vorige &amp;Werte wiederherstellen...</translation>
-    </message>
-    <message>
         <source>Not connected: nothing can be sent.</source>
         <translation>Nicht verbunden: Es lässt sich nichts senden.</translation>
     </message>
     <message>
         <source>Edits the cam programs planned for the chosen encoder</source>
         <translation>Bearbeitet die für den gewählten Geber geplanten Nockenprogramme</translation>
-    </message>
-    <message>
-        <source>&amp;Project...</source>
-        <translation>Pro&amp;jekt...</translation>
     </message>
     <message>
         <source>Title, note and link of the project</source>
@@ -17389,18 +16355,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Beobachten: Nichts wird geschrieben</translation>
     </message>
     <message>
-        <source>&amp;Settings...</source>
-        <translation>&amp;Einstellungen...</translation>
-    </message>
-    <message>
-        <source>Language, look, numbers, EEPROM warnings, and where files are</source>
-        <translation>Sprache, Aussehen, Zahlen, EEPROM-Warnungen und wo Dateien liegen</translation>
-    </message>
-    <message>
-        <source>Shows the monitors; a page that is open can be gone on with</source>
-        <translation>Zeigt die Monitore; auf einer offenen Seite kann danach weitergearbeitet werden</translation>
-    </message>
-    <message>
         <source>Close pag&amp;e</source>
         <translation>S&amp;eite schließen</translation>
     </message>
@@ -17438,10 +16392,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Hilfe hierzu</translation>
     </message>
     <message>
-        <source>Opens the manual where it tells of what has the focus</source>
-        <translation>Öffnet das Handbuch dort, wo es vom Element mit dem Fokus handelt</translation>
-    </message>
-    <message>
         <source>&amp;Manual</source>
         <translation>Hand&amp;buch</translation>
     </message>
@@ -17450,16 +16400,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Öffnet das Handbuch auf der ersten Seite</translation>
     </message>
     <message>
-        <source>&amp;Collect for support...</source>
-        <translation>Für den &amp;Support sammeln...</translation>
-    </message>
-    <message>
         <source>Saves what is needed to look into a problem as one file, after it was shown; sends nothing</source>
         <translation>Speichert in einer Datei, was zur Klärung eines Problems nötig ist, nachdem es gezeigt wurde; sendet nichts</translation>
-    </message>
-    <message>
-        <source>Pr&amp;int...</source>
-        <translation>D&amp;rucken...</translation>
     </message>
     <message>
         <source>Prints the table or the picture that has the focus, or else the commissioning report, after a preview</source>
@@ -17566,11 +16508,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Diesen Monitor behalten, wenn ein anderes Gerät gewählt wird</translation>
     </message>
     <message>
-        <source>Show of %1</source>
-        <comment>Show of 1.0</comment>
-        <translation>Anzeige von %1</translation>
-    </message>
-    <message>
         <source>Choose what all monitors show</source>
         <translation>Wählen, was alle Monitore zeigen</translation>
     </message>
@@ -17622,11 +16559,6 @@ Worte: IN %3, OUT %4</translation>
         <comment>meaning of a word</comment>
         <translation>Noch nicht gesendet: %1</translation>
     </message>
-    <message>
-        <source>Not up to date, %1: %2</source>
-        <comment>20 s ago, meaning of a word</comment>
-        <translation>Nicht aktuell, %1: %2</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::WordSender</name>
@@ -17648,17 +16580,9 @@ Worte: IN %3, OUT %4</translation>
         <translation>Schreiben: %1</translation>
     </message>
     <message>
-        <source>Send this word to the encoder; it stands there until another is sent (Ctrl+Return)</source>
-        <translation>Dieses Wort an den Geber senden; es steht dort, bis ein anderes gesendet wird (Strg+Eingabe)</translation>
-    </message>
-    <message>
         <source>Discard %1</source>
         <comment>Discard OUT 1.0</comment>
         <translation>Verwerfen: %1</translation>
-    </message>
-    <message>
-        <source>Back to the word that stands on the bus (Esc)</source>
-        <translation>Zurück zum Wort, das auf dem Bus steht (Esc)</translation>
     </message>
     <message>
         <source>Send %1 at once</source>
@@ -17764,10 +16688,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>The word that will stand in OUT</source>
-        <translation>Das Wort, das dann in OUT steht</translation>
-    </message>
-    <message>
         <source>What will be sent, between ESC and CR LF</source>
         <translation>Was gesendet wird, zwischen ESC und CR LF</translation>
     </message>
@@ -17805,26 +16725,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::DialHead</name>
-    <message>
-        <source>Pin dial</source>
-        <translation>Anzeige anheften</translation>
-    </message>
-    <message>
-        <source>Pinned</source>
-        <comment>the dial</comment>
-        <translation>Angeheftet</translation>
-    </message>
-    <message>
-        <source>Let the dial follow the bus structure again</source>
-        <translation>Die Anzeige wieder dem Busaufbau folgen lassen</translation>
-    </message>
-    <message>
-        <source>Keep this dial when another encoder is chosen</source>
-        <translation>Diese Anzeige behalten, wenn ein anderer Geber gewählt wird</translation>
     </message>
 </context>
 </TS>

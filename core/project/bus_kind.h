@@ -21,8 +21,8 @@ class BusKind
 public:
     virtual ~BusKind() = default;
 
-    virtual QString key() const = 0;       // in files: "interbus"
-    virtual QString title() const = 0;     // in the user's language: "INTERBUS ring"
+    virtual QString key() const = 0;   // in files: "interbus"
+    virtual QString title() const = 0; // in the user's language: "INTERBUS ring"
     // Of a bus without a project, the same in all languages: "Line".
     virtual QString usualName() const = 0;
     // Of a bus that is new in a project or a window, in the language of the user.

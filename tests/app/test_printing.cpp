@@ -178,8 +178,7 @@ TEST_F(PrintingTest, ATableIsPrintedAsItIsShown)
     const auto *tree = window().findChild<QAbstractItemView *>(QStringLiteral("structure"));
     ASSERT_NE(tree, nullptr);
     QTextDocument document;
-    document.setHtml(printedHead(QStringLiteral("<Bus>"), QStringLiteral("today")) +
-                     printedTable(*tree));
+    document.setHtml(printedHead(QStringLiteral("<Bus>"), QStringLiteral("today")) + printedTable(*tree));
     const std::string text = document.toPlainText().toStdString();
     for (const char *expected : {"<Bus>", "today", "FRABA OCD-IB K3", "12345"})
         EXPECT_THAT(text, HasSubstr(expected));
