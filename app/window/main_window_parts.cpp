@@ -80,6 +80,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_structure = new StructureView(this);
     m_parameters = new ParameterPanel(*m_wanted, this);
     auto *dial = new DialPanel(this);
+    dial->setPrinting(*m_actions.print);
     m_dial = new DialPin(*dial, *m_buses, [this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_dial, &DialPin::showHead);
     connect(m_actions.pinDial, &QAction::triggered, m_dial, &DialPin::setPinned);
@@ -150,7 +151,6 @@ void MainWindow::connectProject()
                      {.bus = [this](BusId bus) { return m_plant->nameOf(bus); },
                       .station = [this](Place place) { return m_project.device(place).station; }});
     connect(m_actions.print, &QAction::triggered, printing, &Printing::preview);
-    m_dial->setPrinting(*m_actions.print);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 
