@@ -16347,10 +16347,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Monitor an&amp;heften</translation>
     </message>
     <message>
-        <source>Keeps the monitor of the chosen device when another one is chosen</source>
-        <translation>Behält den Monitor des gewählten Geräts, wenn ein anderes gewählt wird</translation>
-    </message>
-    <message>
         <source>Watch: nothing is written</source>
         <translation>Beobachten: Nichts wird geschrieben</translation>
     </message>
@@ -16482,6 +16478,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Pr&amp;int…</source>
         <translation>D&amp;rucken…</translation>
+    </message>
+    <message>
+        <source>&amp;Fold bottom panels</source>
+        <translation>Bereiche unten ein&amp;klappen</translation>
+    </message>
+    <message>
+        <source>Folds the panels at the bottom to their tabs: monitors get their height</source>
+        <translation>Klappt die Bereiche unten zu ihren Reitern ein: Die Monitore bekommen ihre Höhe</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,7 @@ void BottomFold::fold()
             foldPanel(*panel);
     for (auto *tabs : m_window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
         tabs->installEventFilter(this);
+    Q_EMIT foldedChanged(true);
 }
 
 // A panel on its own has no tab: its title stays, and its content takes no height.
@@ -60,6 +61,7 @@ void BottomFold::unfold()
         }
     }
     m_window.resizeDocks(panels, heights, Qt::Vertical);
+    Q_EMIT foldedChanged(false);
 }
 
 bool BottomFold::eventFilter(QObject *watched, QEvent *event)

@@ -3,6 +3,7 @@
 
 #include <QHash>
 #include <QObject>
+#include <QSignalBlocker>
 
 class QDockWidget;
 class QMainWindow;
@@ -33,10 +34,12 @@ public:
             : m_fold(fold)
             , m_wasFolded(fold.isFolded())
         {
+            const QSignalBlocker forNow(m_fold);
             m_fold.unfold();
         }
         ~Pause()
         {
+            const QSignalBlocker asBefore(m_fold);
             if (m_wasFolded)
                 m_fold.fold();
         }
@@ -47,6 +50,9 @@ public:
         BottomFold &m_fold;
         const bool m_wasFolded;
     };
+
+Q_SIGNALS:
+    void foldedChanged(bool folded);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

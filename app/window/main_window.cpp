@@ -135,6 +135,10 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     showBusState();
     showStart();
     connect(m_head, &PageHead::roomChanged, this, &MainWindow::foldBottom);
+    connect(&m_panels.fold(), &BottomFold::foldedChanged, this, [this](bool folded) {
+        m_actions.foldBottom->setChecked(folded);
+        m_keepsBottomFolded = m_keepsBottomFolded && folded;
+    });
     // Later, when the panels have the heights that are to come back.
     QTimer::singleShot(0, this, &MainWindow::foldBottom);
     if (m_pages->currentWidget() == m_monitors)
@@ -273,7 +277,7 @@ void MainWindow::showMonitors()
 
 void MainWindow::foldBottom()
 {
-    if (m_head->needsRoom())
+    if (m_head->needsRoom() || m_keepsBottomFolded)
         m_panels.fold().fold();
     else
         m_panels.fold().unfold();

@@ -194,6 +194,7 @@ private:
     TransferPages *m_transfer = nullptr;
     Start *m_start = nullptr;
     DroppedDevice *m_droppedDevice = nullptr;
+    bool m_keepsBottomFolded = false; // by the user, whatever is in the middle
     QByteArray m_defaultLayout;
     WindowLayouts *m_layouts = nullptr;
     bool m_painted = false;

@@ -111,6 +111,10 @@ void MainWindow::connectViewActions()
     connect(m_actions.lessMotion, &QAction::triggered, this, change);
     connect(m_actions.language, &QActionGroup::triggered, this,
             [this](const QAction *language) { Q_EMIT languageChosen(language->data().toString()); });
+    connect(m_actions.foldBottom, &QAction::triggered, this, [this](bool on) {
+        m_keepsBottomFolded = on;
+        on ? m_panels.fold().fold() : m_panels.fold().unfold();
+    });
     connect(m_actions.defaultLayout, &QAction::triggered, this, [this] {
         if (m_layouts != nullptr)
             m_layouts->useDefault();

@@ -254,6 +254,8 @@ void WindowActions::makeViewMenu()
     closePage->setEnabled(false);
     menu->addSeparator();
     docks = menu->addMenu(tr("&Panels"));
+    foldBottom = described(checkable(menu->addAction(tr("&Fold bottom panels"))), Qt::CTRL | Qt::Key_F7,
+                           tr("Folds the panels at the bottom to their tabs: monitors get their height"));
     defaultLayout =
         described(menu->addAction(tr("&Default layout")), {}, tr("Puts all panels back in their places"));
     menu->addSeparator();

@@ -95,6 +95,7 @@ public:
     QAction *lessMotion;
     QActionGroup *scheme;   // data(): int(Scheme)
     QActionGroup *language; // data(): QString, empty for the system's
+    QAction *foldBottom;
     QAction *defaultLayout;
     // Help
     QAction *help;   // about what has the focus

@@ -66,6 +66,34 @@ TEST_F(BottomFoldTest, AClickOnATabUnfoldsThemWhileThePageStays)
     EXPECT_NEAR(height(), before, 2);
 }
 
+TEST_F(BottomFoldTest, ItsKeyGivesTheMonitorsTheHeightAndTakesItBack)
+{
+    const int before = height();
+    const int low = page()->height();
+    QTest::keyClick(&window(), Qt::Key_F7, Qt::ControlModifier);
+    EXPECT_TRUE(isFolded());
+    EXPECT_TRUE(actions().foldBottom->isChecked());
+    EXPECT_GT(page()->height(), low + 100);
+    QTest::keyClick(&window(), Qt::Key_F7, Qt::ControlModifier);
+    EXPECT_NEAR(height(), before, 2);
+    EXPECT_FALSE(actions().foldBottom->isChecked());
+}
+
+TEST_F(BottomFoldTest, WhatTheUserFoldedStaysSoAfterAPage)
+{
+    actions().foldBottom->trigger();
+    actions().cams->trigger();
+    actions().closePage->trigger();
+    EXPECT_TRUE(isFolded());
+    clickTab(QStringLiteral("Messages"));
+    EXPECT_GT(height(), 100);
+    EXPECT_FALSE(actions().foldBottom->isChecked());
+    actions().cams->trigger();
+    EXPECT_TRUE(actions().foldBottom->isChecked()) << "by the page";
+    actions().closePage->trigger();
+    EXPECT_GT(height(), 100);
+}
+
 TEST_F(BottomFoldTest, ATabElsewhereUnfoldsNothing)
 {
     actions().cams->trigger();
