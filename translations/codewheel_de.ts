@@ -15672,7 +15672,7 @@ Worte: IN %3, OUT %4</translation>
         <translation>Kein Geber gewählt.</translation>
     </message>
     <message>
-        <source>Restore &amp;values of %1...</source>
+        <source>Restore &amp;values of %1…</source>
         <translation>&amp;Werte von %1 wiederherstellen…</translation>
     </message>
     <message>

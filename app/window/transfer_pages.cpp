@@ -79,7 +79,7 @@ void TransferPages::showActions()
     m_actions.restoreValues->setEnabled(!before.empty());
     m_actions.restoreValues->setText(
         before.empty() ? tr("Restore earlier &values…")
-                       : tr("Restore &values of %1...").arg(timeOf(before.front(), m_buses.now(*m_number))));
+                       : tr("Restore &values of %1…").arg(timeOf(before.front(), m_buses.now(*m_number))));
     describe(
         *m_actions.restoreValues,
         !canBeWritten ? why

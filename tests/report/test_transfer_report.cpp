@@ -27,15 +27,14 @@ TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
         text.toStdString(),
         "Values written to encoders\n==========================\n\ncrane.codewheel\n\nDate:          1 Mar "
         "2026 14:02:00\nEncoders:      1 of 2 have all of it\nWritten:       1\nAlready there: 1\nEEPROM "
-        "writes: 1\nSoftware:      Codewheel 1.2\n\n2.0 Hoist\n---------\n\nDevice:          Baumer GXP6W "
-        "K3\nResult:          Done.\nBegun:           1 Mar 2026 14:02:00\nEnded:           1 Mar 2026 "
-        "14:02:00\nEEPROM writes:   1\nPosition before: not known\nPosition after:  343674\nLeft:            "
-        "in operation\n\nParameter                   Before         Wanted  What became of it\nSteps         "
-        "             unknown           4096  Written, confirmed by the handshake\nCoding     6 (Gray, CCW) "
-        "(by hand) "
-        " 6 (Gray, CCW)  Already there\n\n3.0\n---\n\nDevice: FRABA OCD-IB K1\nResult: The FRABA OCD-IB K1 "
-        "cannot be parameterized over the bus.\n\nParameter   Before  Wanted  What became of it\nSteps      "
-        "unknown     100  Not done\n");
+        "writes: 1\nSoftware:      Codewheel 1.2\n\n2.0 Hoist\n---------\n\nDevice:           Baumer GXP6W "
+        "K3\nResult:           Done.\nBegun:            1 Mar 2026 14:02:00\nEnded:            1 Mar 2026 "
+        "14:02:00\nEEPROM writes:    1\nPosition before:  not known\nPosition after:   343674\nState "
+        "afterwards: in operation\n\nParameter                   Before         Wanted  What became of "
+        "it\nSteps                      unknown           4096  Written, confirmed by the "
+        "handshake\nCoding     6 (Gray, CCW) (by hand)  6 (Gray, CCW)  Already there\n\n3.0\n---\n\nDevice: "
+        "FRABA OCD-IB K1\nResult: The FRABA OCD-IB K1 cannot be parameterized over the bus.\n\nParameter   "
+        "Before  Wanted  What became of it\nSteps      unknown     100  Not done\n");
     const QByteArray html = reportAsHtml(reportOf(account, catalog, QStringLiteral("1.2")));
     EXPECT_TRUE(html.contains("crane.codewheel"));
     EXPECT_TRUE(html.contains("Written, confirmed by the handshake"));
