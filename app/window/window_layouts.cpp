@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPointer>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QScreen>
@@ -107,6 +108,7 @@ void WindowLayouts::rememberIfChanged(QSize in)
 
 void WindowLayouts::settle()
 {
+    const QPointer<QWidget> focused = m_window.focusWidget();
     const WindowSize size = windowSizeOf(m_window.size());
     const auto kept = m_kept.find(size);
     if (size != m_size)
@@ -114,6 +116,8 @@ void WindowLayouts::settle()
     else if (kept != m_kept.end() && kept->second.in == m_window.size())
         m_means.restore(kept->second.state);
     m_settled = m_means.save();
+    if (focused != nullptr && focused->isVisible()) // panels that moved have lost it
+        focused->setFocus();
 }
 
 void WindowLayouts::enter(WindowSize size)

@@ -88,6 +88,17 @@ TEST_F(WindowLayoutsTest, WithinOneArrangementAPanelThatGaveWayComesBack)
     EXPECT_EQ(places(), before);
 }
 
+TEST_F(WindowLayoutsTest, TheFocusStaysWhereItIs)
+{
+    auto *tree = window().findChild<QWidget *>(QStringLiteral("structure"));
+    tree->setFocus();
+    for (const QSize size : {small, large, usual}) {
+        resizeTo(size);
+        advance(200);
+        EXPECT_EQ(window().focusWidget(), tree) << size.width();
+    }
+}
+
 TEST_F(WindowLayoutsTest, WhileTheEdgeMovesNothingIsArrangedAnew)
 {
     for (int width = usual.width(); width >= small.width(); width -= 16) {
