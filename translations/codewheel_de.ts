@@ -785,8 +785,8 @@
         <translation>Nicht verbunden.</translation>
     </message>
     <message>
-        <source>The port is gone.</source>
-        <translation>Der Anschluss ist weg.</translation>
+        <source>The link is lost.</source>
+        <translation>Die Verbindung ist unterbrochen.</translation>
     </message>
     <message>
         <source>The bus does not run.</source>
@@ -817,8 +817,8 @@
         <translation>Nicht verbunden</translation>
     </message>
     <message>
-        <source>Port gone</source>
-        <translation>Anschluss weg</translation>
+        <source>Link lost</source>
+        <translation>Verbindung weg</translation>
     </message>
     <message>
         <source>Bus stopped</source>
@@ -8838,7 +8838,7 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Was bekannt ist</translation>
     </message>
     <message>
-        <source>&amp;Read from the encoder</source>
+        <source>&amp;Read from encoder</source>
         <translation>Aus&amp;lesen</translation>
     </message>
     <message>
@@ -9497,8 +9497,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Position %1</translation>
     </message>
     <message>
-        <source>what is on its way ends, and nothing follows</source>
-        <translation>was unterwegs ist, läuft zu Ende, danach folgt nichts</translation>
+        <source>jobs end, and nothing that waits is sent; positions are still read</source>
+        <translation>Aufträge enden, und nichts Wartendes wird gesendet; Positionen werden weiter gelesen</translation>
     </message>
     <message>
         <source>offline</source>

@@ -98,8 +98,8 @@ public:
 
     virtual void setRunning(bool on) = 0; // RUN or stopped; for a serial line: polled or not
     virtual void setOperate(bool on) = 0;
-    // Jobs end as stopped, and nothing is sent automatically any more; on a ring all OUT words become 0. From
-    // every state, at once.
+    // Jobs end as stopped, and nothing that waits is sent any more; on a ring all OUT words become 0, on a
+    // serial line only reading goes on. From every state, at once.
     virtual void alarmStop() = 0;
 
 Q_SIGNALS:

@@ -20,7 +20,7 @@ public:
         none,         // it is
         notSeen,      // nothing has come yet
         disconnected, // by the user
-        linkLost,     // the port is gone
+        linkLost,     // the port is gone, or the peer does not answer
         stopped,      // the bus is not running, or positions are not polled: ALARM STOP, a fault, or the user
         notOnBus,     // the segment is off, or behind a fault
         silent,       // it does not answer

@@ -44,7 +44,7 @@ QString freshnessText(Freshness::Reason reason)
     case Freshness::Reason::disconnected:
         return FreshnessText::tr("Not connected.");
     case Freshness::Reason::linkLost:
-        return FreshnessText::tr("The port is gone.");
+        return FreshnessText::tr("The link is lost.");
     case Freshness::Reason::stopped:
         return FreshnessText::tr("The bus does not run.");
     case Freshness::Reason::notOnBus:
@@ -69,7 +69,7 @@ QString freshnessBrief(Freshness::Reason reason)
     case Freshness::Reason::disconnected:
         return FreshnessText::tr("Not connected");
     case Freshness::Reason::linkLost:
-        return FreshnessText::tr("Port gone");
+        return FreshnessText::tr("Link lost");
     case Freshness::Reason::stopped:
         return FreshnessText::tr("Bus stopped");
     case Freshness::Reason::notOnBus:

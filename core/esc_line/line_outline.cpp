@@ -69,7 +69,7 @@ QString LineOutline::toolTip() const
 
 QString LineOutline::alarmStop() const
 {
-    return tr("what is on its way ends, and nothing follows");
+    return tr("jobs end, and nothing that waits is sent; positions are still read");
 }
 
 StateWord LineOutline::state() const

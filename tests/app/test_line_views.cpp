@@ -302,7 +302,7 @@ TEST_F(LineViewsTest, WithoutItsAdapterTheComparisonSaysHowTheLineWas)
     shown->line().training()->setUnplugged(true);
     advance(3'000);
     EXPECT_TRUE(
-        summary.text().startsWith(QStringLiteral("3 lines differed. The port is gone. Shown is how it was ")))
+        summary.text().startsWith(QStringLiteral("3 lines differed. The link is lost. Shown is how it was ")))
         << summary.text().toStdString();
     const auto &structure = *tree().model();
     const QModelIndexList found =

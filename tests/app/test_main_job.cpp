@@ -63,7 +63,7 @@ TEST_F(MainJob, ByAccessibilityAlone)
 
     reader.press(QStringLiteral("Parameter wizard"));
     reader.press(QStringLiteral("Next"));
-    reader.press(QStringLiteral("Read from the encoder"));
+    reader.press(QStringLiteral("Read from encoder"));
     advance(2000);
     reader.press(QStringLiteral("Next"));
     reader.press(QStringLiteral("Next"));
@@ -121,7 +121,7 @@ TEST_F(MainJob, ByKeysAlone)
 
     press(Qt::Key_F6);
     turnTo(ParameterWizard::known, Qt::Key_N);
-    reach(QStringLiteral("Read from the encoder"));
+    reach(QStringLiteral("Read from encoder"));
     press(Qt::Key_Space);
     advance(2000);
     turnTo(ParameterWizard::direction, Qt::Key_N);

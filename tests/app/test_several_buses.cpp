@@ -324,7 +324,7 @@ TEST_F(SeveralBuses, AlarmStopSaysWhatItDoesOnEach)
 {
     EXPECT_EQ(actions().alarmStop->toolTip().section(u'(', 0, 0).trimmed(),
               QStringLiteral("At once: Ring: all OUT words become 0, and jobs end; "
-                             "Line: what is on its way ends, and nothing follows"));
+                             "Line: jobs end, and nothing that waits is sent; positions are still read"));
 }
 
 TEST_F(SeveralBuses, AlarmStopMeansAllOfThem)

@@ -11,11 +11,11 @@ namespace codewheel {
 class Buses;
 class ProjectPlaces;
 
-// The lines of the table of a transfer (TransferModel): an encoder, and below it its values, its cam
-// programs, and sentences.
 // What a plan costs the EEPROMs, for EepromGate.
 std::vector<EepromWrites> writesOf(const Buses &buses, const TransferPlan &plan);
 
+// The lines of the table of a transfer (TransferModel): an encoder, and below it its values, its cam
+// programs, and sentences.
 std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan);
 // What would be read, and what the project has stored so far.
 std::vector<ReviewRow> linesToStore(const Buses &buses, const ProjectPlaces &places,

@@ -39,7 +39,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("What is known"), parent)
     , m_view(named(new QTableView(this), "known"))
     , m_explanation(wrappedLabel(this))
-    , m_read(describe(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this), "readAll",
+    , m_read(describe(new QPushButton(lineIcon(Icon::read), tr("&Read from encoder"), this), "readAll",
                       tr("Reads all values.")))
     , m_tellLabel(new QLabel(this))
     , m_tellRow(new QHBoxLayout)

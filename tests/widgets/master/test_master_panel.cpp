@@ -256,7 +256,7 @@ TEST(TheLedsInTheDevicePanel, AreNotKnownWhileTheLinkIsLost)
     bus.advance(100);
     ASSERT_EQ(bus.state(), BusState::lost);
     EXPECT_FALSE(leds.isHidden());
-    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: not known. The port is gone."));
+    EXPECT_EQ(leds.accessibleName(), QStringLiteral("LEDs: not known. The link is lost."));
     EXPECT_FALSE(leds.findChildren<RoleLabel *>().first()->word().contains(QStringLiteral("on")));
     StructureModel model;
     model.addBus(bus);

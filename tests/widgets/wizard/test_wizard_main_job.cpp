@@ -108,7 +108,7 @@ TEST_F(WizardByKeys, TheWholeJob)
     press(Qt::Key_Home);
     EXPECT_EQ(wizard.encoder(), &fraba());
     turnTo(ParameterWizard::known, Qt::Key_N);
-    press(Qt::Key_Space); // Read from the encoder
+    press(Qt::Key_Space); // Read from encoder
     bus.advance(2000);
     press(Qt::Key_P, Qt::AltModifier); // It is in position mode
     EXPECT_TRUE(
@@ -143,7 +143,7 @@ TEST_F(WizardMainJob, ByAccessibilityAlone)
     list->child(0)->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
     EXPECT_EQ(wizard.encoder(), &fraba());
     reader.press(QStringLiteral("Next"));
-    reader.press(QStringLiteral("Read from the encoder"));
+    reader.press(QStringLiteral("Read from encoder"));
     bus.advance(2000);
     reader.press(QStringLiteral("It is in position mode"));
     bus.advance(5);
