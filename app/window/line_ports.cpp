@@ -4,6 +4,8 @@
 #include "encoder/refusal_text.h"
 #include "links/port_access.h"
 
+#include <QStringList>
+
 namespace codewheel {
 namespace {
 
