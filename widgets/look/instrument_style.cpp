@@ -56,6 +56,13 @@ bool isControl(QStyle::ContentsType type)
     }
 }
 
+// Fusion derives the rims of fields and boxes from the window's background, which leaves them hard to see on
+// a dark one. It divides what it is given by 1.4, so this yields the rim of an unset bit.
+void setRim(QPalette &palette)
+{
+    palette.setColor(QPalette::Window, roleColor(Role::inactive, palette).lighter(140));
+}
+
 constexpr int larger(int length)
 {
     return length + length / 2;
@@ -101,13 +108,11 @@ int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
     return m_largeControls && isControlMetric(metric) ? larger(usual) : usual;
 }
 
-// Fusion derives the rims of fields and boxes from the window's background, which leaves them hard to see on
-// a dark one. It divides what it is given by 1.4, so this yields the rim of an unset bit.
 void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                     const QWidget *widget) const
 {
     const auto drawWithRim = [&](auto copy) {
-        copy.palette.setColor(QPalette::Window, roleColor(Role::inactive, option->palette).lighter(140));
+        setRim(copy.palette);
         QProxyStyle::drawPrimitive(element, &copy, painter, widget);
     };
     switch (element) {
@@ -125,6 +130,17 @@ void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
         break;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void InstrumentStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                                         QPainter *painter, const QWidget *widget) const
+{
+    const auto *box = qstyleoption_cast<const QStyleOptionSpinBox *>(option);
+    if (box == nullptr)
+        return QProxyStyle::drawComplexControl(control, option, painter, widget);
+    QStyleOptionSpinBox copy = *box;
+    setRim(copy.palette);
+    QProxyStyle::drawComplexControl(control, &copy, painter, widget);
 }
 
 QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,

@@ -109,6 +109,9 @@ TEST_P(Contrast, FieldsAndBoxesHaveRimsToSee)
     QLineEdit field;
     field.resize(80, field.sizeHint().height());
     EXPECT_GE(strongestContrast(grab(field, QRect(0, field.height() / 2, 3, 1)), windowGround), 3.0);
+    QSpinBox number;
+    number.resize(80, number.sizeHint().height());
+    EXPECT_GE(strongestContrast(grab(number, QRect(0, number.height() / 2, 3, 1)), windowGround), 3.0);
     QCheckBox box;
     box.resize(box.sizeHint());
     EXPECT_GE(strongestContrast(grab(box, QRect(0, box.height() / 2, 6, 1)), windowGround), 3.0);
