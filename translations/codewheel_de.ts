@@ -12898,7 +12898,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>already there, not written</source>
-        <translation>schon vorhanden, nicht geschrieben</translation>
+        <translation>vorhanden, nicht geschrieben</translation>
     </message>
     <message>
         <source>read, written if it differs</source>

@@ -10,6 +10,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace codewheel {
 
 StepList::StepList(const QStringList &titles, QWidget *parent)
@@ -50,9 +52,13 @@ void StepList::changeEvent(QEvent *event)
 
 void StepList::draw()
 {
+    QFont bold = textFont();
+    bold.setBold(true);
+    int widest = 0; // also of those to come, so that the page beside keeps its place
     for (int i = 0; i < m_labels.size(); ++i) {
         QFont font = textFont();
         font.setBold(i == m_current);
+        widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(m_titles.at(i)));
         m_labels[i]->setFont(font);
         m_labels[i]->setForegroundRole(i > m_current ? QPalette::PlaceholderText : QPalette::WindowText);
         const QSize size(grid::smallIcon, grid::smallIcon);
@@ -63,6 +69,7 @@ void StepList::draw()
         else
             m_icons[i]->clear();
     }
+    static_cast<QGridLayout *>(layout())->setColumnMinimumWidth(1, widest);
 }
 
 } // namespace codewheel

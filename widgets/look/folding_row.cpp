@@ -18,7 +18,7 @@ FoldingRow::FoldingRow(QWidget *first, QWidget *second, QWidget *parent)
     m_layout->setContentsMargins({});
     m_layout->setSpacing(grid::margin);
     m_layout->addWidget(first, 1, Qt::AlignTop);
-    m_layout->addWidget(second, 0, Qt::AlignTop);
+    m_layout->addWidget(second, 0);
 }
 
 int FoldingRow::least(const QWidget &part) const

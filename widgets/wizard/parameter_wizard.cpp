@@ -17,6 +17,7 @@
 #include "widgets/wizard/values_page.h"
 
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -86,6 +87,7 @@ void ParameterWizard::makePages()
         scroll->setWidgetResizable(true);
         scroll->setFocusPolicy(Qt::NoFocus);
         scroll->setWidget(page);
+        page->layout()->setContentsMargins({}); // flush with the title and the buttons
         m_pages->addWidget(scroll);
         connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
     }

@@ -25,6 +25,7 @@ namespace codewheel {
 namespace {
 
 constexpr int actionColumn = 3;
+constexpr int leastSteps = 4; // in sight, whatever else the page has to say
 
 // With its age, if it is not up to date.
 QString positionNow(const EncoderSession &encoder)
@@ -58,16 +59,20 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     FittedColumns::useIn(*m_changesView, actionColumn);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     FittedColumns::useIn(*m_stepsView, StepTable::what);
+    m_changesView->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_stepsView->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    m_stepsView->setMinimumHeight(m_stepsView->horizontalHeader()->sizeHint().height() +
+                                  leastSteps * m_stepsView->verticalHeader()->defaultSectionSize());
     describe(m_writeAll, "writeAll", tr("Each write uses up one of the writes of the encoder's EEPROM."));
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
 
     layOutColumn(this,
-                 {{m_changesView, 2},
+                 {m_changesView,
                   m_writeAll,
                   m_problem,
                   m_words,
-                  {m_stepsView, 3},
+                  {m_stepsView, 1},
                   m_writes,
                   m_gate,
                   m_note,

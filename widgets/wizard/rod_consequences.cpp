@@ -19,7 +19,7 @@ RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
         m_calculator->setRodLength(millimetresOf(*length));
     if (const ParameterDescription *length = m_setup.encoder->device().find(Parameter::measuringLength))
         m_calculator->setMostSteps(length->maximum);
-    layOut(m_calculator);
+    layOut({m_calculator, 1, Qt::AlignTop});
     connect(m_calculator, &RodPanel::chosen, this, [this](qint64 steps) {
         m_setup.encoder->tell(Parameter::rodLength, micrometresOf(m_calculator->rodLength()));
         Q_EMIT chosen({{Parameter::measuringLength, steps}});

@@ -14,6 +14,11 @@
 #include <cmath>
 
 namespace codewheel {
+namespace {
+
+constexpr int leastDial = 190; // px: with it the page fits the smallest window
+
+} // namespace
 
 ScalePreview::ScalePreview(QWidget *parent)
     : QWidget(parent)
@@ -25,12 +30,16 @@ ScalePreview::ScalePreview(QWidget *parent)
     title->setWordWrap(true);
     title->setBuddy(m_turns);
     m_dial->setAccessibleName(tr("Dial with the wanted values"));
+    m_dial->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    m_dial->setMinimumHeight(leastDial);
+    m_dial->setMaximumHeight(m_dial->sizeHint().height());
     m_turns->setFont(numberFont());
     m_turns->setAlignment(Qt::AlignRight);
     m_turns->setRange(-4096, 4096);
     m_turns->setDecimals(2);
     m_turns->setSingleStep(0.25);
-    layOutColumn(this, {title, m_turns, m_dial, Stretch{}}, {.spacing = grid::unit, .margins = QMargins()});
+    layOutColumn(this, {title, m_turns, {m_dial, 1}, Stretch{}},
+                 {.spacing = grid::unit, .margins = QMargins()});
     connect(m_turns, &QDoubleSpinBox::valueChanged, this, &ScalePreview::draw);
 }
 

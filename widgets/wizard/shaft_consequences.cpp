@@ -20,7 +20,7 @@ ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     , m_gear(new GearPanel(this))
     , m_preview(new ScalePreview(this))
 {
-    layOut(new FoldingRow(m_gear, m_preview, this));
+    layOut({new FoldingRow(m_gear, m_preview, this), 1});
     connect(m_gear, &GearPanel::chosen, this, [this](qint64 steps, qint64 revolutions) {
         ParameterValues values{{Parameter::steps, steps}};
         if (m_setup.encoder->device().hasWords())

@@ -19,6 +19,19 @@
 #include <QVBoxLayout>
 
 namespace codewheel {
+namespace {
+
+constexpr int widestField = 240; // px: a number far from its name is hard to find
+
+// Without its unit, which is beside the field.
+QString nowText(const DeviceDescription &device, Parameter parameter, const std::optional<Known> &known)
+{
+    return known ? QStringLiteral("%1 (%2)").arg(valueText(*device.find(parameter), known->value),
+                                                 evidenceText(known))
+                 : evidenceText(known);
+}
+
+} // namespace
 
 ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Values"), parent)
@@ -36,7 +49,6 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     m_layout->addWidget(m_form);
     m_layout->addLayout(m_setting);
     m_layout->addWidget(m_badInput);
-    m_layout->addStretch();
 
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
         const bool needsValue = m_setup.encoder->can().presetNeedsValue;
@@ -95,7 +107,7 @@ void ValuesPage::makeRows()
     m_rowsOf = m_setup.encoder->device().key;
     delete m_consequences;
     m_consequences = Consequences::make(m_setup, this);
-    m_layout->insertWidget(m_layout->indexOf(m_badInput) + 1, m_consequences);
+    m_layout->insertWidget(m_layout->indexOf(m_badInput) + 1, m_consequences, 1);
     m_consequences->show(); // at once, like the fields
     connect(m_consequences, &Consequences::chosen, this, [this](const ParameterValues &values) {
         for (const ParameterValue &value : values)
@@ -113,13 +125,16 @@ void ValuesPage::makeRows()
         if (!parameter.canBeWritten())
             continue;
         auto *field = new ValueField(parameter, tr("unchanged"), m_form);
+        field->setMaximumWidth(widestField);
         auto *name = new QLabel(parameterName(parameter.parameter), m_form);
         name->setBuddy(field->focusProxy());
         Row row{field, wrappedLabel(m_form)};
         const int at = form->rowCount();
         form->addWidget(name, at, 0);
-        form->addWidget(field, at, 1);
-        form->addWidget(new QLabel(unitText(parameter.unit), m_form), at, 2);
+        const QString unit = unitText(parameter.unit);
+        form->addWidget(field, at, 1, 1, unit.isEmpty() ? 2 : 1); // a choice has no unit, and long texts
+        if (!unit.isEmpty())
+            form->addWidget(new QLabel(unit, m_form), at, 2);
         form->addWidget(row.now, at, 3);
         m_rows[parameter.parameter] = row;
         connect(field, &ValueField::typed, this, &ValuesPage::checkFields);
@@ -139,15 +154,15 @@ void ValuesPage::makeRows()
         before = field->focusProxy();
     }
     setTabOrder(before, m_initialise);
-    form->setColumnStretch(1, 1);
-    form->setColumnStretch(3, 1);
+    form->setColumnStretch(1, 2);
+    form->setColumnStretch(3, 3);
 }
 
 void ValuesPage::showKnown()
 {
     for (const auto &[parameter, row] : m_rows)
-        row.now->setText(
-            tr("now %1").arg(knownText(m_setup.encoder->device(), m_setup.encoder->known(parameter))));
+        row.now->setText(tr("now %1").arg(
+            nowText(m_setup.encoder->device(), parameter, m_setup.encoder->known(parameter))));
     m_consequences->refresh();
 }
 

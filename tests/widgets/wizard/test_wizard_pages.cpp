@@ -5,11 +5,15 @@
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/job/account_view.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QTemporaryDir>
 
 namespace codewheel {
 namespace {
+
+constexpr QSize smallestWizard(682, 476); // in a window of 1024 x 640
 
 class WizardPages : public test::WizardTest
 {
@@ -232,6 +236,36 @@ TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
 }
 
 // The job first sends 00000000 if OUT holds another word.
+// What is told below the tables, and the choice of how to go on, are not to be scrolled to.
+TEST_F(WizardPages, InTheSmallestWindowTheWholeReviewIsInSight)
+{
+    wizard.resize(smallestWizard);
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    type("steps", "255");
+    leaveField();
+    next();
+    QCoreApplication::processEvents();
+    const auto *page = find<QTableView>("changes")->parentWidget();
+    EXPECT_LE(page->height(), page->parentWidget()->height());
+    const auto *changes = find<QTableView>("changes");
+    EXPECT_GE(changes->viewport()->height(), changes->verticalHeader()->length());
+}
+
+TEST_F(WizardPages, TheDialMakesRoomForTheValuesInTheSmallestWindow)
+{
+    wizard.resize(smallestWizard);
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    QCoreApplication::processEvents();
+    const auto *page = find<QCheckBox>("initialisePreset")->parentWidget();
+    EXPECT_LE(page->height(), page->parentWidget()->height());
+}
+
 TEST_F(WizardPages, TheWordThatClearsOutIsReviewedToo)
 {
     bus.channel("2.0"_ring)->stage(0x8000'0000);

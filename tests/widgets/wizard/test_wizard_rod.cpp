@@ -130,9 +130,9 @@ TEST_F(WizardRod, InANarrowReviewLongValuesLeaveRoomForWhatHappens)
     wanted.set(rodPlace, Parameter::direction, 1);
     toValues();
     next();
-    wizard.resize(430, 560);
+    auto *table = find<QTableView>("changes");
+    table->setMaximumWidth(400); // as with larger letters
     QCoreApplication::processEvents();
-    const auto *table = find<QTableView>("changes");
     const QAbstractItemModel &model = *table->model();
     ASSERT_EQ(model.rowCount(), 1);
     const QHeaderView &header = *table->horizontalHeader();
