@@ -226,9 +226,11 @@ void RingRunner::Private::leaveRing(std::size_t i)
     std::erase(written, i);
     image[i] = 0;
     Snapshot::Device &device = ring.devices[i];
+    const Word in = device.in; // and when that was: a monitor tells it, with its age
     const Word outEdges = device.out;
-    const Word inEdges = device.in;
-    device = {.outEdges = outEdges, .inEdges = inEdges, .reading = {}};
+    const Instant seen = device.reading.at;
+    device = {.in = in, .outEdges = outEdges, .reading = {}};
+    device.reading.at = seen;
 }
 
 } // namespace codewheel

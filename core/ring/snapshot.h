@@ -40,7 +40,7 @@ struct Snapshot : RingState
         Word inEdges = 0;
         Reading reading;
         bool heldByJob = false;
-        bool inRing = true; // false: switched off with its segment, or behind a fault; its words mean nothing
+        bool inRing = true; // false: switched off with its segment, or behind a fault; its IN is an old one
     };
 
     std::vector<Device> devices; // in ring order

@@ -191,6 +191,21 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     EXPECT_EQ(stateOf(second), EncoderState::operation);
 }
 
+TEST_F(ASessionWithAMaster, AWordBehindAFaultIsTheLastOneWithItsAge)
+{
+    m_bus.advance(500);
+    const Word in = m_bus.channel(second)->in();
+    const Instant seen = m_bus.latest().at;
+    ASSERT_NE(in, 0U);
+    cause(TrainingFault::wireBreak, second);
+    m_bus.advance(40);
+    const Freshness &freshness = m_bus.channel(second)->freshness();
+    EXPECT_EQ(freshness.reason(), Freshness::Reason::notOnBus);
+    EXPECT_EQ(freshness.seen(), seen);
+    EXPECT_EQ(m_bus.channel(second)->in(), in);
+    EXPECT_FALSE(m_bus.encoder(second)->latest().position) << "nobody takes it for a position";
+}
+
 TEST_F(ASessionWithAMaster, AJobEndsAsStoppedWhenTheBusFails)
 {
     std::optional<Outcome> outcome;
