@@ -11,9 +11,12 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -115,6 +118,21 @@ TEST_F(FaultBannerInWindow, TellsTheWorstAndListsTheOthers)
     press("confirmFault");
     advance(99);
     EXPECT_FALSE(banner().isVisible());
+}
+
+TEST_F(FaultBannerInWindow, IsOneLineHighWhereSentenceAndButtonHaveRoom)
+{
+    window().resize(1920, 1080);
+    befall(TrainingFault::parametersLost, "1.0"_ring);
+    ASSERT_TRUE(banner().isVisible());
+    QToolButton &show = button("showFault");
+    const QList<QLabel *> labels = banner().findChildren<QLabel *>();
+    const auto sentence =
+        std::ranges::find_if(labels, [](const QLabel *label) { return !label->text().isEmpty(); });
+    ASSERT_NE(sentence, labels.end());
+    const auto middle = [&](const QWidget &part) { return part.mapTo(&banner(), part.rect().center()).y(); };
+    EXPECT_NEAR(middle(show), middle(**sentence), 2);
+    EXPECT_LT(banner().height(), 2 * show.height());
 }
 
 TEST_F(FaultBannerInWindow, ClosedItComesBackForAnotherFaultOnly)

@@ -151,6 +151,7 @@ void InlineMessage::resizeEvent(QResizeEvent *event)
 // Buttons go beside the sentence, unless below it they take less height.
 void InlineMessage::arrange()
 {
+    m_buttons->invalidate(); // it may not have been told yet which of them are shown
     const int buttons = m_buttons->sizeHint().width();
     const int around = m_icon->sizeHint().width() + 5 * grid::margin;
     const auto heightBeside = [&](int taken) {
