@@ -97,9 +97,15 @@ void CamEditor::makeTools()
                              &CamEditor::askSave);
     for (QAction *action : {undo, redo})
         m_tools->insertAction(open, action);
-    for (QAction *action : {undo, redo, open, save})
-        static_cast<QToolButton *>(m_tools->widgetForAction(action))
-            ->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    // Their icons are known to everyone, and what would be undone is long. The bar gives all its buttons its
+    // own style whenever there is room for words again.
+    const auto showIconsOnly = [this, known = QList{undo, redo, open, save}] {
+        for (QAction *action : known)
+            static_cast<QToolButton *>(m_tools->widgetForAction(action))
+                ->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    };
+    showIconsOnly();
+    connect(m_tools, &QToolBar::toolButtonStyleChanged, this, showIconsOnly);
     m_fileActions = {open, save};
     makeMenu();
     for (QAction *action : m_jobActions) // while disabled, the tooltip says why instead

@@ -10,6 +10,8 @@
 #include "widgets/look/empty_state.h"
 
 #include <QTest>
+#include <QToolBar>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -46,6 +48,21 @@ TEST_F(CamEditorView, AnEncoderWithoutCamsIsNamed)
         EXPECT_FALSE(action(tool).isEnabled()) << tool;
     editor.setEncoder(nullptr);
     EXPECT_EQ(empty->accessibleName(), QStringLiteral("No encoder is chosen"));
+}
+
+TEST_F(CamEditorView, WhatWouldBeUndoneTakesNoRoomInTheToolBar)
+{
+    auto *tools = editor.findChild<QToolBar *>();
+    const auto look = [&](const char *text) {
+        return static_cast<QToolButton *>(tools->widgetForAction(&action(text)))->toolButtonStyle();
+    };
+    for (const int width : {760, 300, 760}) {
+        editor.resize(width, 520);
+        QCoreApplication::processEvents();
+        for (const char *text : {"Undo", "Redo", "Open", "Save"})
+            EXPECT_EQ(look(text), Qt::ToolButtonIconOnly) << text << " at " << width;
+    }
+    EXPECT_EQ(look("Compare"), Qt::ToolButtonTextBesideIcon);
 }
 
 TEST_F(CamEditorView, OpeningItSendsNothing)
