@@ -16,7 +16,7 @@ namespace {
 constexpr int nameCharacters = 16;
 constexpr int leastNameCharacters = 12; // before the position goes
 constexpr int wideNameCharacters = 23;  // before there are more columns
-constexpr int stateCharacters = 9;
+constexpr int stateCharacters = 10;
 constexpr int leastStateCharacters = 6;     // of less nothing could be read
 constexpr int detailCharacters = 9;         // "37h = 55"
 constexpr int largestPosition = 33'554'431; // of 25 bit
@@ -32,7 +32,8 @@ struct Room
     }
     int position() const
     {
-        return tree.fontMetrics().horizontalAdvance(QLocale().toString(largestPosition)) + 2 * grid::margin;
+        return tree.fontMetrics().horizontalAdvance(QLocale().toString(largestPosition)) + grid::margin +
+               grid::unit;
     }
 };
 

@@ -7,7 +7,8 @@
 namespace codewheel {
 namespace {
 
-constexpr double paleShare = 0.6; // of the text on the ground of a chosen row: more than 3 : 1 in any palette
+constexpr double paleShare =
+    0.72; // of the text on the ground of a chosen row: more than 3 : 1 in any palette
 
 QColor mixed(const QColor &text, const QColor &ground)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/line_address.h"
 #include "project/project_take_over.h"
+#include "tests/support/contrast.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/plans.h"
 #include "tests/widgets/training_bus_session.h"
@@ -338,6 +339,13 @@ TEST_F(StructureColumns, TheNameKeepsItsRoomInAnyPanel)
     EXPECT_FALSE(tree().isColumnHidden(StructureModel::positionColumn));
 }
 
+TEST_F(StructureColumns, AnUnsentWordIsNamedInFullInTheUsualPanel)
+{
+    view.resize(370, 300);
+    const int longest = tree().fontMetrics().horizontalAdvance(QStringLiteral("ungesendet")); // in German
+    EXPECT_GE(tree().columnWidth(StructureModel::stateColumn), stateIconWidth() + longest);
+}
+
 TEST_F(StructureColumns, AStateWithoutRoomForItsWordIsItsIconAndStillSaid)
 {
     view.resize(310, 300);
@@ -437,6 +445,22 @@ TEST_P(StructureLook, AnOldPositionLooksSoInTheChosenRowToo)
     const int old = inkOf(painted(place));
     EXPECT_LT(old, live * 3 / 4);
     EXPECT_GT(old, live / 3) << "it is read";
+}
+
+TEST_P(StructureLook, WhatIsChosenAndCutOffCanStillBeRead)
+{
+    ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
+    ring.bus.advance(40);
+    QStyleOptionViewItem option;
+    option.palette = QApplication::palette();
+    struct Delegate : StructureDelegate
+    {
+        using StructureDelegate::initStyleOption;
+    };
+    Delegate().initStyleOption(&option, cell(test::multiTurn, StructureModel::deviceColumn));
+    EXPECT_GT(test::contrast(option.palette.color(QPalette::Active, QPalette::HighlightedText).rgb(),
+                             option.palette.color(QPalette::Active, QPalette::Highlight).rgb()),
+              3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, StructureLook, testing::Values(Scheme::light, Scheme::dark),
