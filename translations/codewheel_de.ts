@@ -10536,7 +10536,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation>Start</translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>Activates the configuration, and starts data transfer</source>
@@ -10544,7 +10544,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation>Stopp</translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stops data transfer</source>
@@ -13955,7 +13955,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Last error</source>
-        <translation>Letzter Fehler</translation>
+        <translation>Zuletzt</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -13963,7 +13963,23 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>on</source>
-        <translation>zugeschaltet</translation>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>5 minutes</source>
+        <translation>5 Minuten</translation>
+    </message>
+    <message>
+        <source>The CRC errors of the last five minutes, the newest at the right</source>
+        <translation>Die CRC-Fehler der letzten fünf Minuten, die neuesten rechts</translation>
+    </message>
+    <message>
+        <source>When the last CRC error was counted</source>
+        <translation>Wann zuletzt ein CRC-Fehler gezählt wurde</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
 </context>
 <context>

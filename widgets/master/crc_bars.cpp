@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int barWidth = 3;
+constexpr int barWidth = 3; // where there is room
 constexpr int barGap = 1;
 
 } // namespace
@@ -30,13 +30,16 @@ void CrcBars::paint(QPainter *painter, const QStyleOptionViewItem &option, const
     painter->setPen(option.palette.color(QPalette::Mid));
     painter->drawLine(room.bottomLeft(), room.bottomRight());
     const QColor color = roleColor(Role::fault, option.palette);
-    int x = room.left();
-    for (const QVariant &count : counts) {
-        if (const int errors = count.toInt(); errors > 0) {
-            const int height = std::max(2, room.height() * errors / tallest);
-            painter->fillRect(x, room.bottom() - height + 1, barWidth, height, color);
-        }
-        x += barWidth + barGap;
+    const auto left = [&](qsizetype bar) {
+        return room.left() + static_cast<int>(room.width() * bar / std::max(qsizetype{1}, counts.size()));
+    };
+    for (qsizetype bar = 0; bar < counts.size(); ++bar) {
+        const int errors = counts[bar].toInt();
+        if (errors <= 0)
+            continue;
+        const int height = std::max(2, room.height() * errors / tallest);
+        const int width = std::max(1, left(bar + 1) - left(bar) - barGap);
+        painter->fillRect(left(bar), room.bottom() - height + 1, width, height, color);
     }
     painter->restore();
 }

@@ -150,7 +150,9 @@ void MasterPanel::makeSegments(QVBoxLayout *column)
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     const int rowHeight = m_table->fontMetrics().height() + grid::unit;
     m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(SegmentModel::historyColumn, QHeaderView::Stretch);
     m_table->setMinimumHeight((segmentsInSight + 2) * rowHeight);
     column->addWidget(m_table);
     m_switch = addButton(Icon::power, {}, {});
@@ -256,7 +258,7 @@ void MasterPanel::showFault()
     if (!master) {
         m_fault->setText(tr("This link does not reach the master."));
         for (QLabel *label : {m_errorCode, m_parameter, m_configuration})
-            label->setText(QStringLiteral("-"));
+            label->setText(QString(QChar(0x2013)));
         return;
     }
     m_bits->showBits(master->statusBits);

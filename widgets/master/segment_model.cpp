@@ -46,8 +46,14 @@ void SegmentModel::show(const RingSession &bus)
 QVariant SegmentModel::headerCell(int column, int role) const
 {
     static constexpr const char *titles[] = {QT_TR_NOOP("Segment"), QT_TR_NOOP("State"),
-                                             QT_TR_NOOP("CRC errors"), QT_TR_NOOP("Last 5 minutes"),
+                                             QT_TR_NOOP("CRC errors"), QT_TR_NOOP("5 minutes"),
                                              QT_TR_NOOP("Last error")};
+    if (role == Qt::ToolTipRole && column == historyColumn)
+        return tr("The CRC errors of the last five minutes, the newest at the right");
+    if (role == Qt::ToolTipRole && column == lastColumn)
+        return tr("When the last CRC error was counted");
+    if (role == Qt::TextAlignmentRole && column == crcColumn)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
 }
 
@@ -57,11 +63,11 @@ QVariant SegmentModel::text(const SegmentRow &row, int column) const
     case segmentColumn:
         return row.segment;
     case stateColumn:
-        return row.switchedOff ? tr("switched off") : tr("on");
+        return row.switchedOff ? tr("off") : tr("on");
     case crcColumn:
         return QLocale().toString(row.crcErrors);
     case lastColumn:
-        return row.last.isNull() ? QStringLiteral("-")
+        return row.last.isNull() ? QString(QChar(0x2013))
                                  : QLocale().toString(row.last.time(), QLocale::ShortFormat);
     default:
         return {}; // drawn by CrcBars

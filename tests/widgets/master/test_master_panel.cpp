@@ -116,11 +116,19 @@ TEST_F(MasterPanelTest, SwitchesTheChosenSegmentByKey)
     QTest::mouseClick(&button(QStringLiteral("Switch o&ff")), Qt::LeftButton);
     ring.bus.advance(5);
     EXPECT_FALSE(ring.bus.latest().devices[6].inRing);
-    EXPECT_EQ(table().model()->index(5, SegmentModel::stateColumn).data().toString(),
-              QStringLiteral("switched off"));
+    EXPECT_EQ(table().model()->index(5, SegmentModel::stateColumn).data().toString(), QStringLiteral("off"));
     QTest::mouseClick(&button(QStringLiteral("Switch segment 6 on")), Qt::LeftButton);
     ring.bus.advance(5);
     EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
+}
+
+TEST_F(MasterPanelTest, ShowsAllColumnsOfTheSegmentsInANarrowPanel)
+{
+    panel.resize(360, 600);
+    QCoreApplication::processEvents();
+    EXPECT_LE(table().horizontalHeader()->length(), table().viewport()->width());
+    for (int column = 0; column < table().model()->columnCount(); ++column)
+        EXPECT_GE(table().columnWidth(column), table().horizontalHeader()->sectionSizeHint(column)) << column;
 }
 
 TEST_F(MasterPanelTest, NamesWhatGoesBeforeASegmentIsSwitchedOff)
