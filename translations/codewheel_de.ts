@@ -13099,6 +13099,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>The master finds the devices of the ring again; data cycles stop meanwhile</source>
         <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still</translation>
     </message>
+    <message>
+        <source>Changes the project, or the master, as you choose; the master only in Operate.</source>
+        <translation>Ändert je nach Wahl das Projekt oder den Master; den Master nur in Bedienen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingConnection</name>
@@ -13146,7 +13150,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>The cable between %1 and %2 is interrupted, or %2 has no supply. Check plug, shield and 24 V.</source>
-        <translation>Das Kabel zwischen %1 und %2 ist unterbrochen, oder %2 hat keine Versorgung. Stecker, Schirm und 24 V prüfen.</translation>
+        <translation>Das Kabel zwischen %1 und %2 ist unterbrochen, oder %2 hat keine Versorgung. Stecker, Schirm und 24&#xa0;V prüfen.</translation>
     </message>
     <message>
         <source>the master</source>
@@ -13158,11 +13162,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>The ring has failed, but the master finds nothing any more. Check shields, plugs and 24 V, then start again.</source>
-        <translation>Der Ring ist ausgefallen, aber der Master findet nichts mehr. Schirme, Stecker und 24 V prüfen, dann neu starten.</translation>
+        <translation>Der Ring ist ausgefallen, aber der Master findet nichts mehr. Schirme, Stecker und 24&#xa0;V prüfen, dann neu starten.</translation>
     </message>
     <message>
         <source>The ring has failed, and the master does not tell where. Check plugs, shields and 24 V, and look up its code.</source>
-        <translation>Der Ring ist ausgefallen, und der Master nennt keine Stelle. Stecker, Schirme und 24 V prüfen und den Code nachschlagen.</translation>
+        <translation>Der Ring ist ausgefallen, und der Master nennt keine Stelle. Stecker, Schirme und 24&#xa0;V prüfen und den Code nachschlagen.</translation>
     </message>
     <message>
         <source>The ring has failed. Look at the display of its master.</source>
@@ -13199,7 +13203,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>%1 is not found as configured: it has no supply, the cable between %2 and %1 is interrupted, or another device is there. Check 24 V, plug, and which device it is.</source>
-        <translation>%1 wird nicht wie projektiert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort ist ein anderes Gerät. 24 V, Stecker und Gerät prüfen.</translation>
+        <translation>%1 wird nicht wie projektiert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort ist ein anderes Gerät. 24&#xa0;V, Stecker und Gerät prüfen.</translation>
     </message>
 </context>
 <context>

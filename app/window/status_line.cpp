@@ -52,6 +52,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_mode->setToolTip(tr("Watch: nothing is written. Operate: writing is allowed."));
     bar.setSizeGripEnabled(false);
     bar.setMinimumWidth(narrowest);
+    bar.setContentsMargins(0, 0, grid::unit, 0);
     bar.installEventFilter(this);
     // Permanent, since the bar hides all other widgets while it shows a status tip.
     add(m_state);

@@ -97,7 +97,7 @@ QString ComparisonModel::textOf(const ComparisonRow &row, int column)
     if (column == differenceColumn)
         return row.text.isEmpty() ? comparisonKindName(row.kind) : row.text;
     const QString &device = column == configuredColumn ? row.configured : row.connected;
-    return device.isEmpty() ? QStringLiteral("-") : device;
+    return device.isEmpty() ? QString(QChar(0x2013)) : device;
 }
 
 } // namespace codewheel

@@ -65,6 +65,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setMinimumSectionSize(m_table->verticalHeader()->defaultSectionSize());
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // nothing is cut off
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     setFocusProxy(m_table);
     arrange();

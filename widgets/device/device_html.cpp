@@ -166,7 +166,7 @@ void DeviceHtml::addParameters()
     QList<QStringList> rows;
     for (const ParameterDescription &parameter : m_device.parameters)
         rows += {parameterName(parameter.parameter),
-                 parameter.number ? QString::number(*parameter.number) : QStringLiteral("-"),
+                 parameter.number ? QString::number(*parameter.number) : QString(QChar(0x2013)),
                  rangeText(parameter), unitText(parameter.unit), parameter.chapter.toString()};
     addTable({tr("Name"), tr("No."), tr("Values"), tr("Unit"), tr("Manual")}, rows);
 }

@@ -67,7 +67,7 @@ RingComparison::RingComparison(ProjectDocument &document, RingSession &bus, QWid
 
 QString RingComparison::effect() const
 {
-    return tr("Changes the project, or the master, as you choose; the master in Operate alone.");
+    return tr("Changes the project, or the master, as you choose; the master only in Operate.");
 }
 
 RingStructure RingComparison::configured() const

@@ -44,7 +44,7 @@ TEST_F(ComparisonModelTest, SaysInWordsWhatDiffers)
     EXPECT_EQ(text(2, ComparisonModel::differenceColumn),
               QStringLiteral("3.0: configured K3 37h, found K2 36h"));
     compare("K3 BT", "K3");
-    EXPECT_EQ(text(1, ComparisonModel::connectedColumn), QStringLiteral("-"));
+    EXPECT_EQ(text(1, ComparisonModel::connectedColumn), QStringLiteral("–"));
     EXPECT_TRUE(text(1, ComparisonModel::differenceColumn).contains(QStringLiteral("missing")));
 }
 
