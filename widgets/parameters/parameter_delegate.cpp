@@ -142,6 +142,21 @@ int ParameterDelegate::leastWidth(const QModelIndex &index)
            (isMarked ? warningMarkSize + grid::unit : 0) + 3 * grid::unit;
 }
 
+int ParameterDelegate::wordWidth(const QModelIndex &index)
+{
+    const QFontMetrics metrics(qvariant_cast<QFont>(index.data(Qt::FontRole)));
+    int longest = 0;
+    for (const QString &word : index.data().toString().split(u' '))
+        longest = std::max(longest, metrics.horizontalAdvance(word));
+    return longest + 2 * grid::unit;
+}
+
+int ParameterDelegate::lineWidth(const QModelIndex &index)
+{
+    const QFontMetrics metrics(qvariant_cast<QFont>(index.data(Qt::FontRole)));
+    return std::max(metrics.horizontalAdvance(index.data().toString()) + 2 * grid::unit, leastWidth(index));
+}
+
 QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
                                          const QModelIndex &index) const
 {

@@ -19,6 +19,9 @@ public:
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
     // What stands in small type below the value takes no second line.
     static int leastWidth(const QModelIndex &index);
+    // Of the longest word of the value, and of the whole value on one line.
+    static int wordWidth(const QModelIndex &index);
+    static int lineWidth(const QModelIndex &index);
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
                           const QModelIndex &index) const override;
     void setEditorData(QWidget *editor, const QModelIndex &index) const override;

@@ -31,6 +31,12 @@ bool isReadOnlyValue(const ParameterDescription &parameter)
     return !isWritable(parameter) && !isRegister(parameter);
 }
 
+// Its heading says so to whoever sees it.
+bool isOnlyRead(const ParameterRow &row)
+{
+    return row.isReadOnly() && !row.isTold();
+}
+
 ParameterRow head(ParameterRow::Head kind)
 {
     ParameterRow row;
@@ -236,8 +242,10 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     case Qt::FontRole:
         return column == nameColumn || isPale || !row.parameter.choices.empty() ? textFont() : numberFont();
     case detailRole:
-        return detail(row, column);
+        return column == wantedColumn && isOnlyRead(row) ? QString() : detail(row, column);
     case shortDetailRole: // without the time, which the tooltip gives
+        if (column == wantedColumn && isOnlyRead(row))
+            return QString();
         return column == knownColumn && row.known ? evidenceText(row.known) : detail(row, column);
     case detailMarkRole:
         return column == wantedColumn && row.differs() ? QVariant(static_cast<int>(Role::attention))
@@ -253,21 +261,21 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
-    const auto options = valueOptionsOf(m_encoder.session());
     if (column == nameColumn)
         return parameterName(parameter);
-    if (column == knownColumn) {
-        if (!row.known)
-            return evidenceText(row.known);
+    const auto shown = [&](std::int64_t value) {
+        const auto options = valueOptionsOf(m_encoder.session());
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
-                   ? valueText(row.parameter, row.known->value, options)
-                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value}, options);
-    }
+                   ? valueText(row.parameter, value, options)
+                   : valueWithUnit(m_encoder.device(), {parameter, value}, options);
+    };
+    if (column == knownColumn)
+        return row.known ? shown(row.known->value) : evidenceText(row.known);
     if (row.isTold())
         return m_encoder.session() != nullptr ? tr("set it") : QString();
     if (row.isReadOnly())
         return {};
-    return row.wanted ? valueText(row.parameter, *row.wanted, options) : tr("unchanged");
+    return row.wanted ? shown(*row.wanted) : tr("unchanged");
 }
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const

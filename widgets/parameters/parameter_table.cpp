@@ -39,8 +39,8 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     horizontalHeader()->setSectionResizeMode(ParameterModel::wantedColumn, QHeaderView::Stretch);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
     connect(this, &QTableView::clicked, this, &ParameterTable::activateCell);
-    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::spanColumns);
-    connect(&model, &QAbstractItemModel::rowsInserted, this, &ParameterTable::spanColumns);
+    for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(&model, changed, this, &ParameterTable::fitColumns);
     connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::fitColumns);
     connect(&model, &QAbstractItemModel::dataChanged, this, &ParameterTable::fitColumns);
 }
@@ -56,14 +56,21 @@ bool ParameterTable::finishEditing()
     return true;
 }
 
-// A read-only parameter has no wanted value: the known one takes up both columns.
+bool ParameterTable::hasWantedValue(int row) const
+{
+    return !m_model.rowAt(row).isReadOnly() || m_model.rowAt(row).isTold();
+}
+
+// A known value that is too long for its column takes up both where nothing is wanted.
 void ParameterTable::spanColumns()
 {
     clearSpans();
     for (int row = 0; row < m_model.rowCount(); ++row)
         if (m_model.rowAt(row).isHead())
             setSpan(row, 0, 1, m_model.columnCount());
-        else if (m_model.rowAt(row).isReadOnly() && !m_model.rowAt(row).isTold())
+        else if (!hasWantedValue(row) &&
+                 ParameterDelegate::lineWidth(m_model.index(row, ParameterModel::knownColumn)) >
+                     columnWidth(ParameterModel::knownColumn))
             setSpan(row, ParameterModel::knownColumn, 1, 2);
 }
 
@@ -139,20 +146,19 @@ void ParameterTable::leaveSelectedAlone()
             model()->setData(row, {}, Qt::EditRole);
 }
 
-// Its head and what stands in small type below its values, which take no second line.
-int ParameterTable::leastWidth(int column) const
+// Of those that have to fit: others take up two columns.
+int ParameterTable::widest(int column, int (*widthOf)(const QModelIndex &)) const
 {
-    int least = horizontalHeader()->sectionSizeHint(column);
+    int width = horizontalHeader()->sectionSizeHint(column);
     for (int row = 0; row < m_model.rowCount(); ++row)
-        if (columnSpan(row, column) == 1)
-            least = std::max(least, ParameterDelegate::leastWidth(m_model.index(row, column)));
-    return least;
+        if (!m_model.rowAt(row).isHead() && hasWantedValue(row))
+            width = std::max(width, widthOf(m_model.index(row, column)));
+    return width;
 }
 
-// The names so wide that their longest word stands on one line, where the values leave room for it.
-void ParameterTable::fitColumns()
+int ParameterTable::longestName(const QFont &font) const
 {
-    const QFontMetrics small(textFont(TextSize::small));
+    const QFontMetrics metrics(font);
     int longest = 0;
     for (int row = 0; row < m_model.rowCount(); ++row)
         if (!m_model.rowAt(row).isHead())
@@ -161,14 +167,32 @@ void ParameterTable::fitColumns()
                                            .toString()
                                            .replace(u'-', u' ')
                                            .split(u' '))
-                longest = std::max(longest, small.horizontalAdvance(word) + 2 * grid::unit);
+                longest = std::max(longest, metrics.horizontalAdvance(word) + 2 * grid::unit);
+    return longest;
+}
+
+// The names so wide that their longest word stands on one line, where the values leave room for it: in the
+// usual size if no number has to be small for it.
+void ParameterTable::fitColumns()
+{
     const int width = viewport()->width();
-    const int known = leastWidth(ParameterModel::knownColumn);
-    const int wanted = leastWidth(ParameterModel::wantedColumn);
+    int known = widest(ParameterModel::knownColumn, ParameterDelegate::leastWidth);
+    int wanted = widest(ParameterModel::wantedColumn, ParameterDelegate::leastWidth);
+    const int wholeKnown = std::max(known, widest(ParameterModel::knownColumn, ParameterDelegate::wordWidth));
+    const int wholeWanted =
+        std::max(wanted, widest(ParameterModel::wantedColumn, ParameterDelegate::wordWidth));
+    int longest = longestName(textFont());
+    if (longest + wholeKnown + wholeWanted <= width) {
+        known = wholeKnown;
+        wanted = wholeWanted;
+    } else {
+        longest = longestName(textFont(TextSize::small));
+    }
     const int name = std::clamp(longest, qRound(width * nameShare), qRound(width * largestNameShare));
     const int values = std::max(width - name, known + wanted);
     setColumnWidth(ParameterModel::nameColumn, width - values);
     setColumnWidth(ParameterModel::knownColumn, std::clamp(values / 2, known, values - wanted));
+    spanColumns();
     scheduleDelayedItemsLayout(); // values take more lines in a narrower column
 }
 

@@ -37,7 +37,9 @@ private:
     void leaveSelectedAlone();
     void spanColumns();
     void fitColumns();
-    int leastWidth(int column) const;
+    bool hasWantedValue(int row) const;
+    int longestName(const QFont &font) const;
+    int widest(int column, int (*widthOf)(const QModelIndex &)) const;
 
     ParameterModel &m_model;
 };

@@ -161,7 +161,9 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
     const test::ModelTester tester(model());
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::knownColumn), QStringLiteral("unknown not read yet"));
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("unchanged"));
-    EXPECT_EQ(textAt(Parameter::serialNumber, ParameterModel::wantedColumn), QStringLiteral("read only"));
+    const QModelIndex readOnly = indexOf(Parameter::serialNumber, ParameterModel::wantedColumn);
+    EXPECT_EQ(readOnly.data(Qt::AccessibleTextRole), QStringLiteral("read only"));
+    EXPECT_EQ(readOnly.data(ParameterModel::detailRole).toString(), QString()) << "the heading says so";
     const QString tip =
         indexOf(Parameter::steps, ParameterModel::nameColumn).data(Qt::ToolTipRole).toString();
     EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
@@ -235,14 +237,18 @@ TEST_F(Parameters, AValueIsSmallRatherThanBrokenWithinAWord)
     EXPECT_EQ(table().rowHeight(cell.row()), usual);
 }
 
-TEST_F(Parameters, WhatIsReadOnlyHasTheRoomOfTheWantedValueToo)
+TEST_F(Parameters, AKnownValueTooLongForItsColumnHasTheRoomOfTheWantedOneIfThereIsNone)
 {
     const auto span = [this](Parameter parameter) {
         const QModelIndex known = indexOf(parameter, ParameterModel::knownColumn);
         return table().columnSpan(known.row(), known.column());
     };
-    EXPECT_EQ(span(Parameter::serialNumber), 2);
+    EXPECT_EQ(span(Parameter::startUpMode), 2) << "1 (position, as K3)";
+    EXPECT_EQ(span(Parameter::serialNumber), 1) << "it stands below its heading";
     EXPECT_EQ(span(Parameter::steps), 1);
+    panel.resize(900, 480);
+    settle();
+    EXPECT_EQ(span(Parameter::startUpMode), 1);
 }
 
 TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
@@ -310,6 +316,12 @@ TEST_F(Parameters, EscapeGivesBadInputUp)
     settle();
     EXPECT_EQ(message(), QString());
     EXPECT_EQ(wanted.value(fraba, Parameter::steps), std::nullopt);
+}
+
+TEST_F(Parameters, AWantedValueHasItsUnitLikeTheKnownOneBesideIt)
+{
+    want(Parameter::preset, QStringLiteral("5"));
+    EXPECT_EQ(indexOf(Parameter::preset, ParameterModel::wantedColumn).data(), QStringLiteral("5 steps"));
 }
 
 TEST_F(Parameters, KeysAloneEnterOneValueAfterTheOther)
