@@ -101,6 +101,8 @@ QVariant LineFiguresModel::data(const QModelIndex &index, int role) const
 QVariant LineFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Horizontal) {
+        if (role == Qt::TextAlignmentRole)
+            return QVariant(Qt::AlignRight | Qt::AlignVCenter); // above its figures
         if (role != Qt::DisplayRole || section < 0 || section >= columnCount())
             return {};
         const auto &address = m_columns[static_cast<std::size_t>(section)].address;

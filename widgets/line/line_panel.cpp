@@ -5,6 +5,7 @@
 #include "esc_line/line_session.h"
 #include "widgets/line/line_figures_model.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
@@ -90,7 +91,9 @@ void LinePanel::makeTable()
     m_table->setShowGrid(false);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setHighlightSections(false);
-    // Columns are as wide as their headers and ten digits, whatever the figures, so that nothing jumps.
+    // Columns are as wide as seven digits, whatever the figures, so that nothing jumps.
+    m_table->horizontalHeader()->setDefaultSectionSize(
+        QFontMetrics(numberFont()).horizontalAdvance(QStringLiteral("0,000,000")) + 2 * grid::unit);
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setFixedHeight(m_figures->rowCount() * m_table->verticalHeader()->defaultSectionSize() +

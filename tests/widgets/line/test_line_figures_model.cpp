@@ -40,6 +40,8 @@ TEST(LineFiguresModel, ShowsTheLineAndEachEncoder)
     model.show(snapshot());
     ASSERT_EQ(model.columnCount(), 2);
     EXPECT_EQ(model.headerData(1, Qt::Horizontal), QStringLiteral("12h (18)"));
+    EXPECT_EQ(model.headerData(1, Qt::Horizontal, Qt::TextAlignmentRole),
+              model.index(0, 1).data(Qt::TextAlignmentRole));
     QStringList line;
     for (int row = 0; row < model.rowCount(); ++row)
         line << model.index(row, 0).data().toString();
