@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/alarm_stop.h"
 
+#include "widgets/look/grid.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>
@@ -117,10 +118,13 @@ void AlarmStopEverywhere::addButton(QWidget &dialog)
     if (button == nullptr)
         button = makeAlarmStopButton(&m_alarmStop, &dialog,
                                      isOfFiles ? AlarmStopWeight::rim : AlarmStopWeight::filled);
-    if (auto *grid = qobject_cast<QGridLayout *>(dialog.layout()))
-        grid->addWidget(button, grid->rowCount(), 0, 1, -1, Qt::AlignLeft);
-    else
+    if (auto *cells = qobject_cast<QGridLayout *>(dialog.layout())) {
+        const int below = cells->rowCount();
+        cells->setRowMinimumHeight(below, grid::margin); // apart from the answers
+        cells->addWidget(button, below + 1, 0, 1, -1, Qt::AlignLeft);
+    } else {
         dialog.layout()->addWidget(button);
+    }
 }
 
 } // namespace codewheel

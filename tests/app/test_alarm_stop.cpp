@@ -4,8 +4,10 @@
 #include "tests/app/window_test.h"
 #include "tests/support/contrast.h"
 #include "widgets/look/appearance.h"
+#include "widgets/look/grid.h"
 
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QHash>
 #include <QImage>
 #include <QLabel>
@@ -129,6 +131,9 @@ TEST_F(AlarmStopTest, IsAsLargeAsTheQuestionBesideItButLeavesAFileDialogItsSave)
             for (const auto *label : dialog.findChildren<QLabel *>())
                 EXPECT_GE(button->fontInfo().pixelSize(), label->fontInfo().pixelSize());
             EXPECT_TRUE(button->fontInfo().bold());
+            const auto *answers = dialog.findChild<QDialogButtonBox *>();
+            EXPECT_GE(button->geometry().top() - answers->geometry().bottom(), 3 * grid::unit)
+                << "what is near the answers is hit by mistake";
             dialog.close();
         });
         actions().stop->trigger();
