@@ -1886,6 +1886,10 @@
         <source>The earlier values were written again, confirmed and activated, but cannot be read: %1 (EEPROM writes: %2).</source>
         <translation>Die vorigen Werte wurden wieder geschrieben, quittiert und aktiviert, lassen sich aber nicht auslesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
     </message>
+    <message>
+        <source>The serial line %1 is open at %2 Bd.</source>
+        <translation>Die serielle Leitung %1 ist mit %2 Bd offen.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>
@@ -15244,6 +15248,20 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Since last, ms</source>
         <translation>Seit letzter, ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln rows</source>
+        <translation>
+            <numerusform>%Ln Zeile</numerusform>
+            <numerusform>%Ln Zeilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>paused, %Ln new</source>
+        <translation>
+            <numerusform>angehalten, %Ln neue</numerusform>
+            <numerusform>angehalten, %Ln neue</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -276,17 +276,17 @@
 <context>
     <name>codewheel::TrafficModel</name>
     <message numerus="yes">
-        <source>%n rows</source>
+        <source>%Ln rows</source>
         <translation>
-            <numerusform>%n row</numerusform>
-            <numerusform>%n rows</numerusform>
+            <numerusform>%Ln row</numerusform>
+            <numerusform>%Ln rows</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>paused, %n new</source>
+        <source>paused, %Ln new</source>
         <translation>
-            <numerusform>paused, %n new</numerusform>
-            <numerusform>paused, %n new</numerusform>
+            <numerusform>paused, %Ln new</numerusform>
+            <numerusform>paused, %Ln new</numerusform>
         </translation>
     </message>
 </context>

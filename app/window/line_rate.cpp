@@ -5,6 +5,7 @@
 #include "esc_line/line_session.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
 
 namespace codewheel {
@@ -34,13 +35,14 @@ LineRate lineRateAfter(const LineSession &line, Place changed, int baudRate)
         const int rate = number == changed ? baudRate : rateOf(line, number);
         isShared = isShared && rate == baudRate;
         if (rate != lineRate)
-            strangers << sentence(LineRateText::tr("%1 (at %2 Bd)"), {number.shown(), QString::number(rate)});
+            strangers << sentence(LineRateText::tr("%1 (at %2 Bd)"),
+                                  {number.shown(), QLocale().toString(rate)});
     }
     if (strangers.isEmpty())
         return {};
     const QString what =
         sentence(LineRateText::tr("Connected again at %1 Bd these encoders will not answer: %2."),
-                 {QString::number(lineRate), strangers.join(QStringLiteral(", "))});
+                 {QLocale().toString(lineRate), strangers.join(QStringLiteral(", "))});
     if (isShared)
         return {what, baudRate};
     return {what + u' ' + LineRateText::tr("Give all encoders of the line the same baud rate."),

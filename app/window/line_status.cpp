@@ -5,6 +5,8 @@
 #include "esc_line/line_session.h"
 #include "widgets/look/role_label.h"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace codewheel {
@@ -37,13 +39,13 @@ void LineStatus::show(const LineSession *session)
     const bool allAnswer = answering == std::ssize(numbers);
     m_label->setState(allAnswer ? Role::running : Role::fault,
                       tr("%1, %2 Bd, %3 of %4 answer", "serial port, baud rate, encoders")
-                          .arg(port, QString::number(session->settings().baudRate))
+                          .arg(port, QLocale().toString(session->settings().baudRate))
                           .arg(answering)
                           .arg(numbers.size()));
     const QString figures = tr("Serial line: %1 answers, %2 time-outs, %3 garbage bytes")
-                                .arg(line.figures.answers)
-                                .arg(line.figures.timeOuts)
-                                .arg(line.figures.garbageBytes);
+                                .arg(QLocale().toString(qulonglong{line.figures.answers}),
+                                     QLocale().toString(qulonglong{line.figures.timeOuts}),
+                                     QLocale().toString(qulonglong{line.figures.garbageBytes}));
     if (m_label->toolTip() != figures)
         m_label->setToolTip(figures);
 }

@@ -159,7 +159,7 @@ constexpr std::array messageRows{
         MessageId::databasePutAside, "databasePutAside",
         QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
     MessageRow{MessageId::lineOpened, "lineOpened",
-               QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 baud.")},
+               QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
     MessageRow{MessageId::lineClosed, "lineClosed",
                QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
     MessageRow{

@@ -129,7 +129,7 @@ void LineSession::linkOpened()
     d->engine.setLatest(std::move(expected));
     tell({.at = now(),
           .id = MessageId::lineOpened,
-          .arguments = {d->link->name(), QString::number(d->settings.baudRate)}});
+          .arguments = {d->link->name(), std::int64_t{d->settings.baudRate}}});
     showLatest();
     Q_EMIT nodesChanged();
 }

@@ -13,6 +13,8 @@
 #include "project/project_reader.h"
 #include "project/project_writer.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <set>
 
@@ -149,7 +151,7 @@ QString LineKind::linkText(const KindData &settings) const
     const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(line.serial.parity)));
     const QString form =
         QStringLiteral("%1%2%3").arg(line.serial.dataBits).arg(parity).arg(line.serial.stopBits);
-    QStringList parts{sentence(tr("%1 Bd"), {QString::number(line.serial.baudRate)}), form};
+    QStringList parts{sentence(tr("%1 Bd"), {QLocale().toString(line.serial.baudRate)}), form};
     if (!line.port.isEmpty())
         parts.prepend(line.port);
     return parts.join(QStringLiteral(", "));

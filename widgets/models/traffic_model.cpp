@@ -231,11 +231,11 @@ QString TrafficModel::dateTimeText(const ShownTraffic &row) const
 
 QString TrafficModel::countsText(int shown) const
 {
-    QStringList texts{tr("%n rows", nullptr, rowCount())};
+    QStringList texts{tr("%Ln rows", nullptr, rowCount())};
     if (shown != rowCount())
         texts << sentence(tr("%1 shown"), {QLocale().toString(shown)});
     if (isHeld())
-        texts << tr("paused, %n new", nullptr, waiting());
+        texts << tr("paused, %Ln new", nullptr, waiting());
     if (dropped() > 0)
         texts << sentence(tr("%1 oldest dropped"), {QLocale().toString(dropped())});
     return texts.join(QStringLiteral("; "));

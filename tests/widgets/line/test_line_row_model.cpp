@@ -159,6 +159,18 @@ TEST_F(LineRowModelTest, TheOldestRowsGoAndAreCounted)
     EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, Instant{mostRows});
 }
 
+TEST_F(LineRowModelTest, RowsAreCountedInTheNumbersOfTheLanguage)
+{
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::English));
+    for (int i = 0; i < 1234; ++i)
+        add(Kind::sent, wire("05A"));
+    model.showWaiting();
+    const QString counts = model.countsText(model.rowCount());
+    QLocale::setDefault(before);
+    EXPECT_TRUE(counts.startsWith(QStringLiteral("1,234 rows"))) << counts.toStdString();
+}
+
 TEST_F(LineRowModelTest, OtherOptionsExplainTheRowsThereAreAnew)
 {
     add(Kind::sent, wire("05E"));
