@@ -7830,6 +7830,10 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>Only if you are sure: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
         <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>FRABA preset: where the shaft stands now, the encoder will show its preset (%1). 60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.</source>
+        <translation>FRABA-Preset: Wo die Welle jetzt steht, zeigt der Geber danach seinen Preset (%1). 60000000 wird einen Buszyklus lang gesendet. Das lässt sich wiederholen und kostet jedes Mal einen EEPROM-Schreibvorgang.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::FaultBanner</name>
@@ -8584,7 +8588,7 @@ Braucht keinen Bus und sendet nichts.</translation>
     <name>codewheel::JobReview</name>
     <message>
         <source>EEPROM writes by this program so far: %1; by this at most %2.</source>
-        <translation>EEPROM-Schreibvorgänge durch dieses Programm: bisher %1; hierdurch höchstens %2 weitere.</translation>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm: bisher %1; hierdurch höchstens %2.</translation>
     </message>
     <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>

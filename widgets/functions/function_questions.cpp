@@ -88,8 +88,9 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
     return confirm(
         window, "manufacturer-functions.md#the-two-presets-of-a-fraba-encoder",
         Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().shown()),
-        {Functions::tr("FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
-                       "60000000 is sent for one bus cycle. It works as often as you want.")
+        {Functions::tr(
+             "FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
+             "60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.")
              .arg(value),
          eepromCostText(encoder, 1)},
         Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
