@@ -10149,6 +10149,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Connecting…</source>
         <translation>Verbindet…</translation>
     </message>
+    <message>
+        <source> rpm</source>
+        <comment>revolutions per minute</comment>
+        <translation> U/min</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineStatus</name>

@@ -89,7 +89,6 @@ const QStringList sameInGerman{
     QStringLiteral(" MB"),
     QStringLiteral(" ms"),
     QStringLiteral(" s"),
-    QStringLiteral(" 1/min"),
     QStringLiteral("%1 (%2)."),
     QStringLiteral("%1 Bd, %2"),
     QStringLiteral("%1 (OUT %2)"),

@@ -31,7 +31,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int longestPort = 4'096; // characters of a path
+constexpr int longestPort = 4'096;           // characters of a path
+constexpr int widestForm = 160 * grid::unit; // in a wide window its fields stay near their labels
 
 int wholeMilliseconds(Instant time)
 {
@@ -85,6 +86,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
 {
     setAccessibleName(tr("Settings of the serial line"));
+    m_content->setMaximumWidth(widestForm);
     auto *column = layOut<QVBoxLayout>(m_content, grid::margin, grid::margin);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(grid::groupGap);
@@ -249,7 +251,7 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
     m_topSpeed->setRange(line_limits::topSpeed.least, line_limits::topSpeed.most);
     m_topSpeed->setDecimals(0);
     m_topSpeed->setSingleStep(100.0);
-    m_topSpeed->setSuffix(tr(" 1/min", "unit of a speed"));
+    m_topSpeed->setSuffix(tr(" rpm", "revolutions per minute"));
     form.addRow(tr("T&op speed"), m_topSpeed);
 }
 
@@ -401,7 +403,8 @@ void LineSettingsForm::tellBaudRate(const QString &sentence, std::optional<int> 
         m_rateTold->withdraw();
     else
         m_rateTold->showMessage(Role::attention, sentence,
-                                wanted ? tr("Set the line to %1 Bd").arg(*wanted) : QString());
+                                wanted ? tr("Set the line to %1 Bd").arg(QLocale().toString(*wanted))
+                                       : QString());
 }
 
 void LineSettingsForm::takeRate()

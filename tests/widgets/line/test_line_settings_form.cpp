@@ -94,6 +94,13 @@ TEST_F(LineSettingsFormTest, WhatIsTypedIsTakenOrRefusedBeforeTheLineIsOpened)
     EXPECT_EQ(said(), QStringLiteral("\"2,5x\" is not a number."));
 }
 
+TEST_F(LineSettingsFormTest, InAWideWindowItsFieldsStayNearTheirLabels)
+{
+    form.resize(1200, 500);
+    QCoreApplication::processEvents();
+    EXPECT_LT(field<QSpinBox>("Time-out").width(), 600);
+}
+
 TEST_F(LineSettingsFormTest, APathMayBeTyped)
 {
     form.setPorts(ports);
