@@ -99,6 +99,8 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
     if (parameter.form != nullptr)
         return parameter.form->text(value, options);
+    if (parameter.parameter == Parameter::serialNumber) // compared with the label, by eye and by search
+        return QString::number(value);
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
     QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)

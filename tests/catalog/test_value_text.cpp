@@ -25,6 +25,8 @@ TEST(ValueText, NumbersAreWrittenByLocale)
     const DeviceDescription &fraba = *catalog.find(u"fraba-ocd-ib");
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     EXPECT_EQ(valueText(*fraba.find(Parameter::steps), 33'554'431), QStringLiteral("33.554.431"));
+    EXPECT_EQ(valueText(*fraba.find(Parameter::serialNumber), 20'417), QStringLiteral("20417"))
+        << "as on the label";
     EXPECT_EQ(valueText(*fraba.find(Parameter::temperature), 215), QStringLiteral("21,5"));
     QLocale::setDefault(QLocale::c());
     EXPECT_EQ(unitText(Unit::tenthDegreeCelsius), QStringLiteral("°C"));
