@@ -1783,10 +1783,6 @@
         <translation>%1 war beschädigt. Die Datei wurde in %2 umbenannt und eine neue begonnen.</translation>
     </message>
     <message>
-        <source>The serial line %1 is open at %2 baud.</source>
-        <translation>Die serielle Leitung %1 ist mit %2 Baud offen.</translation>
-    </message>
-    <message>
         <source>The serial line %1 was closed.</source>
         <translation>Die serielle Leitung %1 wurde geschlossen.</translation>
     </message>
@@ -7771,10 +7767,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Die Position von %1 auf den Preset setzen?</translation>
     </message>
     <message>
-        <source>FRABA preset: where the shaft stands now, the encoder will show its preset (%1). 60000000 is sent for one bus cycle. It works as often as you want.</source>
-        <translation>FRABA-Preset: Wo die Welle jetzt steht, zeigt der Geber danach seinen Preset (%1). 60000000 wird einen Buszyklus lang gesendet. Das wirkt beliebig oft.</translation>
-    </message>
-    <message>
         <source>&amp;Set position</source>
         <translation>Position &amp;setzen</translation>
     </message>
@@ -10059,11 +10051,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>29 fits the example of the manual; it can be determined from a device</source>
         <translation>29 passt zum Beispiel des Handbuchs; der Wert lässt sich am Gerät bestimmen</translation>
-    </message>
-    <message>
-        <source> 1/min</source>
-        <comment>unit of a speed</comment>
-        <translation> 1/min</translation>
     </message>
     <message>
         <source>Top speed</source>
@@ -13105,10 +13092,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         </translation>
     </message>
     <message>
-        <source>Changes the project, or the master, as you choose; the master in Operate alone.</source>
-        <translation>Ändert je nach Wahl das Projekt oder den Master; den Master nur in Bedienen.</translation>
-    </message>
-    <message>
         <source>The master finds the devices of the ring again; data cycles stop meanwhile</source>
         <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still</translation>
     </message>
@@ -13967,16 +13950,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>CRC-Fehler</translation>
     </message>
     <message>
-        <source>Last 5 minutes</source>
-        <translation>Letzte 5 Minuten</translation>
-    </message>
-    <message>
         <source>Last error</source>
         <translation>Zuletzt</translation>
-    </message>
-    <message>
-        <source>switched off</source>
-        <translation>abgeschaltet</translation>
     </message>
     <message>
         <source>on</source>
@@ -15232,23 +15207,9 @@ Worte: IN %3, OUT %4</translation>
         <comment>sent, answer ...</comment>
         <translation>%1, getippt</translation>
     </message>
-    <message numerus="yes">
-        <source>%n rows</source>
-        <translation>
-            <numerusform>%n Zeile</numerusform>
-            <numerusform>%n Zeilen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 shown</source>
         <translation>%1 gezeigt</translation>
-    </message>
-    <message numerus="yes">
-        <source>paused, %n new</source>
-        <translation>
-            <numerusform>angehalten, %n neue</numerusform>
-            <numerusform>angehalten, %n neue</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 oldest dropped</source>
