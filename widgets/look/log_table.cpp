@@ -214,7 +214,8 @@ int LogTable::heightOf(int row) const
     const int margins = 4 * grid::unit;
     if (fontMetrics().horizontalAdvance(text) + margins <= columnWidth(m_textColumn))
         return line;
-    return std::clamp(sizeHintForRow(row), line, line + (mostLines - 1) * fontMetrics().lineSpacing());
+    return std::clamp(sizeHintForRow(row) + grid::unit, line,
+                      line + (mostLines - 1) * fontMetrics().lineSpacing());
 }
 
 void LogTable::setLineHeight()

@@ -109,6 +109,13 @@ TEST_F(ElasticColumn, GivesWayToTheTextDownToItsLeastWidth)
     EXPECT_EQ(log.columnWidth(0), log.viewport()->width() - 50) << "nothing is out of sight";
 }
 
+TEST_F(ElasticColumn, ATextOfTwoLinesStandsApartFromTheNext)
+{
+    model.setItem(0, 0, new QStandardItem(QStringLiteral("Read out temperature, running, position 12,345")));
+    widthIn(250);
+    EXPECT_GE(log.rowHeight(0), 2 * log.fontMetrics().lineSpacing() + 4);
+}
+
 TEST_F(ElasticColumn, StaysAsItIsDragged)
 {
     widthIn(900);
