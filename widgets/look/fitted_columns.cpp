@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/fitted_columns.h"
 
+#include "widgets/look/heading_width.h"
 #include "widgets/look/wrapped_cells.h"
 
 #include <QEvent>
@@ -46,7 +47,7 @@ std::vector<Widths> widthsOf(const QTableView &table, const WrappedCells &cells)
 {
     std::vector<Widths> columns;
     for (int column = 0; column < table.model()->columnCount(); ++column) {
-        const int head = table.horizontalHeader()->sectionSizeHint(column);
+        const int head = headingWidth(*table.horizontalHeader(), column);
         Widths widest{head, head};
         for (int row = 0; row < std::min(table.model()->rowCount(), mostRows); ++row) {
             if (table.columnSpan(row, column) > 1)

@@ -13,6 +13,7 @@ namespace codewheel {
 namespace {
 
 constexpr int longestMotion = 200; // ms
+constexpr int headingInset = 2; // beyond Fusion's: headings stand apart, and above the texts of their column
 
 // What a gloved finger has to hit.
 bool isControlMetric(QStyle::PixelMetric metric)
@@ -143,10 +144,29 @@ void InstrumentStyle::drawComplexControl(ComplexControl control, const QStyleOpt
     QProxyStyle::drawComplexControl(control, &copy, painter, widget);
 }
 
+// Not by SE_HeaderLabel: Fusion does not ask its proxy for it.
+void InstrumentStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                                  const QWidget *widget) const
+{
+    const auto drawInset = [&](auto copy) {
+        copy.rect.adjust(headingInset, 0, -headingInset, 0);
+        QProxyStyle::drawControl(element, &copy, painter, widget);
+    };
+    if (element == CE_HeaderLabel) {
+        if (const auto *newer = qstyleoption_cast<const QStyleOptionHeaderV2 *>(option))
+            return drawInset(*newer);
+        if (const auto *heading = qstyleoption_cast<const QStyleOptionHeader *>(option))
+            return drawInset(*heading);
+    }
+    QProxyStyle::drawControl(element, option, painter, widget);
+}
+
 QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
                                         const QWidget *widget) const
 {
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    if (type == CT_HeaderSection)
+        size.rwidth() += 2 * headingInset;
     if (m_largeControls && option != nullptr && isControl(type))
         size.setHeight(qMax(size.height(), larger(option->fontMetrics.height() + 2 * grid::unit)));
     return size;

@@ -5,6 +5,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/heading_width.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/may_elide.h"
@@ -168,12 +169,14 @@ void StructureEditor::makeTree()
 void StructureEditor::fitColumns()
 {
     m_tree->expandAll();
+    const QAbstractItemView &cells = *m_tree;
     for (int column = 0; column < m_model->columnCount() - 1; ++column) {
-        m_tree->resizeColumnToContents(column);
+        const int content =
+            std::max(cells.sizeHintForColumn(column), headingWidth(*m_tree->header(), column));
         const PlanField field = m_model->columnAt(column).field;
         const int least = field == PlanField::station ? narrowestStation : 0;
         const int most = field == PlanField::device ? QWIDGETSIZE_MAX : widestColumn;
-        m_tree->setColumnWidth(column, std::clamp(m_tree->columnWidth(column) + grid::unit, least, most));
+        m_tree->setColumnWidth(column, std::clamp(content + grid::unit, least, most));
     }
 }
 

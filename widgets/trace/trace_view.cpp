@@ -6,6 +6,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/heading_width.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/log_table.h"
@@ -226,11 +227,11 @@ void TraceView::showModel()
     if (!m_shown)
         return;
     for (int column = 0; column < meaningColumn(); ++column)
-        m_table->setColumnWidth(column, m_table->horizontalHeader()->sectionSizeHint(column));
+        m_table->setColumnWidth(column, headingWidth(*m_table->horizontalHeader(), column));
     const int remark = m_shown->columnOf(TrafficColumn::remark);
     m_table->setTextColumn(meaningColumn(), fewestLetters);
     m_table->setElasticColumn({.column = remark,
-                               .least = m_table->horizontalHeader()->sectionSizeHint(remark),
+                               .least = headingWidth(*m_table->horizontalHeader(), remark),
                                .most = remarkWidth,
                                .wantedLetters = wantedLetters});
     makeRoom(0, m_shown->rowCount() - 1);

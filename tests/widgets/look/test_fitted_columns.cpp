@@ -5,6 +5,7 @@
 #include "widgets/look/quiet_table.h"
 
 #include <QCoreApplication>
+#include <QHeaderView>
 #include <QStandardItemModel>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,18 @@ TEST_F(FittedColumnsTest, WhatComesLaterIsMeasuredToo)
     model.item(0, number)->setText(QStringLiteral("50.000 steps, read at two minutes past two"));
     QCoreApplication::processEvents();
     EXPECT_TRUE(isOnOneLine(number));
+}
+
+TEST_F(FittedColumnsTest, AHeadingHasTheRoomThatItTakes)
+{
+    const QString heading = QStringLiteral("Encoder and parameter");
+    model.setHorizontalHeaderLabels({QStringLiteral("A"), QStringLiteral("B"), heading});
+    model.item(0, number)->setText(QStringLiteral("1"));
+    show(60);
+    EXPECT_GE(table.columnWidth(number),
+              QFontMetrics(table.horizontalHeader()->font()).horizontalAdvance(heading));
+    EXPECT_LT(table.columnWidth(number), table.horizontalHeader()->sectionSizeHint(number))
+        << "which Qt measures as a bold one";
 }
 
 class ElasticColumn : public testing::Test
