@@ -35,7 +35,7 @@ WrappedCells::Widths WrappedCells::widthsOf(const QModelIndex &index) const
     initStyleOption(&option, index);
     const QFontMetrics metrics(option.font);
     Widths widths;
-    for (const QString &word : option.text.split(u' '))
+    for (const QString &word : withWholeParentheses(option.text).split(u' '))
         widths.word = std::max(widths.word, metrics.horizontalAdvance(word));
     widths.line = std::max(widths.word, metrics.horizontalAdvance(option.text));
     const int beside = besideText(option) + grid::unit; // lines are broken to the pixel

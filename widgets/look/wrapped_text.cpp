@@ -7,8 +7,21 @@
 
 namespace codewheel {
 
+QString withWholeParentheses(const QString &text)
+{
+    constexpr qsizetype longest = 12; // letters; more leave too little to break
+    QString whole = text;
+    for (qsizetype open = text.indexOf(u'('); open >= 0; open = text.indexOf(u'(', open + 1)) {
+        const qsizetype close = text.indexOf(u')', open);
+        for (qsizetype at = open; at < close && close - open < longest; ++at)
+            if (text[at] == u' ')
+                whole[at] = QChar::Nbsp;
+    }
+    return whole;
+}
+
 WrappedText::WrappedText(const QString &text, const QFont &font, int width, Qt::Alignment alignment)
-    : m_layout(text, font)
+    : m_layout(withWholeParentheses(text), font)
 {
     QTextOption option(alignment & Qt::AlignHorizontal_Mask);
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);

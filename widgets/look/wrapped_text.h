@@ -7,6 +7,9 @@ class QPainter;
 
 namespace codewheel {
 
+// Its short parentheses are not broken: "(by hand)" goes to the next line whole.
+QString withWholeParentheses(const QString &text);
+
 // A text wrapped to a width between words, and within a word longer than a line: for delegates that must not
 // cut anything off.
 class WrappedText

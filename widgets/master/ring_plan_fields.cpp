@@ -9,6 +9,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -145,7 +146,9 @@ QString RingPlanFields::countsText() const
 {
     const RingCounts counts = countRing(structureOf(m_document.project(), m_ring));
     const auto part = [](const QString &what, int count, int limit) {
-        return QStringLiteral("%1 %2 / %3").arg(what, QLocale().toString(count), QLocale().toString(limit));
+        return QStringLiteral("%1 %2 / %3")
+            .arg(what, QLocale().toString(count), QLocale().toString(limit))
+            .replace(u' ', QChar::Nbsp); // lines break between the parts
     };
     return QStringList{part(tr("Devices"), counts.devices, ring_limit::devices),
                        part(tr("remote bus"), counts.remoteDevices, ring_limit::remoteDevices),
@@ -165,8 +168,8 @@ QString RingPlanFields::timesText() const
         return QStringLiteral("%1 / %2").arg(cycleTimeText(cycleTime(load, bit, CycleTimeForm::g3)),
                                              cycleTimeText(cycleTime(load, bit, CycleTimeForm::g4)));
     };
-    return tr("Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)")
-        .arg(both(bitAt500kBd), both(bitAt2MBd));
+    return withWholeParentheses(
+        tr("Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)").arg(both(bitAt500kBd), both(bitAt2MBd)));
 }
 
 } // namespace codewheel

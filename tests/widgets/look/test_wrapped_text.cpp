@@ -47,6 +47,16 @@ TEST(WrappedText, BreaksBetweenWordsFirst)
     EXPECT_EQ(heightOf(two, width), twoLines);
 }
 
+TEST(WrappedText, AShortParenthesisGoesToTheNextLineWhole)
+{
+    EXPECT_EQ(withWholeParentheses(QStringLiteral("8 192 (by hand)")),
+              QStringLiteral("8 192 (by%1hand)").arg(QChar(QChar::Nbsp)));
+    const QString longer = QStringLiteral("3 (unsigned, clockwise)");
+    EXPECT_EQ(withWholeParentheses(longer), longer);
+    const QString open = QStringLiteral("3 (by hand");
+    EXPECT_EQ(withWholeParentheses(open), open);
+}
+
 TEST(WrappedText, AWordThatIsTooLongIsBrokenAndNothingIsCutOff)
 {
     const int width = widthOf(word) / 3;
