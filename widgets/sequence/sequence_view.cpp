@@ -34,6 +34,11 @@
 #include <QToolBar>
 
 namespace codewheel {
+namespace {
+
+constexpr int wordsInSight = 3; // however low the panel
+
+} // namespace
 
 SequenceView::SequenceView(QWidget *parent)
     : QWidget(parent)
@@ -100,10 +105,13 @@ void SequenceView::makeTable()
     m_table->setAccessibleName(tr("Words to send"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 2 * grid::unit);
     m_table->horizontalHeader()->setSectionResizeMode(SequenceModel::meaning, QHeaderView::Stretch);
     m_table->setTabKeyNavigation(false);
-    m_table->setMinimumHeight(2 * grid::largeIcon);
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() +
+                              wordsInSight * m_table->verticalHeader()->defaultSectionSize() +
+                              2 * m_table->frameWidth());
     connect(m_model, &SequenceModel::badInput, this,
             [this](const QString &sentence) { say(Role::attention, sentence); });
     connect(m_model, &QAbstractItemModel::dataChanged, this, [this] {

@@ -82,6 +82,14 @@ protected:
     test::ModelTester tester{model};
 };
 
+TEST_F(SequenceViewTest, ThreeWordsAreInSightHoweverLowThePanel)
+{
+    paste("020000FF\n04000001\n06000003\n80000000");
+    view.resize(view.minimumSizeHint());
+    QCoreApplication::processEvents();
+    EXPECT_GE(table.viewport()->height(), 3 * table.rowHeight(0));
+}
+
 TEST_F(SequenceViewTest, WithoutAnEncoderItSaysWhatBelongsHere)
 {
     view.setEncoder(nullptr);
