@@ -88,6 +88,7 @@ InsertPanel::InsertPanel(const PlanEdits &edits, QWidget *parent)
 void InsertPanel::makeFields()
 {
     m_search->setClearButtonEnabled(true);
+    m_devices->setSpacing(grid::unit / 2);
     m_devices->setFixedHeight(visibleDevices * (fontMetrics().height() + grid::unit) + grid::margin);
     for (QLineEdit *field : {m_idCode, m_lengthCode}) {
         field->setFont(numberFont());

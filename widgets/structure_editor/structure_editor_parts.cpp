@@ -89,11 +89,12 @@ void StructureEditor::move()
 
 void StructureEditor::makeTools()
 {
-    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
+    setUpToolBar(*m_tools);
     addTool({Icon::add, tr("Insert…"), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code")},
             &StructureEditor::openInsertPanel);
-    static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()))
-        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto *insert = static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()));
+    connect(m_tools, &QToolBar::toolButtonStyleChanged, insert, // it keeps its word, however narrow the bar
+            [insert] { insert->setToolButtonStyle(Qt::ToolButtonTextBesideIcon); });
     m_deviceActions = {addTool({Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
                                 tr("Remove the chosen devices with all that hangs below")},
                                &StructureEditor::remove)};

@@ -26,6 +26,8 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <gtest/gtest.h>
@@ -265,6 +267,23 @@ TEST_F(StructureEditorTest, SearchGoesFromOneToTheNext)
     search.clear();
     QTest::keyClicks(&search, QStringLiteral("nowhere"));
     EXPECT_EQ(child<QLabel>("structureFound").text(), QStringLiteral("not found"));
+}
+
+TEST_F(StructureEditorTest, TheToolsHaveTheirWordsWhereThereIsRoom)
+{
+    const auto withWords = [this] {
+        int count = 0;
+        for (const auto *button : editor.findChild<QToolBar *>()->findChildren<QToolButton *>())
+            if (!button->text().isEmpty() && button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon)
+                ++count;
+        return count;
+    };
+    editor.resize(1400, 600);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(withWords(), 7);
+    editor.resize(560, 600);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(withWords(), 1) << "Insert keeps its own";
 }
 
 TEST_F(StructureEditorTest, TheSummaryCountsAndTellsTheCycleTime)
