@@ -65,10 +65,7 @@ QString RingPlanRules::placeTitle() const
 
 QString RingPlanRules::nameOf(const Participant &device, const Catalog &catalog) const
 {
-    if (const DeviceDescription *described = descriptionOf(device, catalog))
-        return described->fullName();
-    const QString kind = idCodeName(device.idCode);
-    return kind.isEmpty() ? participantName(device, nullptr) : kind;
+    return ringDeviceName(device, descriptionOf(device, catalog));
 }
 
 QString RingPlanRules::reading(const Participant &device, const Catalog &catalog) const

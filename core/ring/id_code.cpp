@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/id_code.h"
 
+#include "bus/participant.h"
+#include "catalog/device_description.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -103,6 +106,12 @@ QString idCodeName(unsigned idCode)
 {
     const IdCodeRow *kind = idCodeRow(idCode);
     return kind ? QCoreApplication::translate("IdCode", kind->name) : QString();
+}
+
+QString ringDeviceName(const Participant &device, const DeviceDescription *description)
+{
+    const QString kind = description ? description->fullName() : idCodeName(device.idCode);
+    return kind.isEmpty() ? participantName(device, description) : kind;
 }
 
 bool standsOnLocalBus(unsigned idCode)

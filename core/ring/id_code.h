@@ -9,6 +9,8 @@
 
 namespace codewheel {
 
+struct DeviceDescription;
+
 // The 16-bit ID register of a participant: the low byte is its ID code, the high byte the length code. Data
 // sheets and masters show both as the device code, "0237h".
 
@@ -29,6 +31,8 @@ Participant deviceOf(unsigned deviceCode);
 
 // The kind of device an ID code stands for, in the user's language: "analog input"; empty: not known.
 QString idCodeName(unsigned idCode);
+// As it is described, or what its ID code tells, if there is no description.
+QString ringDeviceName(const Participant &device, const DeviceDescription *description);
 
 // Devices with these codes are on a local bus: Loop 2 and Inline. For others the code does not say.
 bool standsOnLocalBus(unsigned idCode);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/device_description.h"
 #include "ring/id_code.h"
 
 #include <gtest/gtest.h>
@@ -46,6 +47,15 @@ INSTANTIATE_TEST_SUITE_P(
         Register{0x06E1, 2, 2, "drive with PCP"}, // 4
         Register{0x06E3, 5, 5, "drive with PCP"}, // 1
         Register{0x0100, 0, 0, ""}, Register{0x027F, 2, 2, ""}));
+
+TEST(IdCode, NamesADeviceWithoutADescriptionByItsKind)
+{
+    EXPECT_EQ(ringDeviceName(deviceOf(0x81BE), nullptr), QStringLiteral("Inline digital input"));
+    EXPECT_EQ(ringDeviceName(deviceOf(0x027F), nullptr), QStringLiteral("device not known"));
+    DeviceDescription described;
+    described.name = QStringLiteral("OCD-IB K3");
+    EXPECT_EQ(ringDeviceName(deviceOf(0x0237), &described), described.fullName());
+}
 
 TEST(IdCode, TheLengthCodeCountsWordsBytesNibblesAndBits)
 {
