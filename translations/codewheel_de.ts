@@ -6847,6 +6847,10 @@ Braucht keinen Bus und sendet nichts.</translation>
             <numerusform>%n Zeilen wichen ab.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The bus is not connected</source>
+        <translation>Der Bus ist nicht verbunden</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CopyMenu</name>
@@ -7337,6 +7341,18 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>It connects the devices behind it to the ring; there is nothing to describe.</source>
         <translation>Sie verbindet die Geräte dahinter mit dem Ring; zu beschreiben gibt es nichts.</translation>
     </message>
+    <message>
+        <source>There is no description of %1</source>
+        <translation>Für %1 gibt es keine Beschreibung</translation>
+    </message>
+    <message>
+        <source>No device is chosen</source>
+        <translation>Kein Gerät gewählt</translation>
+    </message>
+    <message>
+        <source>%1 is a bus terminal</source>
+        <translation>%1 ist eine Busklemme</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DialHead</name>
@@ -7388,6 +7404,19 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>The dial is pinned to this place. Unpinned, it follows the bus structure.</source>
         <translation>Die Anzeige ist an diesen Platz geheftet. Gelöst folgt sie dem Busaufbau.</translation>
+    </message>
+    <message>
+        <source>No encoder is chosen</source>
+        <translation>Kein Geber gewählt</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>There is no encoder at %1</source>
+        <comment>2.0</comment>
+        <translation>Auf Platz %1 ist kein Geber</translation>
     </message>
 </context>
 <context>
@@ -10328,7 +10357,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Serial line</source>
-        <translation>Leitung</translation>
+        <translation>Serielle Leitung</translation>
     </message>
 </context>
 <context>
@@ -14888,6 +14917,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Goes to the devices with this text; Enter and Shift+Enter to the next and the previous one (Ctrl+F)</source>
         <translation>Geht zu den Teilnehmern mit diesem Text; Eingabe und Umschalt+Eingabe zum nächsten und zum vorigen (Strg+F)</translation>
     </message>
+    <message>
+        <source>No devices are planned</source>
+        <translation>Keine Geräte sind geplant</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>
@@ -14954,6 +14987,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
         <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore; dorthin gezogen, wird es angeheftet.</translation>
+    </message>
+    <message>
+        <source>No bus is connected</source>
+        <translation>Kein Bus ist verbunden</translation>
     </message>
 </context>
 <context>

@@ -51,7 +51,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, const Catalog &catalog
     , m_allIntoProject(describe(new QPushButton(tr("&All into the project"), this), "allIntoProject",
                                 tr("Plans the whole bus as it is connected; can be undone")))
     , m_message(named(new InlineMessage(this), "comparisonMessage"))
-    , m_empty(new EmptyState(Icon::compare, tr("The bus is not connected."),
+    , m_empty(new EmptyState(Icon::compare, tr("The bus is not connected"),
                              tr("Connect to compare it with the project."), this))
     , m_age(new AgeTimer(this))
     , m_top(new QHBoxLayout)

@@ -84,14 +84,14 @@ void DevicePanel::showDevice()
     else if (device)
         fillPage();
     else if (bus() != nullptr && isCoupler(*bus(), *m_number))
-        m_empty->setTexts(tr("%1 is a bus terminal.").arg(m_number->toString()),
+        m_empty->setTexts(tr("%1 is a bus terminal").arg(m_number->toString()),
                           tr("It connects the devices behind it to the ring; there is nothing to describe."));
     else if (m_number)
-        m_empty->setTexts(tr("There is no description of %1.").arg(m_number->toString()),
+        m_empty->setTexts(tr("There is no description of %1").arg(m_number->toString()),
                           tr("Put one into the folder codewheel/devices of your data folder, or type the key "
                              "on its label to look one up."));
     else
-        m_empty->setTexts(tr("No device is chosen."),
+        m_empty->setTexts(tr("No device is chosen"),
                           tr("Choose one in the bus structure, or type the key on a label to look one up."));
 }
 

@@ -56,10 +56,10 @@ void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline
     m_shaft->setEncoder(isRod ? nullptr : encoder);
     m_rod->setEncoder(isRod ? encoder : nullptr);
     if (offline)
-        m_empty->setTexts(tr("%1 is not connected.").arg(offline->shown()),
+        m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
                           tr("Its position is shown once its bus is connected."));
     else
-        m_empty->setTexts(tr("No encoder is chosen."), tr("Choose one in the bus structure."));
+        m_empty->setTexts(tr("No encoder is chosen"), tr("Choose one in the bus structure."));
     if (encoder == nullptr)
         m_pages->setCurrentWidget(m_empty);
     else
@@ -69,7 +69,7 @@ void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline
 void DialPanel::setAway(Place pinned)
 {
     setEncoder(nullptr);
-    m_empty->setTexts(tr("There is no encoder at %1.", "2.0").arg(pinned.shown()),
+    m_empty->setTexts(tr("There is no encoder at %1", "2.0").arg(pinned.shown()),
                       tr("The dial is pinned to this place. Unpinned, it follows the bus structure."));
 }
 

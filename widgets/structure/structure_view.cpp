@@ -42,7 +42,7 @@ StructureView::StructureView(QWidget *parent)
                          "them, it is pinned there.")))
     , m_filter(nullptr)
     , m_empty(
-          new EmptyState(Icon::ring, tr("No bus is connected."), tr("The project has no devices yet."), this))
+          new EmptyState(Icon::ring, tr("No bus is connected"), tr("The project has no devices yet."), this))
     , m_question(new InlineMessage(this))
 {
     auto *layout = new QVBoxLayout(this);

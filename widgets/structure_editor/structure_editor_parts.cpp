@@ -53,7 +53,7 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
                            "previous one (Ctrl+F)")))
     , m_found(new QLabel(this))
     , m_tree(new QTreeView(this))
-    , m_empty(new EmptyState(Icon::ring, tr("No devices are planned."),
+    , m_empty(new EmptyState(Icon::ring, tr("No devices are planned"),
                              tr("Insert the first one, or connect the bus and take it over."), this))
     , m_insert(new InsertPanel(m_edits, this))
     , m_message(new InlineMessage(this))

@@ -98,7 +98,7 @@ TEST_F(DialPinTest, WhileItsBusIsClosedItSaysSoAndComesBackWithIt)
     press();
     choose(fraba);
     ring.bus.close();
-    EXPECT_TRUE(says(QStringLiteral("2.0 is not connected.")));
+    EXPECT_TRUE(says(QStringLiteral("2.0 is not connected")));
     EXPECT_EQ(title(), QStringLiteral("2.0"));
     EXPECT_TRUE(button().isChecked()) << "and can be unpinned";
     ASSERT_TRUE(ring.bus.open(RingSession::Start::watching));
@@ -109,7 +109,7 @@ TEST_F(DialPinTest, WhileItsBusIsClosedItSaysSoAndComesBackWithIt)
 TEST_F(DialPinTest, WhereAnotherDeviceStandsItSaysSo)
 {
     dial.restore(test::busTerminal);
-    EXPECT_TRUE(says(QStringLiteral("There is no encoder at 6.0.")));
+    EXPECT_TRUE(says(QStringLiteral("There is no encoder at 6.0")));
     press();
     EXPECT_EQ(shownPlace(), QStringLiteral("Dial of 1.0"));
 }
