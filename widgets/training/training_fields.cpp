@@ -108,7 +108,7 @@ void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field)
 void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number)
 {
     addCaption(grid, row, text, number);
-    grid->addWidget(number, row, 1, Qt::AlignRight);
+    grid->addWidget(number, row, 1, 1, -1, Qt::AlignRight);
 }
 
 } // namespace codewheel::training_fields

@@ -39,7 +39,8 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     fields->addRow(tr("&Label key"), m_key);
     fields->addRow(tr("Enc&oder"), m_choice);
     fields->addRow(tr("&Serial number"), m_serial);
-    layOutColumn(this, {m_planned, fields, m_message, m_differences, Stretch{1}}, {.spacing = grid::margin});
+    layOutColumn(this, {m_planned, fields, m_message, m_differences, Stretch{1}},
+                 {.spacing = grid::margin, .margins = QMargins()});
     setFocusProxy(m_key);
     connect(m_key, &QLineEdit::textChanged, this, &ReplaceDeviceStep::readKey);
     connect(m_key, &QLineEdit::editingFinished, this, &ReplaceDeviceStep::tellProblem);

@@ -43,7 +43,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     layOutColumn(this,
                  {m_last, m_kept, layOutRow({m_typed, m_value, new QLabel(tr("steps"), this), Stretch{1}}),
                   m_none, m_message, m_note, Stretch{1}},
-                 {.spacing = grid::margin});
+                 {.spacing = grid::margin, .margins = QMargins()});
     connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
 }
 

@@ -33,7 +33,8 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     , m_progress(new JobStrip(m_round, this))
 {
     m_progress->hide();
-    layOutColumn(this, {{m_table, 1}, m_note, m_message, m_gate, m_progress}, {.spacing = grid::margin});
+    layOutColumn(this, {{m_table, 1}, m_note, m_message, m_gate, m_progress},
+                 {.spacing = grid::margin, .margins = QMargins()});
     setFocusProxy(m_table);
     connect(m_gate, &EepromGate::changed, this, &ReplaceStep::changed);
     connect(&m_round, &JobRound::finished, this, [this] {
@@ -113,7 +114,7 @@ ReplaceAccountStep::ReplaceAccountStep(Replacing &replacing, QWidget *parent)
     , m_result(wrappedLabel(this, "replaceResult"))
     , m_account(new AccountView(this))
 {
-    layOutColumn(this, {m_result, {m_account, 1}}, {.spacing = grid::margin});
+    layOutColumn(this, {m_result, {m_account, 1}}, {.spacing = grid::margin, .margins = QMargins()});
     setFocusProxy(m_account);
 }
 
