@@ -15,6 +15,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPointer>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -98,6 +100,22 @@ TEST_F(Settings, TheThemeActsAtOnceAgreesWithTheMenuAndIsTakenBackByCancel)
     dialog()->reject();
     EXPECT_EQ(controlFactor(*program->window()), 1);
     EXPECT_EQ(actions().scheme->checkedAction()->data().toInt(), static_cast<int>(Scheme::system));
+}
+
+TEST_F(Settings, NeedNoScrollingSidewaysWithLargeControls)
+{
+    open();
+    actions().largeControls->trigger();
+    QCoreApplication::processEvents();
+    const auto *area = dialog()
+                           ->findChild<QComboBox *>(QStringLiteral("settingsTheme"))
+                           ->parentWidget()
+                           ->parentWidget()
+                           ->parentWidget();
+    const auto *scrolled = qobject_cast<const QScrollArea *>(area);
+    ASSERT_NE(scrolled, nullptr);
+    EXPECT_TRUE(scrolled->verticalScrollBar()->isVisible());
+    EXPECT_LE(scrolled->widget()->width(), scrolled->viewport()->width());
 }
 
 TEST_F(Settings, GoOnInTheWindowOfAnotherLanguage)

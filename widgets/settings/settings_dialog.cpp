@@ -3,6 +3,7 @@
 
 #include "widgets/help/help_topic.h"
 #include "widgets/input/number_fields.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -18,13 +19,12 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QScopedValueRollback>
-#include <QScrollArea>
 #include <QTabWidget>
 
 namespace codewheel {
 namespace {
 
-constexpr int charactersInLine = 60;
+constexpr int charactersInLine = 68;
 constexpr int linesHigh = 34; // the height of a page at most; it scrolls in a smaller window
 
 // A sentence below its field.
@@ -53,25 +53,20 @@ SettingsDialog::SettingsDialog(const ProgramSettings &settings, const std::vecto
     makeKept(folders);
     layOutColumn(this, {{m_pages, 1}}, {.spacing = grid::margin, .margins = allAround(grid::margin)});
     makeButtons();
-    resize(sizeHint().expandedTo({0, linesHigh * fontMetrics().height()}));
+    resize(minimumSizeHint().expandedTo(
+        {charactersInLine * fontMetrics().averageCharWidth(), linesHigh * fontMetrics().height()}));
     showValues(settings);
     m_isShowing = false;
 }
 
 QFormLayout *SettingsDialog::addPage(const QString &title)
 {
-    auto *scroll = new QScrollArea(m_pages);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    auto *page = new QWidget(scroll);
-    page->setMinimumWidth(charactersInLine * fontMetrics().averageCharWidth());
+    auto *page = new QWidget(m_pages);
     auto *form = new QFormLayout(page);
     form->setContentsMargins(allAround(grid::margin));
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
-    scroll->setWidget(page);
-    m_pages->addTab(scroll, title);
+    m_pages->addTab(new ContentScrollArea(page, m_pages), title);
     return form;
 }
 
