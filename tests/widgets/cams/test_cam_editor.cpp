@@ -56,11 +56,10 @@ TEST_F(CamEditorView, WhatWouldBeUndoneTakesNoRoomInTheToolBar)
     const auto look = [&](const char *text) {
         return static_cast<QToolButton *>(tools->widgetForAction(&action(text)))->toolButtonStyle();
     };
-    for (const int width : {760, 300, 760}) {
-        editor.resize(width, 520);
-        QCoreApplication::processEvents();
+    for (const auto style : {Qt::ToolButtonIconOnly, Qt::ToolButtonTextBesideIcon}) { // as for want of room
+        tools->setToolButtonStyle(style);
         for (const char *text : {"Undo", "Redo", "Open", "Save"})
-            EXPECT_EQ(look(text), Qt::ToolButtonIconOnly) << text << " at " << width;
+            EXPECT_EQ(look(text), Qt::ToolButtonIconOnly) << text;
     }
     EXPECT_EQ(look("Compare"), Qt::ToolButtonTextBesideIcon);
 }
