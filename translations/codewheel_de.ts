@@ -6817,10 +6817,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Plant den ganzen Bus so, wie er angeschlossen ist; lässt sich rückgängig machen</translation>
     </message>
     <message>
-        <source>The bus is not connected.</source>
-        <translation>Der Bus ist nicht verbunden.</translation>
-    </message>
-    <message>
         <source>Take over from the bus</source>
         <translation>Vom Bus übernehmen</translation>
     </message>
@@ -7318,24 +7314,12 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Anschlüsse, LEDs, Grenzwerte, Typenschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
     </message>
     <message>
-        <source>There is no description of %1.</source>
-        <translation>Für %1 gibt es keine Beschreibung.</translation>
-    </message>
-    <message>
         <source>Put one into the folder codewheel/devices of your data folder, or type the key on its label to look one up.</source>
         <translation>Eine in den Ordner codewheel/devices des eigenen Datenordners legen, oder ein Gerät mit dem Schlüssel vom Typenschild nachschlagen.</translation>
     </message>
     <message>
-        <source>No device is chosen.</source>
-        <translation>Kein Gerät gewählt</translation>
-    </message>
-    <message>
         <source>Choose one in the bus structure, or type the key on a label to look one up.</source>
         <translation>Eines im Busaufbau wählen, oder ein Gerät mit dem Schlüssel vom Typenschild nachschlagen.</translation>
-    </message>
-    <message>
-        <source>%1 is a bus terminal.</source>
-        <translation>%1 ist eine Busklemme.</translation>
     </message>
     <message>
         <source>It connects the devices behind it to the ring; there is nothing to describe.</source>
@@ -7377,16 +7361,8 @@ Braucht keinen Bus und sendet nichts.</translation>
 <context>
     <name>codewheel::DialPanel</name>
     <message>
-        <source>No encoder is chosen.</source>
-        <translation>Kein Geber gewählt</translation>
-    </message>
-    <message>
         <source>Choose one in the bus structure.</source>
         <translation>Einen im Busaufbau wählen.</translation>
-    </message>
-    <message>
-        <source>%1 is not connected.</source>
-        <translation>%1 ist nicht verbunden.</translation>
     </message>
     <message>
         <source>Its position is shown once its bus is connected.</source>
@@ -7395,11 +7371,6 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>Encoder</source>
         <translation>Geber</translation>
-    </message>
-    <message>
-        <source>There is no encoder at %1.</source>
-        <comment>2.0</comment>
-        <translation>Auf Platz %1 ist kein Geber.</translation>
     </message>
     <message>
         <source>The dial is pinned to this place. Unpinned, it follows the bus structure.</source>
@@ -14894,10 +14865,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Der Bus, der hier geplant wird; wer anderswo ein Gerät wählt, wählt auch dessen Bus</translation>
     </message>
     <message>
-        <source>No devices are planned.</source>
-        <translation>Keine Geräte sind geplant.</translation>
-    </message>
-    <message>
         <source>Insert the first one, or connect the bus and take it over.</source>
         <translation>Das erste einfügen, oder den Bus verbinden und den Aufbau übernehmen.</translation>
     </message>
@@ -14979,10 +14946,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The project has no devices yet.</source>
         <translation>Das Projekt hat noch keine Teilnehmer.</translation>
-    </message>
-    <message>
-        <source>No bus is connected.</source>
-        <translation>Kein Bus ist verbunden.</translation>
     </message>
     <message>
         <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
