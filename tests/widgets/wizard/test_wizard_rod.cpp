@@ -131,7 +131,7 @@ TEST_F(WizardRod, InANarrowReviewLongValuesLeaveRoomForWhatHappens)
     toValues();
     next();
     auto *table = find<QTableView>("changes");
-    table->setMaximumWidth(400); // as with larger letters
+    table->setFixedWidth(340);
     QCoreApplication::processEvents();
     const QAbstractItemModel &model = *table->model();
     ASSERT_EQ(model.rowCount(), 1);
