@@ -28,6 +28,11 @@
 namespace codewheel {
 namespace {
 
+QString lettersAndDigits(QString text)
+{
+    return text.removeIf([](QChar sign) { return !sign.isLetterOrNumber(); }).toUpper();
+}
+
 const std::vector<int> allRates{19'200, 9'600, 4'800};
 
 // An address as printed on the encoder: shows both readings.
@@ -297,9 +302,22 @@ void LineSearch::showEnd(const ScanEnded &ended)
     showWhatIsPossible();
 }
 
+// The kind whose interface the encoders tell in their version: "RS-485" in "5882 RS485 V1.2".
+void LineSearch::proposeKind(const std::vector<FoundEncoder> &found)
+{
+    for (int i = 0; i < m_device->count() && !found.empty(); ++i) {
+        const QString last = lettersAndDigits(m_device->itemText(i).section(u' ', -1));
+        if (!last.isEmpty() && lettersAndDigits(found.front().version).contains(last)) {
+            m_device->setCurrentIndex(i);
+            return;
+        }
+    }
+}
+
 void LineSearch::showFound(const std::vector<FoundEncoder> &found)
 {
     m_found->show(found);
+    proposeKind(found);
     m_table->resizeColumnToContents(FoundEncoderModel::address);
 }
 

@@ -69,6 +69,7 @@ private:
     void start();
     void showProgress(const ScanProgress &progress);
     void showEnd(const ScanEnded &ended);
+    void proposeKind(const std::vector<FoundEncoder> &found);
     void showFound(const std::vector<FoundEncoder> &found);
     void showWhatIsPossible();
     bool isConnected() const;

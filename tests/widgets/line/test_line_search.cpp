@@ -95,6 +95,20 @@ TEST_F(LineSearchTest, ShowsWhatAnEncoderTellsOfItself)
         EXPECT_FALSE(sent.mid(2).startsWith('G') || sent.mid(2).startsWith('X')) << sent.toStdString();
 }
 
+TEST_F(LineSearchTest, ProposesTheKindWhoseInterfaceAnEncoderTells)
+{
+    search.setDevices({{QStringLiteral("other"), QStringLiteral("Kübler RS-422")},
+                       {QStringLiteral("told"), QStringLiteral("Kübler V1.23")}});
+    QString kind;
+    QObject::connect(&search, &LineSearch::takeOverWanted, &search,
+                     [&kind](const auto &, const QString &key) { kind = key; });
+    bench.open();
+    button("Search").click();
+    bench.pass(20'000); // it tells "ENCODER V1.23"
+    button("Take over").click();
+    EXPECT_EQ(kind, QStringLiteral("told"));
+}
+
 TEST_F(LineSearchTest, OnlyTickedEncodersAreTakenOver)
 {
     bench.open();
