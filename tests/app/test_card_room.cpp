@@ -3,6 +3,7 @@
 #include "app/window/bottom_fold.h"
 #include "language.h"
 #include "tests/app/window_test.h"
+#include "tests/support/painted_texts.h"
 #include "widgets/monitor/meaning_line.h"
 #include "widgets/monitor/word_line.h"
 
@@ -78,6 +79,21 @@ TEST_P(CardRoom, WhyAWordIsOldIsReadOnTheCardWhichStaysAsItIs)
         << why.toStdString();
     EXPECT_LT(line.fontMetrics().horizontalAdvance(why), line.width()) << why.toStdString();
     EXPECT_EQ(monitors().card(test::fraba)->height(), before);
+}
+
+TEST(MeaningLineTest, IsNeverCutOffWithinANumber)
+{
+    const QString text = QStringLiteral("Not on the bus: Running, position 7,967,178");
+    MeaningLine line(nullptr, Qt::AlignLeft);
+    line.setText(text);
+    const int needed = line.fontMetrics().horizontalAdvance(text);
+    line.resize(needed, 20);
+    EXPECT_EQ(test::paintedTexts(line).front().text, text);
+    for (const int missing : {1, 20, 40}) {
+        line.resize(needed - missing, 20);
+        EXPECT_EQ(test::paintedTexts(line).front().text.toStdString(), "Not on the bus: Running, position…")
+            << missing;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, CardRoom, testing::Values("en", "de"),

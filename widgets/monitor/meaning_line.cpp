@@ -10,6 +10,21 @@
 
 namespace codewheel {
 
+namespace {
+
+// Never within a word: of "7,967,178" no "7,967,1…" is left to be misread.
+QString elidedAtWord(const QFontMetrics &metrics, const QString &text, int width)
+{
+    if (metrics.horizontalAdvance(text) <= width)
+        return text;
+    const QString cut = metrics.elidedText(text, Qt::ElideRight, width).chopped(1); // the dots
+    const auto kept =
+        text.size() > cut.size() && text.at(cut.size()) != u' ' ? cut.lastIndexOf(u' ') : cut.size();
+    return kept > 0 ? cut.left(kept).trimmed() + QChar(0x2026) : cut + QChar(0x2026);
+}
+
+} // namespace
+
 MeaningLine::MeaningLine(QWidget *parent, Qt::Alignment side)
     : QWidget(parent)
     , m_side(side)
@@ -48,7 +63,7 @@ void MeaningLine::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.drawText(rect(), static_cast<int>(m_side | Qt::AlignVCenter),
-                     fontMetrics().elidedText(m_text, Qt::ElideRight, width()));
+                     elidedAtWord(fontMetrics(), m_text, width()));
 }
 
 } // namespace codewheel
