@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a user sees at the first start: all positions, although nothing was sent to get them.
 #include "tests/app/window_test.h"
+#include "tests/support/painted_texts.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/structure/structure_view.h"
 
 #include <algorithm>
 
@@ -77,6 +81,22 @@ TEST_F(FirstPicture, WhatTheyKnowIsTrue)
     ASSERT_NE(baumer, shafts.end());
     EXPECT_NEAR(static_cast<double>(*encoderOf(bus(), test::baumer).latest().position),
                 static_cast<double>(baumer->raw), 100);
+}
+
+TEST_F(FirstPicture, AKnownValueThatTakesTwoColumnsBeginsBelowItsHeading)
+{
+    resizeTo({1280, 800});
+    window().findChild<StructureView *>()->choose(test::fraba);
+    auto *table = window().findChild<ParameterTable *>();
+    table->scrollToBottom();
+    advance(50);
+    bool isSeen = false;
+    for (const test::PaintedText &painted : test::paintedTexts(*table->viewport()))
+        if (painted.text.contains(QStringLiteral("position, as"))) {
+            isSeen = true;
+            EXPECT_LT(painted.ink.left(), table->columnViewportPosition(ParameterModel::wantedColumn) - 20);
+        }
+    EXPECT_TRUE(isSeen);
 }
 
 } // namespace

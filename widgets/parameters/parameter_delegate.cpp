@@ -39,6 +39,14 @@ int roomOf(const QTableView &table, const QModelIndex &index)
     return width;
 }
 
+// What takes the room of the wanted value too begins below its own heading.
+Qt::Alignment sideOf(const QStyleOptionViewItem &option, const QModelIndex &index)
+{
+    const auto *table = qobject_cast<const QTableView *>(option.widget);
+    const bool isSpread = table != nullptr && table->columnSpan(index.row(), index.column()) > 1;
+    return isSpread ? Qt::AlignLeft : option.displayAlignment;
+}
+
 void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, const QString &text)
 {
     const QString shown = painter.fontMetrics().elidedText(text, Qt::ElideRight, where.width());
@@ -90,17 +98,18 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
         first.setBottom(std::max(first.top() + ofTwoLines, first.bottom() - small.height()));
         second.setTop(first.bottom());
     }
+    const Qt::Alignment side = sideOf(option, index);
     painter->setFont(option.font);
     painter->setPen(inkOf(option, index.data(ParameterModel::isPaleRole).toBool()));
     if (index.column() == ParameterModel::nameColumn)
         drawName(*painter, first, value);
     else
-        WrappedText(value, fontOf(value, option.font, first.width()), first.width(), option.displayAlignment)
+        WrappedText(value, fontOf(value, option.font, first.width()), first.width(), side)
             .draw(*painter, first);
 
     painter->setFont(textFont(TextSize::small));
     painter->setPen(inkOf(option, true));
-    drawLine(*painter, second, option.displayAlignment, detail);
+    drawLine(*painter, second, side, detail);
     if (const QVariant mark = index.data(ParameterModel::detailMarkRole); mark.isValid()) {
         const int width = painter->fontMetrics().horizontalAdvance(detail);
         const auto role = static_cast<Role>(mark.toInt());
