@@ -281,9 +281,13 @@ void CodeDisc::drawHub(QPainter &painter) const
     painter.setPen(numberColor());
     painter.setFont(textFont(TextSize::small));
     const int small = painter.fontMetrics().height();
-    painter.drawText(QRectF(-radius, -small, 2 * radius, small), Qt::AlignCenter, tr("turn"));
+    const bool hasName =
+        painter.fontMetrics().horizontalAdvance(tr("turn")) <= 2 * std::sqrt(radius * radius - small * small);
+    if (hasName)
+        painter.drawText(QRectF(-radius, -small, 2 * radius, small), Qt::AlignCenter, tr("turn"));
     painter.setFont(numberFont());
-    painter.drawText(QRectF(-radius, -grid::unit / 2.0, 2 * radius, painter.fontMetrics().height()),
+    const double number = painter.fontMetrics().height();
+    painter.drawText(QRectF(-radius, hasName ? -grid::unit / 2.0 : -number / 2, 2 * radius, number),
                      Qt::AlignCenter, locale().toString(*m_state.turn));
 }
 
