@@ -167,8 +167,8 @@
         <translation>%1 (siehe IBS SYS FW G4 UM)</translation>
     </message>
     <message>
-        <source>%1 %2 at %3</source>
-        <translation>%1 %2, Ort: %3</translation>
+        <source>%1 – %2 at %3</source>
+        <translation>%1 – %2, Ort: %3</translation>
     </message>
 </context>
 <context>
@@ -8485,7 +8485,7 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>Chan&amp;ge to it</source>
-        <translation>In dieses ä&amp;ndern</translation>
+        <translation>Dadurch ersetze&amp;n</translation>
     </message>
     <message>
         <source>Search the catalog: maker, name, profile or ID code</source>
@@ -12120,7 +12120,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>Nothing is sent or planned before Write.</source>
-        <translation>Vor Schreiben wird nichts gesendet und nichts geplant.</translation>
+        <translation>Vor „Schreiben“ wird nichts gesendet und nichts geplant.</translation>
     </message>
     <message>
         <source>Nothing has been written to %1, and what was given here is forgotten.</source>
@@ -12906,7 +12906,7 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
     <message>
         <source>written</source>
-        <translation>geschrieben</translation>
+        <translation>wird geschrieben</translation>
     </message>
     <message>
         <source>The encoder has all of these values already: there is nothing to write. Go back and change a value, or write all.</source>
@@ -15654,7 +15654,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Writes to encoders. Nothing is sent before Write.</source>
-        <translation>Schreibt in Geber. Vor Schreiben wird nichts gesendet.</translation>
+        <translation>Schreibt in Geber. Vor „Schreiben“ wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Chooses no encoder</source>

@@ -83,8 +83,8 @@ QString busFaultText(std::uint16_t errorCode, std::uint16_t diagnosticParameter)
                    ? sentence(translated(QT_TRANSLATE_NOOP("BusFault", "%1 at %2 (see IBS SYS FW G4 UM)")),
                               {code, at})
                    : sentence(translated(QT_TRANSLATE_NOOP("BusFault", "%1 (see IBS SYS FW G4 UM)")), {code});
-    return place ? sentence(translated(QT_TRANSLATE_NOOP("BusFault", "%1 %2 at %3")), {code, name, at})
-                 : code + u' ' + name;
+    return place ? sentence(translated(QT_TRANSLATE_NOOP("BusFault", "%1 – %2 at %3")), {code, name, at})
+                 : code + QStringLiteral(" – ") + name;
 }
 
 QString busFaultText(const std::vector<RefusalArgument> &codeAndParameter)

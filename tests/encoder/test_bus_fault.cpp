@@ -21,10 +21,10 @@ TEST(ADiagnosticParameter, HoldsSegmentAndPositionOrAnOutgoingInterface)
 
 TEST(ABusFault, HasOneName)
 {
-    EXPECT_EQ(busFaultText(0x0BB1, 0x0300).toStdString(), "0BB1 peripheral fault at 3.0");
-    EXPECT_EQ(busFaultText(0x0BDF, 0x0080).toStdString(), "0BDF the master is looking for the fault");
+    EXPECT_EQ(busFaultText(0x0BB1, 0x0300).toStdString(), "0BB1 – peripheral fault at 3.0");
+    EXPECT_EQ(busFaultText(0x0BDF, 0x0080).toStdString(), "0BDF – the master is looking for the fault");
     EXPECT_EQ(busFaultText(0x0BE1, 0x0080).toStdString(),
-              "0BE1 the bus failed, but the check finds nothing: look at shielding, connectors and supply");
+              "0BE1 – the bus failed, but the check finds nothing: look at shielding, connectors and supply");
 }
 
 // No text is invented for a code that only the firmware manual explains.
@@ -41,9 +41,9 @@ TEST(ABusFault, IsNamedTheSameInMessageAndRefusal)
 {
     const std::vector<RefusalArgument> arguments{Word{0x0BB1}, Word{0x0300}};
     EXPECT_EQ(messageText({.id = MessageId::busFault, .arguments = arguments}).toStdString(),
-              "Bus fault: 0BB1 peripheral fault at 3.0.");
+              "Bus fault: 0BB1 – peripheral fault at 3.0.");
     EXPECT_EQ(refusalText({RefusalKind::link, RefusalId::busFault, arguments}).toStdString(),
-              "The bus does not run: 0BB1 peripheral fault at 3.0.");
+              "The bus does not run: 0BB1 – peripheral fault at 3.0.");
 }
 
 } // namespace

@@ -66,7 +66,7 @@ const std::vector<PlannedFault> plannedFaults{
      "3.0"_ring,
      "3.0 reports a fault of its periphery, and the ring runs on. Check what is connected to it, and its "
      "supply; then confirm.",
-     "0BB1 peripheral fault at 3.0",
+     "0BB1 – peripheral fault at 3.0",
      {FaultAction::confirm}},
     {TrainingFault::powerOff, "2.0"_ring,
      "IN of 2.0 fell to 00000000: the encoder has no supply, or is at position 0. Check its supply, or "

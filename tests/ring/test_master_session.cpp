@@ -166,7 +166,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     m_bus.advance(40);
     ASSERT_EQ(m_messages.size(), 2U);
     EXPECT_EQ(messageText(m_messages[0]).toStdString(),
-              "Bus fault: 0BDF the master is looking for the fault.");
+              "Bus fault: 0BDF – the master is looking for the fault.");
     EXPECT_EQ(messageText(m_messages[1]).toStdString(),
               "Bus fault: 0D10 at outgoing remote bus of 1.0 (see IBS SYS FW G4 UM).");
     EXPECT_EQ(m_messages[1].place, first);
@@ -260,8 +260,8 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenI
     m_bus.advance(1);
     ASSERT_EQ(m_messages.size(), 1U);
     EXPECT_EQ(messageText(m_messages[0]).toStdString(),
-              "Fault: 0BB1 peripheral fault at 3.1. Confirm it when its cause is gone.");
-    EXPECT_EQ(m_bus.master()->faultText().toStdString(), "0BB1 peripheral fault at 3.1");
+              "Fault: 0BB1 – peripheral fault at 3.1. Confirm it when its cause is gone.");
+    EXPECT_EQ(m_bus.master()->faultText().toStdString(), "0BB1 – peripheral fault at 3.1");
     EXPECT_TRUE(m_bus.isRunning());
     takeMessages();
     m_bus.confirmDiagnostics();

@@ -168,7 +168,7 @@ TEST_F(MasterPanelTest, InWatchItSaysThatOperateIsNeeded)
                   QStringLiteral("Nothing was sent: the program only watches. Switch to Operate first."));
     }
     EXPECT_FALSE(asked);
-    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 – peripheral fault at 1.0"));
     EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
     ring.bus.setOperate(true);
     ring.bus.advance(5);
@@ -178,9 +178,9 @@ TEST_F(MasterPanelTest, InWatchItSaysThatOperateIsNeeded)
 TEST_F(MasterPanelTest, ConfirmsPeripheralFaults)
 {
     cause(TrainingFault::peripheralFault, fraba);
-    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 – peripheral fault at 1.0"));
     cause(TrainingFault::peripheralFault, fraba, 0);
-    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 – peripheral fault at 1.0"));
     QTest::mouseClick(&button(QStringLiteral("Confirm diagnostics")), Qt::LeftButton);
     ring.bus.advance(5);
     EXPECT_EQ(value("Fault"), QStringLiteral("none"));
