@@ -110,7 +110,7 @@ TEST_F(HelpTest, F1OpensTheManualWhileAQuestionIsAskedAndItCanBeRead)
 
 TEST_F(HelpTest, F1InAFileDialogOpensTheTopicOfWhoOpenedIt)
 {
-    const auto topicIn = [this](QAction &opens) {
+    const auto topicIn = [](QAction &opens) {
         QString topic;
         const test::Question question([&topic](QWidget &dialog) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
