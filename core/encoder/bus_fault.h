@@ -37,8 +37,8 @@ std::uint16_t diagnosticParameterOf(const FaultPlace &place);
 
 // "3.0", "outgoing remote bus of 2.0", in the user's language.
 QString faultPlaceText(const FaultPlace &place);
-// The name of a fault, the same wherever it is shown: "0BB1 – peripheral fault at 3.0". A code without a known
-// text is given as its number and where to look it up.
+// The name of a fault, the same wherever it is shown: "0BB1 – peripheral fault at 3.0". A code without a
+// known text is given as its number and where to look it up.
 QString busFaultText(std::uint16_t errorCode, std::uint16_t diagnosticParameter);
 // The same for a message or refusal that has both as its arguments.
 QString busFaultText(const std::vector<RefusalArgument> &codeAndParameter);
