@@ -98,36 +98,34 @@ QString heads(const QAbstractItemView &view, const std::vector<int> &columns)
     return QStringLiteral("<thead><tr>%1</tr></thead>").arg(html); // on each sheet
 }
 
-} // namespace
-
-const QAbstractItemView *tableToPrint(const QWidget *widget)
+// What the widget is in, or is visible beside it, up to the edge of its panel.
+template <class Wanted, class Accepts>
+const Wanted *nearest(const QWidget *widget, Accepts accepts)
 {
     for (const QWidget *each = widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
-        if (const auto *view = qobject_cast<const QAbstractItemView *>(each);
-            view != nullptr && canBePrinted(*view))
-            return view;
-        for (const auto *view : each->findChildren<QAbstractItemView *>())
-            if (view->isVisible() && canBePrinted(*view))
-                return view;
+        if (const auto *found = dynamic_cast<const Wanted *>(each); found != nullptr && accepts(*found))
+            return found;
+        for (const QWidget *child : each->findChildren<QWidget *>())
+            if (const auto *found = dynamic_cast<const Wanted *>(child);
+                found != nullptr && child->isVisible() && accepts(*found))
+                return found;
         if (qobject_cast<const QDockWidget *>(each) != nullptr)
             return nullptr;
     }
     return nullptr;
 }
 
+} // namespace
+
+const QAbstractItemView *tableToPrint(const QWidget *widget)
+{
+    return nearest<QAbstractItemView>(widget, canBePrinted);
+}
+
 std::optional<PrintedView> viewToPrint(const QWidget *widget)
 {
-    for (const QWidget *each = widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
-        if (const auto *picture = dynamic_cast<const PrintsPicture *>(each))
-            return picture->printedView();
-        for (const QWidget *child : each->findChildren<QWidget *>())
-            if (const auto *picture = dynamic_cast<const PrintsPicture *>(child);
-                picture != nullptr && child->isVisible())
-                return picture->printedView();
-        if (qobject_cast<const QDockWidget *>(each) != nullptr)
-            return {};
-    }
-    return {};
+    const auto *picture = nearest<PrintsPicture>(widget, [](const PrintsPicture &) { return true; });
+    return picture != nullptr ? picture->printedView() : std::nullopt;
 }
 
 QString titleToPrint(const QWidget &widget)
