@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QTimeZone>
 
 #include <algorithm>
 
@@ -32,6 +33,13 @@ QString agoText(const QDateTime &then, const QDateTime &now)
     if (seconds < day)
         return FreshnessText::tr("%1 h %2 min ago").arg(seconds / hour).arg(seconds % hour / minute);
     return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
+}
+
+QString momentText(const QDateTime &at, const QDateTime &now)
+{
+    const QDateTime there = at.toTimeZone(now.timeZone());
+    return there.date() == now.date() ? QLocale().toString(there.time(), QLocale::ShortFormat)
+                                      : QLocale().toString(there, QLocale::ShortFormat);
 }
 
 QString freshnessText(Freshness::Reason reason)

@@ -12,6 +12,9 @@ namespace codewheel {
 // "20 s ago", "5 min ago", "2 h 5 min ago"; after a day the date and time. A time in the future is "0 s ago".
 QString agoText(const QDateTime &then, const QDateTime &now);
 
+// "14:02", with the date if it was not on the day of `now`, in whose time zone both are; by locale.
+QString momentText(const QDateTime &at, const QDateTime &now);
+
 // Why it is not live, as a sentence: "The bus does not run."; empty while it is live.
 QString freshnessText(Freshness::Reason reason);
 // In two or three words: "Bus stopped".

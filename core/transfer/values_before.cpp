@@ -2,11 +2,9 @@
 #include "transfer/values_before.h"
 
 #include "catalog/catalog.h"
+#include "encoder/freshness_text.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
-
-#include <QLocale>
-#include <QTimeZone>
 
 namespace codewheel {
 
@@ -50,10 +48,7 @@ TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &plac
 
 QString timeOf(const ValuesBefore &before, const QDateTime &now)
 {
-    const QDateTime at = before.at.toTimeZone(now.timeZone());
-    const QLocale locale;
-    return at.date() == now.date() ? locale.toString(at.time(), QLocale::ShortFormat)
-                                   : locale.toString(at, QLocale::ShortFormat);
+    return momentText(before.at, now);
 }
 
 QString textOf(const ValuesBefore &before, const DeviceDescription *device)

@@ -36,7 +36,7 @@ FindValuesBefore valuesBeforeOf(FindLedgers ledgers);
 // The place is the project's, if there is one: another encoder there may have another past.
 TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places);
 
-// "14:02", with the date if it was not on the day of `now`; by locale.
+// As momentText().
 QString timeOf(const ValuesBefore &before, const QDateTime &now);
 // "Steps 8 192, Coding 3 (unsigned, CW)"; `device` may be null.
 QString textOf(const ValuesBefore &before, const DeviceDescription *device);

@@ -63,15 +63,13 @@ bool isOld(const EncoderSession *encoder)
 }
 
 // The plan is of a moment: it names that at which the encoder was seen last.
-std::optional<ReviewRow> ageNote(const EncoderSession *encoder)
+std::optional<ReviewRow> ageNote(const Buses &buses, const EncoderSession *encoder)
 {
     if (!isOld(encoder))
         return std::nullopt;
     const Freshness &freshness = encoder->freshness();
-    const QDateTime seen = encoder->dateTime(freshness.seen()).toLocalTime();
-    const QString when = seen.date() == QDate::currentDate()
-                             ? QLocale().toString(seen.time(), QLocale::ShortFormat)
-                             : QLocale().toString(seen, QLocale::ShortFormat);
+    const QString when =
+        momentText(encoder->dateTime(freshness.seen()), buses.now(encoder->place()).toLocalTime());
     return note(
         encoder->place(),
         TransferLines::tr("Not up to date: %1", "a sentence").arg(lastSeenText(freshness.reason(), when)));
@@ -152,8 +150,8 @@ QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)
         .arg(read.parameters.size());
 }
 
-void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
-                bool withCams)
+void addToStore(std::vector<ReviewRow> &lines, const Buses &buses, const EncoderSession &encoder,
+                const ProjectDevice &planned, bool withCams)
 {
     const Place place = encoder.place();
     const EncoderJobs jobs = jobsToStore(encoder, withCams);
@@ -163,7 +161,7 @@ void addToStore(std::vector<ReviewRow> &lines, const EncoderSession &encoder, co
                      .kind = ReviewRow::Kind::head,
                      .place = place,
                      .canBeChosen = !jobs.jobs.empty() || !allKnown(encoder).empty()});
-    if (const auto old = ageNote(&encoder))
+    if (const auto old = ageNote(buses, &encoder))
         lines.push_back(*old);
     lines.push_back(note(place, reading));
     if (withCams && encoder.can().cams)
@@ -217,7 +215,7 @@ std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan)
     for (const EncoderPlan &encoder : plan) {
         lines.push_back(headOf(encoder));
         const EncoderSession *there = buses.encoder(encoder.place);
-        if (const auto old = ageNote(there))
+        if (const auto old = ageNote(buses, there))
             lines.push_back(*old);
         for (const WriteRow &row : encoder.write.rows)
             lines.push_back(lineOf(there, encoder.place, row));
@@ -241,7 +239,7 @@ std::vector<ReviewRow> linesToStore(const Buses &buses, const ProjectPlaces &pla
             if (const auto why = places.hindrance(device.place()))
                 addHindered(lines, *encoder, device, *why);
             else
-                addToStore(lines, *encoder, device, withCams);
+                addToStore(lines, buses, *encoder, device, withCams);
         }
     return lines;
 }
