@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/cycle_time.h"
 
+#include "ring/numbering.h"
+
 #include <algorithm>
 
 namespace codewheel {

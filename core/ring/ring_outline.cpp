@@ -7,6 +7,7 @@
 #include "encoder/encoder_session.h"
 #include "ring/device_leds.h"
 #include "ring/encoder_faults.h"
+#include "ring/id_code.h"
 #include "ring/master_look.h"
 #include "ring/ring_faults.h"
 #include "ring/ring_session.h"
