@@ -4,6 +4,8 @@
 #include "bus/bus_state.h"
 #include "bus/bus_thread.h"
 #include "bus/bus_work.h"
+#include "bus/value_round.h"
+#include "encoder/encoder_session.h"
 
 #include <QScopedValueRollback>
 
@@ -19,8 +21,9 @@ namespace codewheel {
 // What lies under the session of any bus: its runner, driven by a thread or by hand, and the path of its
 // events into the session. It lives in the session's thread.
 //
-// The session, an EncoderBus, provides for it: showLatest(), dispatch(event), linkOpened(), and, where not
-// everything is to be reported in turn, takeAtOnce(event) and isOfNow(snapshot).
+// The session, an EncoderBus, provides for it: showLatest(), dispatch(event), linkOpened(), showing(device),
+// the encoder that reports what the device showed, and, where not everything is to be reported in turn,
+// takeAtOnce(event) and isOfNow(snapshot).
 template <class Runner, class Session>
 class BusEngine
 {
@@ -119,6 +122,7 @@ public:
         if (m_isPumping)
             return;
         const QScopedValueRollback pumping(m_isPumping, true);
+        showValues();
         while (m_latestIsNew || !m_events.empty()) {
             const bool isNew = std::exchange(m_latestIsNew, false);
             if (isNew)
@@ -171,6 +175,20 @@ private:
             return true;
     }
 
+    // Before what else came with them. Not those of events that are told only now.
+    void showValues()
+    {
+        if (m_state != BusState::open)
+            return;
+        m_runner->takeShown(m_shown);
+        if (m_shown.dropped > 0)
+            Q_EMIT m_session.valuesDropped(m_shown.dropped);
+        const auto &byDevice = m_round.sort(m_shown.shown, m_shown.dropped == 0);
+        for (std::size_t device = 0; device < byDevice.size() && m_runner; ++device)
+            if (EncoderSession *encoder = byDevice[device].empty() ? nullptr : m_session.showing(device))
+                Q_EMIT encoder->shown(byDevice[device]);
+    }
+
     void tell(const Event &event)
     {
         const auto *opened = std::get_if<LinkOpened>(&event.what);
@@ -201,6 +219,8 @@ private:
     bool m_latestIsNew = false;
     std::deque<Event> m_events;
     bool m_isPumping = false;
+    typename Runner::Mail::Shown m_shown;
+    ValueRound m_round;
 };
 
 } // namespace codewheel

@@ -67,6 +67,7 @@ public:
     std::vector<Event> takeEvents() { return m_mail.takeEvents(); }
     // The newest snapshot; empty if none came since the last call.
     std::shared_ptr<const Snapshot> takeLatest() { return m_mail.takeLatest(); }
+    void takeShown(typename Mail::Shown &taken) { m_mail.takeShown(taken); }
 
 protected:
     Mail m_mail;

@@ -86,6 +86,7 @@ public:
 
     virtual Instant now() const = 0; // of the newest snapshot
     QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
+    Instant sinceEpoch(Instant at) const { return m_wallTime.sinceEpoch(at); }
     // A simulated clock stands still until the bus is opened: its time is now `time`.
     void setTime(const QDateTime &time) { m_wallTime.goOn(time, now()); }
 
@@ -112,6 +113,9 @@ Q_SIGNALS:
     void nodesChanged(); // other devices, or an encoder with a new session
     // An encoder has a new place: encoder() finds it there now.
     void moved(codewheel::Place from, codewheel::Place to);
+    // Of this many cycles or answers of its devices nobody will know what they showed: they came faster than
+    // they were taken.
+    void valuesDropped(std::uint64_t count);
     void messaged(const codewheel::Message &message); // with its place, of a device or of the bus itself
     void trafficPassed(const codewheel::TrafficRow &row);
     // For the ledger of EEPROM writes, before anything of it is sent.

@@ -34,11 +34,13 @@ public:
 
     QDateTime dateTime(Instant at) const
     {
-        auto since = std::chrono::duration_cast<std::chrono::milliseconds>(at);
-        for (const Sleep &sleep : m_sleeps)
-            if (at >= sleep.until)
-                since += sleep.duration;
-        return m_begin.addMSecs(since.count());
+        using std::chrono::milliseconds;
+        return m_begin.addMSecs(std::chrono::duration_cast<milliseconds>(awakeOrNot(at)).count());
+    }
+    // Since 1970, UTC.
+    Instant sinceEpoch(Instant at) const
+    {
+        return std::chrono::milliseconds(m_begin.toMSecsSinceEpoch()) + awakeOrNot(at);
     }
 
 private:
@@ -47,6 +49,16 @@ private:
         Instant until;
         std::chrono::milliseconds duration;
     };
+
+    // Since Instant 0.
+    Instant awakeOrNot(Instant at) const
+    {
+        Instant since = at;
+        for (const Sleep &sleep : m_sleeps)
+            if (at >= sleep.until)
+                since += sleep.duration;
+        return since;
+    }
 
     QDateTime m_begin;
     std::vector<Sleep> m_sleeps;

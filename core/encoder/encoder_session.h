@@ -6,6 +6,7 @@
 #include "encoder/event.h"
 #include "encoder/freshness.h"
 #include "encoder/place.h"
+#include "encoder/shown_values.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -87,7 +88,9 @@ public:
     virtual QDateTime dateTime(Instant at) const = 0;
 
 Q_SIGNALS:
-    void latestChanged();    // a newer reading, possibly with the same content; at most once a frame
+    void latestChanged(); // a newer reading, possibly with the same content; at most once a frame
+    // Everything it showed since the last frame, every cycle or answer, oldest first.
+    void shown(const codewheel::ShownSeries &values);
     void freshnessChanged(); // live, old or unknown, or the reason for it
     void knownChanged();
     // The encoder stored to its EEPROM this many times because of what this program sent.

@@ -221,16 +221,20 @@ void LineRunner::Private::publish()
     made.scanning = scan.has_value();
     made.figures = counter.figures();
     made.droppedRows = mail.droppedRows();
-    for (const Device &device : devices) {
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const Device &device = devices[i];
         LineSnapshot::Device shown{.address = {}, .reading = {}, .figures = device.counter.figures()};
         shown.present = device.driver != nullptr;
         if (device.driver) {
             shown.address = device.driver->address();
             shown.reading = device.driver->reading();
             shown.hasJob = device.driver->busy();
+            tap.look(i, shown.reading, state.connected && state.polling, made.at);
         }
         made.devices.push_back(shown);
     }
+    mail.note(tap.noted());
+    tap.clear();
     mail.publish(made);
 }
 

@@ -106,6 +106,7 @@ struct LineRunner::Private
     std::uint64_t turns = 0;
     Instant doubtfulFrom{}; // before that, none that did not answer is asked while others answer
     LineState state{.connected = true};
+    ValueTap tap{};
     Instant awakeSince{};
     Instant reopenAt{};
     std::optional<Refusal> notBack; // as reported

@@ -159,6 +159,11 @@ void LineSession::pump()
     d->engine.pump();
 }
 
+EncoderSession *LineSession::showing(std::size_t device) const
+{
+    return device < d->encoders.size() ? d->encoders[device].session.get() : nullptr;
+}
+
 void LineSession::showLatest()
 {
     const auto shown = d->engine.latest();

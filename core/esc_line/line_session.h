@@ -122,6 +122,7 @@ private:
     void dispatch(const LineEvent &event);
     void linkOpened();
     void showLatest();
+    EncoderSession *showing(std::size_t device) const;
 
     struct Private;
     std::unique_ptr<Private> d;

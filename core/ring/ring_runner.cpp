@@ -179,6 +179,13 @@ void RingRunner::Private::work()
 void RingRunner::Private::publish()
 {
     ring.droppedRows = mail.droppedRows();
+    for (std::size_t i = 0; i < ring.devices.size(); ++i) {
+        const Snapshot::Device &device = ring.devices[i];
+        tap.look(i, device.reading, ring.state == MasterState::run && device.inRing, ring.at,
+                 ExchangedWords{device.in, device.out});
+    }
+    mail.note(tap.noted());
+    tap.clear();
     mail.publish(ring);
 }
 

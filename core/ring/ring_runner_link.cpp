@@ -106,6 +106,7 @@ void RingRunner::Private::carryOut(command::UseRing &c)
     faults = FaultWatch(image.size());
     masterWatch = {};
     ring.devices.assign(image.size(), {});
+    tap.forgetDevices();
     for (std::size_t i = 0; i < image.size(); ++i)
         ring.devices[i].out = image[i];
     ring.cycle = 0;

@@ -95,6 +95,7 @@ struct RingRunner::Private
     std::vector<std::size_t> written{}; // by SetOut, and not yet exchanged
     Snapshot ring{};                    // the last cycle; its OUT words are those that went out
     ExchangeTrace trace{0};
+    ValueTap tap{};
     FaultWatch faults{0};
     MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()

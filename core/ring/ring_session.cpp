@@ -164,6 +164,11 @@ bool RingSession::isOfNow(const Snapshot &snapshot) const
     return snapshot.generation == d->generation && d->generation > 0;
 }
 
+EncoderSession *RingSession::showing(std::size_t device) const
+{
+    return device < d->sessions.size() && !d->isStale(device) ? d->sessions[device].get() : nullptr;
+}
+
 void RingSession::showLatest()
 {
     const auto shown = d->engine.latest();

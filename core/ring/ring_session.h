@@ -117,6 +117,7 @@ private:
     void linkOpened() {} // the ring is reported next
     bool takeAtOnce(const RingEvent &event);
     bool isOfNow(const Snapshot &snapshot) const;
+    EncoderSession *showing(std::size_t device) const;
     void showLatest();
     void dispatch(const RingEvent &event);
     void dispatch(Message message, std::optional<std::size_t> device);

@@ -32,6 +32,7 @@ const QDateTime began(QDate(2026, 3, 1), QTime(14, 2));
 struct Ring
 {
     static constexpr Place place = "1.0"_ring;
+    static constexpr int positionsInASecond = 1'000;
     static constexpr std::int64_t steps = 255;
 
     Result<void> open(EncoderBus::Start start)
@@ -50,6 +51,7 @@ struct Ring
 struct Line
 {
     static constexpr Place place = placeOnLine({5});
+    static constexpr int positionsInASecond = 40;
     static constexpr std::int64_t steps = 864;
 
     Result<void> open(EncoderBus::Start start)
@@ -201,6 +203,34 @@ TYPED_TEST(EncoderBusContract, WhatIsShownGrowsOldOnceItStops)
     this->bus().setRunning(true);
     this->bus().advance(50ms);
     EXPECT_TRUE(this->encoder().freshness().isLive());
+}
+
+TYPED_TEST(EncoderBusContract, EveryPositionIsShownInOrderAndTheEndOfThem)
+{
+    this->open(false);
+    ShownSeries shown;
+    QObject::connect(
+        &this->encoder(), &EncoderSession::shown, &this->bus(),
+        [&](const ShownSeries &positions) { shown.insert(shown.end(), positions.begin(), positions.end()); });
+    const auto isBefore = [](const ShownValues &one, const ShownValues &other) { return one.at < other.at; };
+    for (int frame = 0; frame < 30; ++frame)
+        this->bus().advance(33ms);
+    EXPECT_GE(shown.size(), TypeParam::positionsInASecond * 0.95);
+    EXPECT_TRUE(std::ranges::is_sorted(shown, isBefore));
+    EXPECT_EQ(std::ranges::adjacent_find(shown, {}, &ShownValues::at), shown.end()) << "each once";
+    EXPECT_EQ(shown.back().at, this->encoder().latest().at);
+    EXPECT_EQ(shown.back().position, this->encoder().latest().position);
+
+    this->bus().setRunning(false);
+    this->bus().advance(200ms);
+    EXPECT_FALSE(shown.back().position);
+    const std::size_t atRest = shown.size();
+    this->bus().advance(200ms);
+    EXPECT_EQ(shown.size(), atRest);
+    this->bus().setRunning(true);
+    this->bus().advance(200ms);
+    EXPECT_TRUE(shown.back().position);
+    EXPECT_TRUE(std::ranges::is_sorted(shown, isBefore));
 }
 
 TYPED_TEST(EncoderBusContract, ClosingEndsAJobAndTheSessionStays)

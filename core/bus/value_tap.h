@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/shown_values.h"
+
+#include <utility>
+#include <vector>
+
+namespace codewheel {
+
+// Of a device, by its place in the runner of its bus.
+struct DeviceValues
+{
+    std::size_t device = 0;
+    ShownValues shown;
+};
+
+// Notes what each device of a bus shows, once per cycle or answer, also where it shows the same as before.
+// Used by the runners; the mail carries it on.
+class ValueTap
+{
+public:
+    // `isLive`: the device is exchanged, or asked; the bus is at `now`.
+    void look(std::size_t device, const Reading &reading, bool isLive, Instant now,
+              const std::optional<ExchangedWords> &exchanged = {});
+    // Where there are other devices now, none of them has shown anything.
+    void forgetDevices() { m_last.clear(); }
+    // Of all since the last call, oldest first.
+    const std::vector<DeviceValues> &noted() const { return m_noted; }
+    void clear() { m_noted.clear(); } // keeps its memory
+
+private:
+    struct Last
+    {
+        Instant at = Instant::min();
+        bool showed = false;
+    };
+
+    std::vector<Last> m_last;
+    std::vector<DeviceValues> m_noted;
+};
+
+} // namespace codewheel
