@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "history/encoder_history.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace codewheel {
+namespace {
+
+constexpr Instant betweenSpeeds = std::chrono::milliseconds(10);
+
+} // namespace
+
+bool EncoderHistory::isEmpty() const
+{
+    return std::ranges::all_of(m_channels, &History::isEmpty);
+}
+
+std::optional<TimeSpan> EncoderHistory::span() const
+{
+    std::optional<TimeSpan> all;
+    for (const History &channel : m_channels)
+        if (const auto its = channel.span())
+            all = all ? TimeSpan{std::min(all->from, its->from), std::max(all->to, its->to)} : *its;
+    return all;
+}
+
+void EncoderHistory::add(const ShownValues &shown)
+{
+    put(Channel::position, shown.at, shown.position);
+    put(Channel::cams, shown.at, shown.cams);
+    put(Channel::in, shown.at, shown.words ? std::optional<std::int64_t>(shown.words->in) : std::nullopt);
+    put(Channel::out, shown.at, shown.words ? std::optional<std::int64_t>(shown.words->out) : std::nullopt);
+    addSpeed(shown);
+}
+
+void EncoderHistory::put(Channel channel, Instant at, const std::optional<std::int64_t> &value)
+{
+    if (value)
+        history(channel).append({at, *value});
+    else
+        history(channel).interrupt(at);
+}
+
+void EncoderHistory::addSpeed(const ShownValues &shown)
+{
+    if (!shown.stepsPerSecond) {
+        history(Channel::speed).interrupt(shown.at);
+        m_speedAt = Instant::min();
+        return;
+    }
+    if (m_speedAt != Instant::min() && shown.at < m_speedAt + betweenSpeeds)
+        return;
+    m_speedAt = shown.at;
+    history(Channel::speed).append({shown.at, std::llround(*shown.stepsPerSecond * speedUnits)});
+}
+
+void EncoderHistory::interrupt(Instant at)
+{
+    for (History &channel : m_channels)
+        channel.interrupt(at);
+    m_speedAt = Instant::min();
+}
+
+std::size_t EncoderHistory::bytes() const
+{
+    return std::transform_reduce(m_channels.begin(), m_channels.end(), std::size_t{0}, std::plus{},
+                                 [](const History &channel) { return channel.bytes(); });
+}
+
+double EncoderHistory::samplesPerSecond(Instant lately) const
+{
+    const auto all = span();
+    if (!all)
+        return 0;
+    const TimeSpan recent{std::max(all->from, all->to - lately), all->to};
+    std::size_t samples = 0;
+    for (const History &channel : m_channels)
+        samples += channel.count(recent);
+    return static_cast<double>(samples) /
+           std::max(std::chrono::duration<double>(recent.to - recent.from).count(), 1.0);
+}
+
+std::optional<Instant> EncoderHistory::oldestBlockEnd() const
+{
+    std::optional<Instant> oldest;
+    for (const History &channel : m_channels)
+        if (const auto end = channel.oldestBlockEnd())
+            oldest = oldest ? std::min(*oldest, *end) : *end;
+    return oldest;
+}
+
+void EncoderHistory::forgetOldest()
+{
+    const auto oldest = oldestBlockEnd();
+    if (!oldest)
+        return;
+    for (History &channel : m_channels)
+        if (channel.oldestBlockEnd() == oldest)
+            channel.forgetOldest();
+}
+
+} // namespace codewheel

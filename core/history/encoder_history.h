@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/shown_values.h"
+#include "history/history.h"
+
+#include <array>
+
+namespace codewheel {
+
+// What is kept of an encoder.
+enum class Channel : std::uint8_t {
+    position, // steps
+    speed,    // thousandths of a step per second, each 10 ms at most: it is smoothed anyway (PositionSpeed)
+    in,       // words; only of an encoder that has them
+    out,
+    cams, // that are on, bit n: cam n
+};
+inline constexpr std::size_t channelCount = static_cast<std::size_t>(Channel::cams) + 1;
+inline constexpr double speedUnits = 1'000; // in a step per second
+
+// What an encoder has shown. Times are those of the day: since 1970, UTC, by the clock of its bus, so that
+// those of several buses stand on one axis.
+class EncoderHistory
+{
+public:
+    const History &of(Channel channel) const { return m_channels[static_cast<std::size_t>(channel)]; }
+    bool isEmpty() const;
+    // From the oldest to the newest of all channels.
+    std::optional<TimeSpan> span() const;
+
+    void add(const ShownValues &shown); // its time is that of the day
+    void interrupt(Instant at);
+
+    std::size_t bytes() const;
+    double samplesPerSecond(Instant lately) const; // kept, over the last `lately`
+    // Where the oldest block of all ends; nothing: there is only what is newest.
+    std::optional<Instant> oldestBlockEnd() const;
+    void forgetOldest();
+
+private:
+    History &history(Channel channel) { return m_channels[static_cast<std::size_t>(channel)]; }
+    void put(Channel channel, Instant at, const std::optional<std::int64_t> &value);
+    void addSpeed(const ShownValues &shown);
+
+    std::array<History, channelCount> m_channels;
+    Instant m_speedAt = Instant::min();
+};
+
+} // namespace codewheel

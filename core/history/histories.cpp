@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "history/histories.h"
+
+#include <queue>
+
+#include <iterator>
+#include <numeric>
+
+namespace codewheel {
+namespace {
+
+constexpr Instant lately = std::chrono::seconds(60);
+
+} // namespace
+
+Histories::Histories(Buses &buses, QObject *parent)
+    : QObject(parent)
+    , m_buses(buses)
+{
+    connect(&buses, &Buses::changed, this, &Histories::watchAll);
+    connect(&buses, &Buses::updated, this, &Histories::keepLimit);
+    watchAll();
+}
+
+void Histories::watchAll()
+{
+    const std::size_t before = m_watched.size();
+    for (EncoderBus *bus : m_buses.open())
+        watch(*bus);
+    for (const Place place : m_buses.places())
+        if (EncoderSession *encoder = m_buses.encoder(place))
+            watch(place, *encoder);
+    if (m_watched.size() != before)
+        Q_EMIT placesChanged();
+}
+
+void Histories::watch(EncoderBus &bus)
+{
+    connect(&bus, &EncoderBus::moved, this, &Histories::watchAll, Qt::UniqueConnection);
+    connect(&bus, &EncoderBus::messaged, this, &Histories::addMessage, Qt::UniqueConnection);
+    connect(&bus, &EncoderBus::valuesDropped, this, &Histories::addDropped, Qt::UniqueConnection);
+}
+
+// An encoder that was given another address takes its history along; another one at its place goes on in the
+// same history, after a gap.
+void Histories::watch(Place place, EncoderSession &encoder)
+{
+    const auto known = m_watched.find(place);
+    if (known != m_watched.end() && known->second.encoder == &encoder)
+        return;
+    const auto elsewhere = std::ranges::find_if(
+        m_watched, [&](const auto &watched) { return watched.second.encoder == &encoder; });
+    if (elsewhere != m_watched.end()) {
+        auto node = m_watched.extract(elsewhere);
+        const Place before = std::exchange(node.key(), place);
+        m_watched.insert_or_assign(place, std::move(node.mapped()));
+        Q_EMIT moved(before, place);
+        return;
+    }
+    m_watched[place].encoder = &encoder;
+    connect(&encoder, &EncoderSession::shown, this,
+            [this, &encoder](const ShownSeries &shown) { add(encoder, shown); });
+}
+
+void Histories::add(const EncoderSession &encoder, const ShownSeries &shown)
+{
+    const EncoderBus *bus = m_buses.open(encoder.place().bus);
+    const auto found = m_watched.find(encoder.place());
+    if (bus == nullptr || found == m_watched.end() || found->second.encoder != &encoder)
+        return;
+    for (ShownValues values : shown) {
+        values.at = bus->sinceEpoch(values.at);
+        found->second.history.add(values);
+    }
+}
+
+void Histories::addMessage(const Message &message)
+{
+    if (!message.place)
+        return;
+    if (const EncoderBus *bus = m_buses.open(message.place->bus))
+        insert({bus->sinceEpoch(message.at), message.place, message});
+}
+
+void Histories::addDropped(std::uint64_t count)
+{
+    m_dropped += count;
+    Q_EMIT droppedChanged();
+}
+
+void Histories::note(Instant at, const QString &text)
+{
+    std::erase_if(m_marks, [at](const Mark &mark) { return mark.isNote() && mark.at == at; });
+    if (text.isEmpty())
+        Q_EMIT marksChanged();
+    else
+        insert({at, {}, text});
+}
+
+void Histories::insert(const Mark &mark)
+{
+    m_marks.insert(std::ranges::upper_bound(m_marks, mark.at, {}, &Mark::at), mark);
+    if (m_marks.size() > mostMarks)
+        m_marks.pop_front();
+    Q_EMIT marksChanged();
+}
+
+std::vector<Place> Histories::places() const
+{
+    std::vector<Place> places;
+    for (const auto &[place, watched] : m_watched)
+        places.push_back(place);
+    return places;
+}
+
+const EncoderHistory *Histories::of(Place place) const
+{
+    const auto found = m_watched.find(place);
+    return found == m_watched.end() ? nullptr : &found->second.history;
+}
+
+std::optional<TimeSpan> Histories::span() const
+{
+    std::optional<TimeSpan> all;
+    for (const auto &[place, watched] : m_watched)
+        if (const auto its = watched.history.span())
+            all = all ? TimeSpan{std::min(all->from, its->from), std::max(all->to, its->to)} : *its;
+    return all;
+}
+
+std::size_t Histories::bytes() const
+{
+    return std::accumulate(
+        m_watched.begin(), m_watched.end(), std::size_t{0},
+        [](std::size_t sum, const auto &watched) { return sum + watched.second.history.bytes(); });
+}
+
+void Histories::setLimit(std::size_t bytes)
+{
+    m_limit = bytes;
+    keepLimit();
+}
+
+// What ends earliest goes first, so that all reach back equally far. Histories that began together have their
+// blocks full together, so that many may have to go at once.
+void Histories::keepLimit()
+{
+    std::size_t used = bytes();
+    if (used <= m_limit)
+        return;
+    using Next = std::pair<Instant, EncoderHistory *>; // where its oldest block ends
+    std::priority_queue<Next, std::vector<Next>, std::greater<>> toGo;
+    const auto queue = [&toGo](EncoderHistory &history) {
+        if (const auto end = history.oldestBlockEnd())
+            toGo.emplace(*end, &history);
+    };
+    for (auto &[place, watched] : m_watched)
+        queue(watched.history);
+    while (used > m_limit && !toGo.empty()) {
+        EncoderHistory &history = *toGo.top().second;
+        toGo.pop();
+        used -= history.bytes();
+        history.forgetOldest();
+        used += history.bytes();
+        queue(history);
+    }
+}
+
+std::optional<Instant> Histories::reach() const
+{
+    double bytesPerSecond = 0;
+    for (const auto &[place, watched] : m_watched)
+        bytesPerSecond += watched.history.samplesPerSecond(lately) * SampleBlock::bytesPerSample;
+    if (bytesPerSecond == 0)
+        return {};
+    return std::chrono::duration_cast<Instant>(
+        std::chrono::duration<double>(static_cast<double>(m_limit) / bytesPerSecond));
+}
+
+} // namespace codewheel

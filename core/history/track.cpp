@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "history/track.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr double secondsPerMinute = 60;
+
+struct ChannelRow
+{
+    Channel channel;
+    QLatin1String key;
+    unsigned bits;
+};
+
+constexpr std::array channelRows{
+    ChannelRow{Channel::position, QLatin1String("position"), 0},
+    ChannelRow{Channel::speed, QLatin1String("speed"), 0},
+    ChannelRow{Channel::in, QLatin1String("in"), 32},
+    ChannelRow{Channel::out, QLatin1String("out"), 32},
+    ChannelRow{Channel::cams, QLatin1String("cams"), 8},
+};
+static_assert(channelRows.size() == channelCount);
+
+const ChannelRow &rowOf(Channel channel)
+{
+    return *std::ranges::find(channelRows, channel, &ChannelRow::channel);
+}
+
+struct UnitRow
+{
+    TrackUnit unit;
+    QLatin1String key;
+    QLatin1String symbol;
+    QLatin1String ofSpeed;
+};
+
+constexpr std::array unitRows{
+    UnitRow{TrackUnit::steps, QLatin1String("steps"), QLatin1String("steps"), QLatin1String("steps/s")},
+    UnitRow{TrackUnit::turns, QLatin1String("turns"), QLatin1String("turns"), QLatin1String("rpm")},
+    UnitRow{TrackUnit::degrees, QLatin1String("degrees"), QLatin1String("deg"), QLatin1String("deg/s")},
+    UnitRow{TrackUnit::millimetres, QLatin1String("millimetres"), QLatin1String("mm"), QLatin1String("mm/s")},
+};
+static_assert(unitRows.size() == trackUnits.size());
+
+const UnitRow &rowOf(TrackUnit unit)
+{
+    return *std::ranges::find(unitRows, unit, &UnitRow::unit);
+}
+
+// A bit as a key writes it, without sign or leading zero.
+std::optional<unsigned> bitOf(QStringView text, unsigned count)
+{
+    for (unsigned bit = 0; bit < count; ++bit)
+        if (text == QString::number(bit))
+            return bit;
+    return {};
+}
+
+} // namespace
+
+QLatin1String channelKey(Channel channel)
+{
+    return rowOf(channel).key;
+}
+
+unsigned bitCount(Channel channel)
+{
+    return rowOf(channel).bits;
+}
+
+QLatin1String unitKey(TrackUnit unit)
+{
+    return rowOf(unit).key;
+}
+
+std::optional<TrackUnit> trackUnit(QStringView key)
+{
+    const auto *const row =
+        std::ranges::find_if(unitRows, [key](const UnitRow &unit) { return key == unit.key; });
+    return row == unitRows.end() ? std::nullopt : std::optional(row->unit);
+}
+
+QString Track::key() const
+{
+    QString key = place.key() + u'/' + channelKey(channel);
+    if (bit)
+        key += u'.' + QString::number(*bit);
+    return key;
+}
+
+std::optional<Track> Track::parse(QStringView text)
+{
+    const qsizetype slash = text.lastIndexOf(u'/');
+    if (slash < 0)
+        return {};
+    const auto place = Place::parse(text.first(slash));
+    const QStringView what = text.sliced(slash + 1);
+    const qsizetype dot = what.indexOf(u'.');
+    const QStringView name = dot < 0 ? what : what.first(dot);
+    const auto *const row =
+        std::ranges::find_if(channelRows, [name](const ChannelRow &one) { return name == one.key; });
+    if (!place || row == channelRows.end())
+        return {};
+    if (dot < 0)
+        return Track{*place, row->channel, {}};
+    const auto bit = bitOf(what.sliced(dot + 1), row->bits);
+    return bit ? std::optional(Track{*place, row->channel, bit}) : std::nullopt;
+}
+
+double TrackScale::factor(Channel channel) const
+{
+    if (channel == Channel::position)
+        return perStep;
+    if (channel == Channel::speed)
+        return perStep * (unit == TrackUnit::turns ? secondsPerMinute : 1) / speedUnits;
+    return 1;
+}
+
+QLatin1String TrackScale::symbol(Channel channel) const
+{
+    if (channel == Channel::position)
+        return rowOf(unit).symbol;
+    return channel == Channel::speed ? rowOf(unit).ofSpeed : QLatin1String();
+}
+
+} // namespace codewheel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trend/trend_csv.h"
+
+#include <QIODevice>
+
+namespace codewheel {
+
+TrendCsv::TrendCsv(QIODevice &device, const TrendExtract &extract, HistoryOf historyOf, const CsvStyle &style)
+    : m_device(device)
+    , m_style(style)
+    , m_rows(extract, std::move(historyOf))
+{
+    for (const TrendColumn &column : extract.columns)
+        m_cells.push_back({column.track, CsvNumbers(column.scale.factor(column.track.channel))});
+    appendTitles(extract);
+}
+
+bool TrendCsv::writeSome()
+{
+    const bool isMore = m_rows.next([this](Instant at, RowMerge::Cells cells) { appendRow(at, cells); });
+    return put() && isMore;
+}
+
+void TrendCsv::appendTitles(const TrendExtract &extract)
+{
+    m_text = m_style.begin() + m_style.timeTitle();
+    for (const TrendColumn &column : extract.columns)
+        m_text += m_style.separator + m_style.field(column.title());
+    m_text += "\r\n";
+}
+
+void TrendCsv::appendRow(Instant at, RowMerge::Cells cells)
+{
+    m_times.append(m_text, at);
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        m_cells[column].show(cells[column], m_style.decimalSign);
+        m_text += m_style.separator;
+        m_text += m_cells[column].text;
+    }
+    m_text += "\r\n";
+    ++m_count;
+}
+
+void TrendCsv::Cell::show(const std::optional<std::int64_t> &sample, const std::string &decimalSign)
+{
+    const auto shown = sample ? std::optional(track.of(*sample)) : std::nullopt;
+    if (shown == value)
+        return;
+    value = shown;
+    text.clear();
+    if (shown)
+        numbers.append(text, *shown, decimalSign);
+}
+
+bool TrendCsv::put()
+{
+    const auto size = static_cast<qint64>(m_text.size());
+    const bool isWritten = m_device.write(m_text.data(), size) == size;
+    m_text.clear();
+    return isWritten;
+}
+
+} // namespace codewheel

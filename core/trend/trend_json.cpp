@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trend/trend_json.h"
+
+#include "encoder/refusal_text.h"
+#include "journal/message_fields.h"
+#include "journal/stored_message.h"
+#include "project/project_keys.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr QLatin1String trendFormat("codewheel-trend");
+constexpr int trendVersion = 1;
+
+QDateTime dateTimeOf(Instant at)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::chrono::floor<std::chrono::milliseconds>(at).count(), Qt::UTC);
+}
+
+// "2026-03-01T13:02:03.123456Z"
+QString isoText(Instant at)
+{
+    const auto microseconds = (at - std::chrono::floor<std::chrono::seconds>(at)).count();
+    return dateTimeOf(at).toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss.")) +
+           QString::number(microseconds).rightJustified(6, u'0') + u'Z';
+}
+
+QString isoText(const QDateTime &at)
+{
+    return at.toUTC().toString(Qt::ISODateWithMs);
+}
+
+QJsonValue textOrNull(const QString &text)
+{
+    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
+}
+
+QJsonValue numberOrNull(const std::optional<double> &number)
+{
+    return number ? QJsonValue(*number) : QJsonValue();
+}
+
+void addPlace(QJsonObject &json, const Place &place)
+{
+    json.insert(QStringLiteral("bus"), place.bus.number);
+    json.insert(QStringLiteral("place"), textOrNull(place.toString()));
+}
+
+// When something was known within a span, and what is missing of it.
+struct KnownTimes
+{
+    Instant from = Instant::max();
+    Instant to = Instant::min(); // older than `from`: nothing was known
+    int gaps = 0;
+    Instant missing{};
+
+    void leaveOut(const History::Gap &gap, const TimeSpan &span);
+};
+
+void KnownTimes::leaveOut(const History::Gap &gap, const TimeSpan &span)
+{
+    const Instant length = std::min(gap.to, span.to) - std::max(gap.from, span.from);
+    if (length <= Instant(0))
+        return;
+    ++gaps;
+    missing += length;
+    if (gap.from <= from)
+        from = std::max(from, gap.to);
+    if (to < gap.to)
+        to = std::min(to, gap.from);
+}
+
+KnownTimes knownTimes(const History *history, const TimeSpan &span)
+{
+    const auto all = history != nullptr ? history->span() : std::nullopt;
+    if (!all)
+        return {};
+    KnownTimes known{.from = std::max(all->from, span.from), .to = std::min(all->to - Instant(1), span.to)};
+    for (const History::Gap &gap : history->gaps())
+        known.leaveOut(gap, span);
+    return known;
+}
+
+void addKnownTimes(QJsonObject &json, const KnownTimes &known)
+{
+    const bool isKnown = known.from <= known.to;
+    json.insert(QStringLiteral("knownFrom"), textOrNull(isKnown ? isoText(known.from) : QString()));
+    json.insert(QStringLiteral("knownTo"), textOrNull(isKnown ? isoText(known.to) : QString()));
+    json.insert(QStringLiteral("gaps"), known.gaps);
+    json.insert(QStringLiteral("gapSeconds"), std::chrono::duration<double>(known.missing).count());
+}
+
+// Of a speed: of one step per second.
+double perStepOf(const TrendColumn &column)
+{
+    const double unitsOfSample = column.track.channel == Channel::speed ? speedUnits : 1;
+    return column.scale.factor(column.track.channel) * unitsOfSample;
+}
+
+QJsonObject columnJson(const TrendColumn &column)
+{
+    const auto &[track, name, scale] = column;
+    const QLatin1String unit = scale.symbol(track.channel);
+    QJsonObject json{
+        {QStringLiteral("name"), column.title()},
+        {QStringLiteral("track"), track.key()},
+        {QStringLiteral("channel"), channelKey(track.channel)},
+        {QStringLiteral("bit"), track.bit ? QJsonValue(static_cast<int>(*track.bit)) : QJsonValue()},
+        {QStringLiteral("unit"), textOrNull(unit)},
+        {QStringLiteral("perStep"), unit.isEmpty() ? QJsonValue() : QJsonValue(perStepOf(column))}};
+    addPlace(json, track.place);
+    return json;
+}
+
+QJsonArray columnsJson(const TrendExtract &extract, const HistoryOf &historyOf)
+{
+    QJsonArray columns;
+    for (const TrendColumn &column : extract.columns) {
+        QJsonObject json = columnJson(column);
+        addKnownTimes(json, knownTimes(historyOf(column.track), extract.span));
+        columns.append(json);
+    }
+    return columns;
+}
+
+QJsonArray valuesJson(const std::vector<StoredValue> &values)
+{
+    QJsonArray json;
+    for (const StoredValue &value : values)
+        json.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(value.parameter)},
+                                {QStringLiteral("value"), qint64{value.value}},
+                                {QStringLiteral("evidence"), QLatin1String(project_keys::nameOf(
+                                                                 project_keys::evidences, value.evidence))},
+                                {QStringLiteral("at"), isoText(value.at)}});
+    return json;
+}
+
+QJsonArray encodersJson(const TrendExtract &extract, const std::vector<TrendEncoder> &encoders)
+{
+    QJsonArray all;
+    for (const TrendEncoder &encoder : encoders) {
+        if (std::ranges::none_of(extract.columns, [&](const TrendColumn &column) {
+                return column.track.place == encoder.place;
+            }))
+            continue;
+        QJsonObject json{{QStringLiteral("busName"), textOrNull(encoder.busName)},
+                         {QStringLiteral("station"), textOrNull(encoder.station)},
+                         {QStringLiteral("device"), textOrNull(encoder.device)},
+                         {QStringLiteral("deviceName"), textOrNull(encoder.deviceName)},
+                         {QStringLiteral("stepsPerTurn"), numberOrNull(encoder.stepsPerTurn)},
+                         {QStringLiteral("values"), valuesJson(encoder.values)}};
+        addPlace(json, encoder.place);
+        all.append(json);
+    }
+    return all;
+}
+
+QJsonObject messageJson(const Message &message)
+{
+    return {{QStringLiteral("kind"), QStringLiteral("message")},
+            {QStringLiteral("severity"), severityKey(message.severity)},
+            {QStringLiteral("code"), codeOf(storedMessage(message, {}))},
+            {QStringLiteral("text"), messageText(message)}};
+}
+
+QJsonObject noteJson(const QString &text)
+{
+    return {{QStringLiteral("kind"), QStringLiteral("note")}, {QStringLiteral("text"), text}};
+}
+
+QJsonArray marksJson(const std::deque<Mark> &marks, const TimeSpan &span)
+{
+    QJsonArray all;
+    for (const Mark &mark : marks) {
+        if (mark.at < span.from || mark.at > span.to)
+            continue;
+        const auto *const note = std::get_if<QString>(&mark.what);
+        QJsonObject json = note != nullptr ? noteJson(*note) : messageJson(std::get<Message>(mark.what));
+        json.insert(QStringLiteral("at"), isoText(mark.at));
+        if (mark.place)
+            addPlace(json, *mark.place);
+        all.append(json);
+    }
+    return all;
+}
+
+// The offset is that at the beginning; the clocks may be changed later.
+QJsonObject zoneJson(const QTimeZone &zone, Instant from)
+{
+    const QDateTime local = dateTimeOf(from).toTimeZone(zone);
+    return {{QStringLiteral("id"), QString::fromLatin1(zone.id())},
+            {QStringLiteral("offsetSeconds"), local.offsetFromUtc()}};
+}
+
+} // namespace
+
+QByteArray trendJson(const TrendTable &table, const HistoryOf &historyOf, const TrendOrigin &origin)
+{
+    const auto &[fileName, extract, style, rows] = table;
+    const QJsonObject json{{QStringLiteral("format"), trendFormat},
+                           {QStringLiteral("version"), trendVersion},
+                           {QStringLiteral("program"), QStringLiteral("Codewheel ") + origin.version},
+                           {QStringLiteral("written"), isoText(origin.now)},
+                           {QStringLiteral("file"), fileName},
+                           {QStringLiteral("rows"), rows},
+                           {QStringLiteral("separator"), QString(QLatin1Char(style.separator))},
+                           {QStringLiteral("decimalSign"), QString::fromStdString(style.decimalSign)},
+                           {QStringLiteral("timeColumn"), QString::fromStdString(style.timeTitle())},
+                           {QStringLiteral("from"), isoText(extract.span.from)},
+                           {QStringLiteral("to"), isoText(extract.span.to)},
+                           {QStringLiteral("timeZone"), zoneJson(origin.now.timeZone(), extract.span.from)},
+                           {QStringLiteral("columns"), columnsJson(extract, historyOf)},
+                           {QStringLiteral("encoders"), encodersJson(extract, origin.encoders)},
+                           {QStringLiteral("marks"), marksJson(origin.marks, extract.span)},
+                           {QStringLiteral("dropped"), static_cast<qint64>(origin.dropped)}};
+    return QJsonDocument(json).toJson();
+}
+
+bool isTrendJson(const QByteArray &text)
+{
+    return QJsonDocument::fromJson(text).object().value(QStringLiteral("format")) == QJsonValue(trendFormat);
+}
+
+} // namespace codewheel
