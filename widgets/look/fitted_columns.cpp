@@ -47,6 +47,10 @@ std::vector<Widths> widthsOf(const QTableView &table, const WrappedCells &cells)
 {
     std::vector<Widths> columns;
     for (int column = 0; column < table.model()->columnCount(); ++column) {
+        if (table.isColumnHidden(column)) {
+            columns.push_back({0, 0});
+            continue;
+        }
         const int head = headingWidth(*table.horizontalHeader(), column);
         Widths widest{head, head};
         for (int row = 0; row < std::min(table.model()->rowCount(), mostRows); ++row) {
@@ -78,6 +82,10 @@ void FittedColumns::follow()
 {
     m_table.setItemDelegate(m_cells);
     m_table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    connect(m_table.horizontalHeader(), &QHeaderView::sectionResized, this, [this](int, int before, int now) {
+        if (before == 0 || now == 0) // hidden, or shown again
+            fitSoon();
+    });
     m_table.installEventFilter(this);
     m_table.viewport()->installEventFilter(this);
     const QAbstractItemModel *model = m_table.model();
@@ -112,8 +120,9 @@ void FittedColumns::fit()
     const int level = highestLevel(columns, room);
     const int left = std::max(room - widthAt(columns, level), 0);
     for (int column = 0; column < static_cast<int>(columns.size()); ++column)
-        m_table.setColumnWidth(column, widthAt(columns[static_cast<std::size_t>(column)], level) +
-                                           (column == m_stretched ? left : 0));
+        if (!m_table.isColumnHidden(column))
+            m_table.setColumnWidth(column, widthAt(columns[static_cast<std::size_t>(column)], level) +
+                                               (column == m_stretched ? left : 0));
     m_table.resizeRowsToContents();
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/look/grid.h"
 
 #include <QBoxLayout>
+#include <QEvent>
 
 #include <algorithm>
 
@@ -34,6 +35,19 @@ QSize FoldingRow::minimumSizeHint() const
 void FoldingRow::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    fold();
+}
+
+// A part may need more or less room than before.
+bool FoldingRow::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest)
+        fold();
+    return QWidget::event(event);
+}
+
+void FoldingRow::fold()
+{
     const bool hasRoom = width() >= least(*m_first) + grid::margin + least(*m_second);
     m_layout->setDirection(hasRoom ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }

@@ -19,9 +19,11 @@ public:
     QSize minimumSizeHint() const override; // as below each other
 
 protected:
+    bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void fold();
     int least(const QWidget &part) const;
 
     QWidget *m_first;
