@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_frames MONITORS WIDTHxHEIGHT: the window at work with that many monitors, a bus at 1 ms in its own
-// thread with eight devices whose words change, the dial, and the training line being polled; then the same
-// with an invisible window. Prints frames per second and the share of one core for both.
+// bench_frames MONITORS WIDTHxHEIGHT [trend]: the window at work with that many monitors, a bus at 1 ms in
+// its own thread with eight devices whose words change, the dial, and the training line being polled; with
+// `trend` also the trend, with the positions of all eight; then the same with an invisible window. Prints
+// frames per second and the share of one core for both.
 #include "app/window/frame_clock.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
 #include "catalog/catalog.h"
+#include "history/track.h"
 #include "ring/ring_session.h"
 #include "simulator/training_bus.h"
+#include "tests/bench/processor_time.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_card.h"
 #include "widgets/project/project_document.h"
+#include "widgets/trend/trend_page.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -21,7 +25,6 @@
 #include <QTimer>
 
 #include <cstdio>
-#include <ctime>
 
 namespace {
 
@@ -31,13 +34,6 @@ using namespace std::chrono_literals;
 constexpr int movingWords = 8;
 constexpr auto settling = 3s;
 constexpr auto measured = 10s;
-
-double processorSeconds()
-{
-    timespec used{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-    return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
-}
 
 void letPass(std::chrono::milliseconds time)
 {
@@ -52,13 +48,13 @@ void measure(const char *what, RingSession &bus)
     letPass(settling);
     int frames = 0;
     const auto counting = QObject::connect(&bus, &RingSession::updated, [&frames] { ++frames; });
-    const double usedBefore = processorSeconds();
+    const double usedBefore = bench::processorSeconds();
     QElapsedTimer clock;
     clock.start();
     letPass(measured);
     const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
     std::printf("%s: %.1f frames a second, %.1f %% of one core\n", what, frames / seconds,
-                100 * (processorSeconds() - usedBefore) / seconds);
+                100 * (bench::processorSeconds() - usedBefore) / seconds);
     QObject::disconnect(counting);
 }
 
@@ -71,6 +67,15 @@ void tell(EncoderSession &encoder)
     encoder.tell(Parameter::direction, 3);
 }
 
+// So short a time that its curves move with every frame.
+void showTrend(MainWindow &window, const std::vector<Place> &places)
+{
+    for (const Place place : places)
+        window.showInTrend({place, Channel::position, {}});
+    TrendView &view = window.findChild<TrendPage *>()->view();
+    view.zoom(std::chrono::duration<double>(settling) / std::chrono::duration<double>(SeenTime::usual));
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -80,8 +85,9 @@ int main(int argc, char **argv)
     const auto shown = static_cast<std::size_t>(arguments.value(1).toInt());
     const QStringList size = arguments.value(2).split(u'x');
     const QSize windowSize(size.value(0).toInt(), size.value(1).toInt());
+    const bool hasTrend = arguments.value(3) == QLatin1String("trend");
     if (shown == 0 || shown > movingWords || windowSize.isEmpty()) {
-        std::fprintf(stderr, "usage: bench_frames MONITORS WIDTHxHEIGHT, with 1 to %d monitors\n",
+        std::fprintf(stderr, "usage: bench_frames MONITORS WIDTHxHEIGHT [trend], with 1 to %d monitors\n",
                      movingWords);
         return 2;
     }
@@ -108,6 +114,8 @@ int main(int argc, char **argv)
         tell(*bus.encoder(place));
     for (std::size_t i = 0; i < shown; ++i)
         monitors->pin(places[i]);
+    if (hasTrend)
+        showTrend(window, places);
     window.resize(windowSize);
     window.show();
     plant.start();
@@ -116,7 +124,8 @@ int main(int argc, char **argv)
     frames.setWindow(window);
     frames.start();
 
-    std::printf("%zu monitors at %d x %d\n", shown, window.width(), window.height());
+    std::printf("%zu monitors at %d x %d%s\n", shown, window.width(), window.height(),
+                hasTrend ? ", and the trend of eight positions" : "");
     measure("at work", bus);
     window.hide();
     measure("at rest", bus);
