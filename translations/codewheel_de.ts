@@ -3992,6 +3992,14 @@
         <source>Save all eight programs in a file of their own</source>
         <translation>Alle acht Programme in einer eigenen Datei ablegen</translation>
     </message>
+    <message>
+        <source>Show this cam in &amp;trend</source>
+        <translation>Diesen Nocken im &amp;Trend zeigen</translation>
+    </message>
+    <message>
+        <source>As it is in IN while the encoder is in cam mode</source>
+        <translation>Wie er in IN steht, solange der Geber im Nockenbetrieb ist</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
@@ -6880,6 +6888,93 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::CurveBar</name>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>The unit of the chosen curve</source>
+        <translation>Die Einheit der gewählten Kurve</translation>
+    </message>
+    <message>
+        <source>Travel per turn</source>
+        <translation>Weg je Umdrehung</translation>
+    </message>
+    <message>
+        <source>How far the machine moves in one turn of this encoder; applies to all its curves</source>
+        <translation>Wie weit sich die Maschine bei einer Umdrehung dieses Gebers bewegt; gilt für alle seine Kurven</translation>
+    </message>
+    <message>
+        <source>On the a&amp;xis above</source>
+        <translation>Auf der A&amp;chse darüber</translation>
+    </message>
+    <message>
+        <source>Draws the chosen curve on the axis of the one above it, where both have one unit</source>
+        <translation>Zeichnet die gewählte Kurve auf die Achse der Kurve darüber, wenn beide dieselbe Einheit haben</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Moves the chosen curve up (Alt+Up)</source>
+        <translation>Schiebt die gewählte Kurve nach oben (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Moves the chosen curve down (Alt+Down)</source>
+        <translation>Schiebt die gewählte Kurve nach unten (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>Remove curve</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen curve; what is kept of it stays (Delete)</source>
+        <translation>Entfernt die gewählte Kurve; was von ihr aufbewahrt ist, bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source> mm per turn</source>
+        <translation> mm je Umdrehung</translation>
+    </message>
+    <message>
+        <source>How many mm per turn?</source>
+        <translation>Wie viele mm je Umdrehung?</translation>
+    </message>
+    <message>
+        <source>How many steps this encoder has per turn is not known: read its parameters.</source>
+        <translation>Wie viele Schritte dieser Geber je Umdrehung hat, ist nicht bekannt: Lesen Sie seine Parameter.</translation>
+    </message>
+    <message>
+        <source>The measuring length, or the length of the rod, is not known: read or set them.</source>
+        <translation>Die Messlänge oder die Stablänge ist nicht bekannt: lesen oder setzen.</translation>
+    </message>
+    <message>
+        <source>A linear encoder has no turns.</source>
+        <translation>Ein Lineargeber hat keine Umdrehungen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CurveMenu</name>
+    <message>
+        <source>No encoder is connected</source>
+        <translation>Kein Geber ist verbunden</translation>
+    </message>
+    <message>
+        <source>Cams</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>Bits of %1</source>
+        <comment>IN or OUT</comment>
+        <translation>Bits von %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DecimalText</name>
     <message>
         <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
@@ -7388,6 +7483,14 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>There is no encoder at %1</source>
         <comment>2.0</comment>
         <translation>Auf Platz %1 ist kein Geber</translation>
+    </message>
+    <message>
+        <source>Show &amp;position in trend</source>
+        <translation>&amp;Position im Trend zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;speed in trend</source>
+        <translation>&amp;Drehzahl im Trend zeigen</translation>
     </message>
 </context>
 <context>
@@ -10488,6 +10591,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Closes it, or goes back</source>
         <translation>Schließt sie oder geht zurück</translation>
     </message>
+    <message>
+        <source>Trend</source>
+        <translation>Trend</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -11070,6 +11177,38 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>%1 has been named. Choose &quot;make not known&quot; to undo that.</source>
         <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NoteBar</name>
+    <message>
+        <source>&amp;Set note</source>
+        <translation>Notiz &amp;setzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Marks this moment with the text; an empty text removes the note (Return)</source>
+        <translation>Markiert diesen Zeitpunkt mit dem Text; ein leerer Text entfernt die Notiz (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Changes nothing (Esc)</source>
+        <translation>Ändert nichts (Esc)</translation>
+    </message>
+    <message>
+        <source>Text of the note</source>
+        <translation>Text der Notiz</translation>
+    </message>
+    <message>
+        <source>What happened at this moment</source>
+        <translation>Was zu diesem Zeitpunkt geschah</translation>
+    </message>
+    <message>
+        <source>Note at %1:</source>
+        <comment>a time of day</comment>
+        <translation>Notiz um %1:</translation>
     </message>
 </context>
 <context>
@@ -14379,6 +14518,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Sets everything as it is after installation; Cancel undoes that</source>
         <translation>Stellt alles ein wie nach der Installation; Abbrechen nimmt das zurück</translation>
     </message>
+    <message>
+        <source>&amp;Trend, at most</source>
+        <translation>&amp;Trend, höchstens</translation>
+    </message>
+    <message>
+        <source>Memory for what all encoders have shown while the program runs; the oldest is dropped. How far back it goes is shown on the page of the trend.</source>
+        <translation>Speicher für das, was alle Geber gezeigt haben, solange das Programm läuft; das Älteste wird verworfen. Wie weit es zurückreicht, steht auf der Seite des Trends.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>
@@ -15170,6 +15317,57 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>It has no words. The traffic of its line is in the terminal.</source>
         <translation>Er hat keine Worte. Was über seine Leitung geht, steht im Terminal.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrackText</name>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>IN bit %1</source>
+        <translation>IN Bit %1</translation>
+    </message>
+    <message>
+        <source>OUT bit %1</source>
+        <translation>OUT Bit %1</translation>
+    </message>
+    <message>
+        <source>cam %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>cams</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>Schritte/s</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
     </message>
 </context>
 <context>
@@ -15965,6 +16163,380 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::TrendChart</name>
+    <message>
+        <source>Scrolls to earlier or later times</source>
+        <translation>Rollt zu früheren oder späteren Zeiten</translation>
+    </message>
+    <message>
+        <source>Zooms in or out</source>
+        <translation>Vergrößert oder verkleinert</translation>
+    </message>
+    <message>
+        <source>Chooses the cursor that keys move</source>
+        <translation>Wählt den Cursor, den Tasten schieben</translation>
+    </message>
+    <message>
+        <source>Moves the cursor by a pixel</source>
+        <translation>Schiebt den Cursor um ein Pixel</translation>
+    </message>
+    <message>
+        <source>Moves the cursor by ten pixels</source>
+        <translation>Schiebt den Cursor um zehn Pixel</translation>
+    </message>
+    <message>
+        <source>Ends a drag without an effect</source>
+        <translation>Beendet ein Ziehen ohne Wirkung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrendFiles</name>
+    <message>
+        <source>It does not belong to a trend. Give the trend another name.</source>
+        <translation>Diese Datei gehört zu keinem Trend. Bitte dem Trend einen anderen Namen geben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrendPage</name>
+    <message>
+        <source>Nothing is sent here.</source>
+        <translation>Hier wird nichts gesendet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No more than %n curves can be shown. Remove one first.</source>
+        <translation>
+            <numerusform>Mehr als %n Kurve kann nicht gezeigt werden. Entfernen Sie zuerst eine.</numerusform>
+            <numerusform>Mehr als %n Kurven können nicht gezeigt werden. Entfernen Sie zuerst eine.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click into the curves for cursor A, with Shift for cursor B.</source>
+        <translation>Ein Klick in die Kurven setzt Cursor A, mit Umschalt Cursor B.</translation>
+    </message>
+    <message>
+        <source>Kept: %1, %2 of %3 MB</source>
+        <comment>a duration, megabytes</comment>
+        <translation>Aufbewahrt: %1, %2 von %3 MB</translation>
+    </message>
+    <message>
+        <source>enough for %1 at the present rate</source>
+        <translation>reicht beim jetzigen Anfall für %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cycles came too fast and are missing</source>
+        <translation>
+            <numerusform>%n Zyklus kam zu schnell und fehlt</numerusform>
+            <numerusform>%n Zyklen kamen zu schnell und fehlen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no later mark.</source>
+        <translation>Es gibt keine spätere Marke.</translation>
+    </message>
+    <message>
+        <source>There is no earlier mark.</source>
+        <translation>Es gibt keine frühere Marke.</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>Trend</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>trend.png</source>
+        <translation>trend.png</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Export the trend</source>
+        <translation>Trend exportieren</translation>
+    </message>
+    <message>
+        <source>trend.csv</source>
+        <translation>trend.csv</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Writing %1: %2 %</source>
+        <translation>%1 wird geschrieben: %2 %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is written: %n rows; the file beside it says what they are.</source>
+        <translation>
+            <numerusform>%1 ist geschrieben: %n Zeile; die Datei daneben sagt, was sie ist.</numerusform>
+            <numerusform>%1 ist geschrieben: %n Zeilen; die Datei daneben sagt, was sie sind.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The export is cancelled; nothing was written.</source>
+        <translation>Der Export ist abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>No curve is shown</source>
+        <translation>Keine Kurve ist gezeigt</translation>
+    </message>
+    <message>
+        <source>Drag an encoder from the bus structure here, or choose a curve with Add. What encoders show is kept whether it is shown or not.</source>
+        <translation>Ziehen Sie einen Geber aus dem Busaufbau hierher, oder wählen Sie mit Hinzufügen eine Kurve. Was Geber zeigen, wird aufbewahrt, ob als Kurve gezeigt oder nicht.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Shows another curve (Ctrl+Ins)</source>
+        <translation>Zeigt eine weitere Kurve (Strg+Einfg)</translation>
+    </message>
+    <message>
+        <source>Add a curve</source>
+        <translation>Eine Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the newest values in sight</source>
+        <translation>Hält die neuesten Werte im Blick</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Holds the picture; all that comes is kept and shown afterwards</source>
+        <translation>Hält das Bild an; alles, was kommt, wird aufbewahrt und danach gezeigt</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Shows all the time there is, with axes that fit</source>
+        <translation>Zeigt die ganze Zeit, mit passenden Achsen</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Marks the moment at the cursor with a text</source>
+        <translation>Markiert den Zeitpunkt am Cursor mit einem Text</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Saves what is seen as a PNG or SVG file</source>
+        <translation>Speichert, was zu sehen ist, als PNG- oder SVG-Datei</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Saves the curves that are shown as a table (Ctrl+E)</source>
+        <translation>Speichert die gezeigten Kurven als Tabelle (Strg+E)</translation>
+    </message>
+    <message>
+        <source>What is &amp;seen…</source>
+        <translation>Was zu &amp;sehen ist…</translation>
+    </message>
+    <message>
+        <source>What is &amp;between the cursors…</source>
+        <translation>Was &amp;zwischen den Cursorn ist…</translation>
+    </message>
+    <message>
+        <source>&amp;All that is kept…</source>
+        <translation>&amp;Alles, was aufbewahrt ist…</translation>
+    </message>
+    <message>
+        <source>For s&amp;preadsheets of this country</source>
+        <translation>Für Tabellen&amp;programme dieses Landes</translation>
+    </message>
+    <message>
+        <source>With its decimal sign, and with dates and times of day; otherwise with commas, points and seconds, as programs take it</source>
+        <translation>Mit dessen Dezimalzeichen, mit Datum und Uhrzeit; sonst mit Kommas, Punkten und Sekunden, wie Programme es nehmen</translation>
+    </message>
+    <message>
+        <source>Cursor to the next mark</source>
+        <translation>Cursor zur nächsten Marke</translation>
+    </message>
+    <message>
+        <source>Cursor to the mark before</source>
+        <translation>Cursor zur Marke davor</translation>
+    </message>
+    <message>
+        <source>Remove the cursors</source>
+        <translation>Cursor entfernen</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>The curves, and what they are at the cursors</source>
+        <translation>Die Kurven, und was sie an den Cursorn sind</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translation>Spalten der Tabelle</translation>
+    </message>
+    <message>
+        <source>Values at the cursors, or statistics between them</source>
+        <translation>Werte an den Cursorn, oder Statistik dazwischen</translation>
+    </message>
+    <message>
+        <source>Remove curve</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Move the curve up</source>
+        <translation>Kurve nach oben schieben</translation>
+    </message>
+    <message>
+        <source>Move the curve down</source>
+        <translation>Kurve nach unten schieben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrendValuesModel</name>
+    <message>
+        <source>The encoder, what is shown of it, and its unit</source>
+        <translation>Der Geber, was von ihm gezeigt wird, und die Einheit</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>The newest value; a dash where none is shown</source>
+        <translation>Der neueste Wert; ein Strich, wo keiner gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>The value at cursor A</source>
+        <translation>Der Wert an Cursor A</translation>
+    </message>
+    <message>
+        <source>The value at cursor B</source>
+        <translation>Der Wert an Cursor B</translation>
+    </message>
+    <message>
+        <source>From cursor A to cursor B</source>
+        <translation>Von Cursor A bis Cursor B</translation>
+    </message>
+    <message>
+        <source>From cursor A to cursor B, in degrees of the shaft</source>
+        <translation>Von Cursor A bis Cursor B, in Grad der Welle</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>The mean speed from cursor A to cursor B</source>
+        <translation>Die mittlere Geschwindigkeit von Cursor A bis Cursor B</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>The least value between the cursors</source>
+        <translation>Der kleinste Wert zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>The greatest value between the cursors</source>
+        <translation>Der größte Wert zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>The mean over time between the cursors</source>
+        <translation>Der Mittelwert über die Zeit zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>The standard deviation between the cursors</source>
+        <translation>Die Standardabweichung zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation>Std.abw.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrendView</name>
+    <message>
+        <source>Trend</source>
+        <translation>Trend</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom, with Shift scroll. Drag a box: zoom into it, with Ctrl scroll. Click: cursor A, with Shift cursor B.</source>
+        <translation>Rad: vergrößern, mit Umschalt rollen. Rahmen ziehen: hinein vergrößern, mit Strg verschieben. Klick: Cursor A, mit Umschalt Cursor B.</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Gezeigte Zeit</translation>
+    </message>
+    <message>
+        <source>Scrolls through all the time that is kept</source>
+        <translation>Rollt durch die ganze aufbewahrte Zeit</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::UserDevices</name>
     <message>
         <source>There is no such file.</source>
@@ -16495,6 +17067,26 @@ Worte: IN %3, OUT %4</translation>
         <source>Folds the panels at the bottom to their tabs: monitors get their height</source>
         <translation>Klappt die Bereiche unten zu ihren Reitern ein: Die Monitore bekommen ihre Höhe</translation>
     </message>
+    <message>
+        <source>Show in &amp;trend</source>
+        <translation>Im &amp;Trend zeigen</translation>
+    </message>
+    <message>
+        <source>Adds the position of the chosen encoder to the trend, and shows that</source>
+        <translation>Fügt die Position des gewählten Gebers dem Trend hinzu und zeigt ihn</translation>
+    </message>
+    <message>
+        <source>No connected encoder is chosen.</source>
+        <translation>Kein verbundener Geber ist gewählt.</translation>
+    </message>
+    <message>
+        <source>&amp;Trend</source>
+        <translation>&amp;Trend</translation>
+    </message>
+    <message>
+        <source>Draws what encoders show as curves over time; sends nothing</source>
+        <translation>Zeichnet, was Geber zeigen, als Kurven über der Zeit; sendet nichts</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -16558,6 +17150,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Display of %1</source>
         <comment>Show of 1.0</comment>
         <translation>Anzeige von %1</translation>
+    </message>
+    <message>
+        <source>Show &amp;bit in trend</source>
+        <translation>&amp;Bit im Trend zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;word in trend</source>
+        <translation>&amp;Wort im Trend zeigen</translation>
     </message>
 </context>
 <context>

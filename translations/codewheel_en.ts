@@ -291,6 +291,30 @@
     </message>
 </context>
 <context>
+    <name>codewheel::TrendPage</name>
+    <message numerus="yes">
+        <source>No more than %n curves can be shown. Remove one first.</source>
+        <translation>
+            <numerusform>No more than %n curve can be shown. Remove it first.</numerusform>
+            <numerusform>No more than %n curves can be shown. Remove one first.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cycles came too fast and are missing</source>
+        <translation>
+            <numerusform>%n cycle came too fast and is missing</numerusform>
+            <numerusform>%n cycles came too fast and are missing</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is written: %n rows; the file beside it says what they are.</source>
+        <translation>
+            <numerusform>%1 is written: %n row; the file beside it says what it is.</numerusform>
+            <numerusform>%1 is written: %n rows; the file beside it says what they are.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::WindowActions</name>
     <message numerus="yes">
         <source>&amp;ALARM STOP %n buses</source>

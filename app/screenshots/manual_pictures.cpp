@@ -5,6 +5,7 @@
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/report_picture.h"
 #include "app/screenshots/scene.h"
+#include "app/screenshots/trend_pictures.h"
 #include "app/screenshots/wizard_pictures.h"
 #include "bus/word_channel.h"
 #include "ring/ring_session.h"
@@ -252,7 +253,7 @@ QString fileOf(const Picture &picture, const QString &suffix)
 std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures()})
+    for (const auto &more : {wizardPictures(), linePictures(), trendPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }

@@ -10,6 +10,7 @@
 #include "widgets/monitor/word_view.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/structure/tree_filter.h"
+#include "widgets/trend/trend_chart.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -105,6 +106,7 @@ void addAnswered(std::vector<KeyGroup> &groups)
         {MainWindow::tr("Ruler of the cams"), CamRuler::keys()},
         {MainWindow::tr("Table of the cams"), CamTable::keys()},
         {MainWindow::tr("Programs of the cams"), CamProgramStrip::keys()},
+        {MainWindow::tr("Trend"), TrendChart::keys()},
         {MainWindow::tr("Filter of the bus structure"), TreeFilter::keys()},
         {MainWindow::tr("Messages, trace, terminal"),
          {{keyNames({Qt::SHIFT | Qt::Key_F10}), MainWindow::tr("Opens the menu of the row")}}},

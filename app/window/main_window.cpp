@@ -36,6 +36,7 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/trace/trace_view.h"
+#include "widgets/trend/trend_page.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QApplication>
@@ -232,6 +233,8 @@ void MainWindow::showFrame()
     for (const auto &[bus, views] : m_views)
         views->showFrame();
     m_faults->showFrame();
+    if (m_trend->isVisible())
+        m_trend->showFrame();
     m_status->showFrame();
 }
 
@@ -299,6 +302,20 @@ void MainWindow::showCams()
     m_cams->setFocus();
 }
 
+void MainWindow::showTrend()
+{
+    if (m_trend == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_trend);
+    m_trend->setFocus();
+}
+
+void MainWindow::showInTrend(const Track &track)
+{
+    showTrend();
+    m_trend->showTrack(track);
+}
+
 void MainWindow::showStructureEditor()
 {
     if (m_editor == nullptr)
@@ -352,6 +369,7 @@ void MainWindow::saveWindow()
     if (m_monitors == nullptr)
         return; // never filled: nothing worth keeping
     m_settings.setWindow(saveGeometry(), m_layouts->toKeep());
+    m_settings.setTrend(m_trend->tracks().state());
     m_settings.setMonitors(m_monitors->state());
     m_settings.setPinnedDial(m_dial->toKeep());
 }

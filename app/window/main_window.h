@@ -53,6 +53,8 @@ class StructureEditor;
 class StructureView;
 class TraceView;
 class TransferPages;
+class TrendPage;
+struct Track;
 class WantedValues;
 class WindowLayouts;
 class WordChannel;
@@ -90,6 +92,8 @@ public:
     void showStructureEditor();
     void showComparison(); // of the ring that is chosen, or was chosen last
     void showProjectPage();
+    void showTrend();
+    void showInTrend(const Track &track);
     ProjectFiles &files() { return *m_files; }
     Start &start() { return *m_start; } // only after attach()
     void askForRecovery(ProjectRecovery &recovery);
@@ -184,6 +188,7 @@ private:
     MonitorArea *m_monitors = nullptr;
     ParameterWizard *m_wizard = nullptr;
     CamEditor *m_cams = nullptr;
+    TrendPage *m_trend = nullptr;
     ParameterPanel *m_parameters = nullptr;
     DialPin *m_dial = nullptr;
     DevicePanel *m_device = nullptr;

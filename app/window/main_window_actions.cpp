@@ -21,6 +21,7 @@
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/trace/trace_view.h"
+#include "widgets/trend/trend_page.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -47,6 +48,7 @@ void MainWindow::connectActions()
     connect(m_actions.settings, &QAction::triggered, this, &MainWindow::settingsRequested);
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
+    connect(m_actions.trend, &QAction::triggered, this, &MainWindow::showTrend);
     connect(m_actions.closePage, &QAction::triggered, m_head, &PageHead::closePage);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
@@ -62,6 +64,10 @@ void MainWindow::connectActions()
     };
     onMonitor(m_actions.openMonitor, &MonitorArea::open);
     onMonitor(m_actions.pinMonitor, &MonitorArea::pin);
+    connect(m_actions.showInTrend, &QAction::triggered, this, [this] {
+        if (const auto place = currentNumber())
+            showInTrend({*place, Channel::position, {}});
+    });
     connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
         if (WordChannel *words = chosenWords())
             if (const auto sent = words->zero(); !sent)
@@ -88,6 +94,8 @@ void MainWindow::showSettings()
         language->setChecked(language->data().toString() == choices.language);
     if (m_trace != nullptr)
         m_trace->setMostRows(choices.traceRows);
+    if (m_plant != nullptr)
+        m_plant->histories().setLimit(static_cast<std::size_t>(choices.trendMemory) << 20);
 }
 
 void MainWindow::connectViewActions()

@@ -34,6 +34,7 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/trace/trace_view.h"
+#include "widgets/trend/trend_page.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAction>
@@ -52,6 +53,10 @@ void MainWindow::makePages()
     m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
     m_wizard->setStations([this](Place place) { return m_project.device(place).station; });
     m_cams = new CamEditor(m_plant->catalog(), m_project, this);
+    m_trend = new TrendPage(
+        *m_buses, m_plant->histories(), [this](Place place) { return m_project.device(place).station; },
+        this);
+    m_trend->tracks().restore(m_settings.trend());
     m_editor = new StructureEditor(m_project, m_plant->catalog(), this);
     m_projectPage = new ProjectPage(m_project, this);
     m_projectPage->buses().setIsFree([this](BusId bus, const QString &kind) {
@@ -61,6 +66,7 @@ void MainWindow::makePages()
     const std::pair<QWidget *, const char *> pages[] = {{m_monitors, "monitors.md"},
                                                         {m_wizard, "wizard.md"},
                                                         {m_cams, "cams.md"},
+                                                        {m_trend, "trend.md"},
                                                         {m_editor, "project.md#the-structure-editor"},
                                                         {m_projectPage, "project.md#files"}};
     for (const auto &[page, topic] : pages) {
@@ -81,6 +87,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_parameters = new ParameterPanel(*m_wanted, this);
     auto *dial = new DialPanel(this);
     dial->setPrinting(*m_actions.print);
+    connect(dial, &DialPanel::trendWanted, this, &MainWindow::showInTrend);
     m_dial = new DialPin(*dial, *m_buses, [this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_dial, &DialPin::showHead);
     connect(m_actions.pinDial, &QAction::triggered, m_dial, &DialPin::setPinned);
@@ -91,6 +98,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_device = new DevicePanel(*m_buses, m_plant->catalog(), this);
     m_trace = new TraceView(*m_buses, this);
     m_trace->setMostRows(m_settings.choices().traceRows);
+    m_plant->histories().setLimit(static_cast<std::size_t>(m_settings.choices().trendMemory) << 20);
     m_sequence = new SequenceView(this);
     auto *sequences = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(sequences, 0);
@@ -235,6 +243,8 @@ void MainWindow::connectViews()
         m_panels.show(panel::device);
         m_device->focusNaming();
     });
+    connect(m_monitors, &MonitorArea::trendWanted, this, &MainWindow::showInTrend);
+    connect(m_cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     const auto openChosen = [this] {

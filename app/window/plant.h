@@ -3,6 +3,7 @@
 
 #include "app/window/bus_at_work.h"
 #include "bus/buses.h"
+#include "history/histories.h"
 #include "transfer/last_positions.h"
 
 #include <vector>
@@ -25,6 +26,8 @@ public:
     BusAtWork *find(BusId bus) const;     // null: there is none
     // The sessions of all buses.
     Buses &buses() { return m_sessions; }
+    // What their encoders have shown.
+    Histories &histories() { return m_histories; }
     const LastPositions &positions() const { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
     template <class Bus>
@@ -60,6 +63,7 @@ private:
     Names m_called;                  // each one unique
     std::pair<Names, Names> m_names; // of those whose places others may also have, and of all
     Buses m_sessions;
+    Histories m_histories{m_sessions};
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;
 };

@@ -60,9 +60,11 @@ void printView(const PrintedView &view, const Printing::Names &names, const QStr
     QStringList whose{view.place.shown(), names.station(view.place), view.device};
     whose.removeAll(QString());
     QTextDocument document;
-    document.setHtml(printedHead(view.title, origin) +
-                     printedValues({{Printing::tr("Encoder"), whose.join(QStringLiteral("  "))},
-                                    {Printing::tr("Bus"), names.bus(view.place.bus)}}));
+    QString head = printedHead(view.title, origin);
+    if (!view.place.isEmpty())
+        head += printedValues({{Printing::tr("Encoder"), whose.join(QStringLiteral("  "))},
+                               {Printing::tr("Bus"), names.bus(view.place.bus)}});
+    document.setHtml(head);
     PictureInText pictures(view.pictures);
     pictures.insertInto(document);
     QTextCursor end(&document);
@@ -105,7 +107,7 @@ void Printing::preview()
 QString Printing::title() const
 {
     if (m_view)
-        return QStringLiteral("%1 %2").arg(m_view->title, m_view->place.shown());
+        return QStringLiteral("%1 %2").arg(m_view->title, m_view->place.shown()).trimmed();
     return m_table ? titleToPrint(*m_table) : m_report.report().title;
 }
 

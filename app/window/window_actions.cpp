@@ -181,6 +181,8 @@ void WindowActions::makeDeviceMenu()
                    tr("Keeps the dial of the chosen encoder when another one is chosen"));
     pinDial->setCheckable(true);
     pinDial->setEnabled(false);
+    showInTrend = deviceMenu->addAction(lineIcon(Icon::trend), tr("Show in &trend"));
+    showInTrend->setShortcut(Qt::CTRL | Qt::Key_4);
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);
@@ -211,6 +213,11 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
               : isOnlyPlanned ? offlineText()
                               : tr("Sets up the chosen encoder step by step"));
     wizard->setEnabled(!isOnlyPlanned);
+    described(showInTrend, showInTrend->shortcut(),
+              encoder.session() != nullptr
+                  ? tr("Adds the position of the chosen encoder to the trend, and shows that")
+                  : tr("No connected encoder is chosen."));
+    showInTrend->setEnabled(encoder.session() != nullptr);
     const bool hasCams = isThere && encoder.can().cams;
     described(cams, cams->shortcut(),
               !isThere        ? tr("No encoder is chosen.")
@@ -249,6 +256,8 @@ void WindowActions::makeViewMenu()
     QMenu *menu = addMenu(tr("&View"));
     monitors = described(menu->addAction(lineIcon(Icon::monitor), tr("&Monitors")), Qt::Key_F7,
                          tr("Shows the monitors; you can return to an open page"));
+    trend = described(menu->addAction(lineIcon(Icon::trend), tr("&Trend")), Qt::Key_F11,
+                      tr("Draws what encoders show as curves over time; sends nothing"));
     closePage = described(menu->addAction(lineIcon(Icon::cancel), tr("Close pag&e")), Qt::CTRL | Qt::Key_W,
                           tr("Closes the page that is open, and shows the monitors"));
     closePage->setEnabled(false);
@@ -323,7 +332,7 @@ QWidget *WindowActions::menuParent() const
 
 QList<QAction *> WindowActions::pages() const
 {
-    return {monitors, wizard, cams, structureEditor, compare, transfer, replaceEncoder, projectPage};
+    return {monitors, trend, wizard, cams, structureEditor, compare, transfer, replaceEncoder, projectPage};
 }
 
 // Buttons have room for a single word.

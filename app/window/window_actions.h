@@ -82,6 +82,7 @@ public:
     QAction *openMonitor;
     QAction *pinMonitor;
     QAction *pinDial;
+    QAction *showInTrend;
     QAction *wizard;
     QAction *cams;
     QAction *replaceEncoder;
@@ -90,6 +91,7 @@ public:
     // View
     QMenu *docks;
     QAction *monitors;
+    QAction *trend;
     QAction *closePage;
     QAction *largeControls;
     QAction *lessMotion;

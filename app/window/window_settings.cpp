@@ -58,6 +58,8 @@ const QString decimalSignKey = QStringLiteral("appearance/decimalSign");
 const QString frameRateKey = QStringLiteral("window/framesPerSecond");
 const QString eepromKey = QStringLiteral("eeprom/questionFromPercent");
 const QString traceRowsKey = QStringLiteral("trace/mostRows");
+const QString trendMemoryKey = QStringLiteral("trend/memory");
+const QString trendKey = QStringLiteral("window/trend");
 const QString keepingKey = QStringLiteral("recovery/seconds");
 
 } // namespace
@@ -90,6 +92,7 @@ ProgramSettings WindowSettings::choices() const
         .eepromQuestionFrom = number(eepromKey, usual.eepromQuestionFrom, eepromQuestionRange),
         .largestMessageFile = number(largestMessageFileKey, usual.largestMessageFile, messageFileRange),
         .traceRows = number(traceRowsKey, usual.traceRows, traceRowsRange),
+        .trendMemory = number(trendMemoryKey, usual.trendMemory, trendMemoryRange),
         .secondsBetweenKeeping = number(keepingKey, usual.secondsBetweenKeeping, keepingRange),
     };
 }
@@ -106,6 +109,7 @@ void WindowSettings::setChoices(const ProgramSettings &choices)
     m_settings->setValue(eepromKey, choices.eepromQuestionFrom);
     m_settings->setValue(largestMessageFileKey, choices.largestMessageFile);
     m_settings->setValue(traceRowsKey, choices.traceRows);
+    m_settings->setValue(trendMemoryKey, choices.trendMemory);
     m_settings->setValue(keepingKey, choices.secondsBetweenKeeping);
 }
 
@@ -179,6 +183,16 @@ std::optional<QJsonObject> WindowSettings::monitors() const
 void WindowSettings::setMonitors(const QJsonObject &monitors)
 {
     m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+QStringList WindowSettings::trend() const
+{
+    return m_settings->value(trendKey).toStringList();
+}
+
+void WindowSettings::setTrend(const QStringList &curves)
+{
+    m_settings->setValue(trendKey, curves);
 }
 
 std::optional<Place> WindowSettings::pinnedDial() const

@@ -45,6 +45,9 @@ public:
     std::optional<QJsonObject> monitors() const; // nothing at the first start
     void setMonitors(const QJsonObject &monitors);
 
+    QStringList trend() const; // which curves it shows
+    void setTrend(const QStringList &curves);
+
     std::optional<Place> pinnedDial() const; // by the user
     void setPinnedDial(std::optional<Place> place);
 

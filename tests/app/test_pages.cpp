@@ -49,8 +49,8 @@ protected:
     QList<QAction *> opening()
     {
         const WindowActions &its = actions();
-        return {its.wizard,   its.cams,           its.structureEditor, its.compare,
-                its.transfer, its.replaceEncoder, its.projectPage};
+        return {its.trend,   its.wizard,   its.cams,           its.structureEditor,
+                its.compare, its.transfer, its.replaceEncoder, its.projectPage};
     }
 };
 

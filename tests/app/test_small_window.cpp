@@ -76,9 +76,9 @@ private:
 TEST_P(SmallWindow, HoldsEveryPage)
 {
     std::set<const QWidget *> seen;
-    for (QAction *action :
-         {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
-          actions().transfer, actions().replaceEncoder, actions().projectPage}) {
+    for (QAction *action : {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
+                            actions().structureEditor, actions().compare, actions().transfer,
+                            actions().replaceEncoder, actions().projectPage}) {
         action->trigger();
         EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
         expectSmall(action->text());
@@ -100,9 +100,9 @@ TEST_P(SmallWindow, HoldsEveryPanel)
 // Below a page it is unfolded again.
 TEST_P(SmallWindow, HoldsEveryPanelAtTheBottomBelowEveryPage)
 {
-    for (QAction *action :
-         {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
-          actions().transfer, actions().replaceEncoder, actions().projectPage}) {
+    for (QAction *action : {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
+                            actions().structureEditor, actions().compare, actions().transfer,
+                            actions().replaceEncoder, actions().projectPage}) {
         action->trigger();
         for (auto *panel : window().findChildren<QDockWidget *>())
             if (window().dockWidgetArea(panel) == Qt::BottomDockWidgetArea)

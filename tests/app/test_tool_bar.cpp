@@ -47,8 +47,8 @@ protected:
 TEST_F(ToolBarTest, BeginsWithTheMonitorsAndThePages)
 {
     const WindowActions &its = actions();
-    const QList<QAction *> pages{its.monitors, its.wizard,   its.cams,          its.structureEditor,
-                                 its.compare,  its.transfer, its.replaceEncoder};
+    const QList<QAction *> pages{its.monitors,        its.trend,   its.wizard,   its.cams,
+                                 its.structureEditor, its.compare, its.transfer, its.replaceEncoder};
     EXPECT_EQ(bar().actions().mid(0, pages.size()), pages);
     window().findChild<StructureView *>()->choose(test::fraba);
     QSet<const QWidget *> opened;

@@ -6,6 +6,7 @@
 //
 // Prints bus time, memory and frames as it goes, and finally by how much memory has grown; exit code 1 if
 // that is more than allowed. Memory is measured once a minute, always with the window in the same state.
+#include "app/window/plant.h"
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
 #include "ring/ring_session.h"
@@ -33,6 +34,8 @@ constexpr std::array sizes{QSize(1600, 1000), QSize(1024, 768), QSize(1280, 900)
 constexpr int lines = 12;             // to be printed
 constexpr double allowedGrowth = 1.0; // MB between the second and the last quarter
 constexpr double bytesPerMegabyte = 1e6;
+constexpr std::size_t trendMemory = 8 << 20; // bytes
+constexpr int lettersOfMessage = 150;        // takes as much memory as a message
 
 // Memory in use, in MB, without what was freed and is kept for later.
 double memoryInUse()
@@ -42,7 +45,7 @@ double memoryInUse()
 }
 
 // Somebody who sends words, reads parameters, switches between Watch and Operate, cuts the power, resizes the
-// window, opens and closes monitors: each about once a minute.
+// window, opens and closes monitors, looks at the trend: each about once a minute.
 class Somebody
 {
 public:
@@ -74,6 +77,9 @@ public:
             m_shown.bus().setRunning(false);
             m_shown.bus().setRunning(true);
             break;
+        case 6:
+            m_shown.window().actions().showInTrend->trigger();
+            break;
         default:
             break;
         }
@@ -83,6 +89,7 @@ public:
     void lookAsAlways()
     {
         m_shown.window().resize(sizes.front());
+        m_shown.window().showMonitors();
         openAndCloseMonitors();
     }
 
@@ -119,6 +126,14 @@ void letASecondPass(TrainingWindow &shown)
     shown.messages().catchUp();
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+// What is kept for the trend grows up to its limits: they are reached before memory is measured.
+void fillTrend(Histories &histories)
+{
+    histories.setLimit(trendMemory);
+    for (std::size_t mark = 0; mark < Histories::mostMarks; ++mark)
+        histories.note(Instant(mark), QString(lettersOfMessage, u'x'));
 }
 
 struct Soak
@@ -185,6 +200,7 @@ int main(int argc, char **argv)
     std::printf("seed %u; again with --seed %u\n", soak.seed, soak.seed);
     const QTemporaryDir folder;
     TrainingWindow shown(folder.filePath(QStringLiteral("attack.ini")), sizes.front());
+    fillTrend(shown.plant().histories());
     shown.window().show();
     const std::array<double, 2> most = watchMemory(shown, soak);
     const double growth = most[1] - most[0];

@@ -29,6 +29,7 @@ class Catalog;
 class EmptyState;
 class InlineMessage;
 class JobStrip;
+struct Track;
 
 // The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
 // their own. What is edited is part of the project, and can be edited while the encoder is not connected.
@@ -54,6 +55,9 @@ public:
     bool loadProgram(const QString &path);
     bool save(const QString &path);
     bool saveProgram(const QString &path);
+
+Q_SIGNALS:
+    void trendWanted(const codewheel::Track &track);
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the cam editor is made of: tools, pages and how they are connected.
+#include "history/track.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_mode_bar.h"
@@ -149,6 +150,11 @@ void CamEditor::makeMenu()
                              const CamProgram empty{.number = m_sheet->number()};
                              m_sheet->document().setProgram(empty, tr("Clear program %1").arg(empty.number));
                          });
+    m_menu->addSeparator();
+    m_fileActions << add(
+        tr("Show this cam in &trend"), tr("As it is in IN while the encoder is in cam mode"), [this] {
+            Q_EMIT trendWanted({m_encoder.place(), Channel::cams, static_cast<unsigned>(m_sheet->current())});
+        });
     m_menu->setToolTipsVisible(true);
 
     auto *more =

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
+#include "history/track.h"
 #include "widgets/dial/dial_head.h"
 #include "widgets/dial/rod_dial.h"
 #include "widgets/dial/shaft_dial.h"
@@ -40,10 +41,19 @@ std::optional<PrintedView> DialPanel::printedView() const
 
 void DialPanel::contextMenuEvent(QContextMenuEvent *event)
 {
-    if (m_print == nullptr || !printedView())
+    if (!m_encoder)
         return;
     QMenu menu(this);
-    menu.addAction(m_print);
+    const auto addTrend = [&](const QString &text, Channel channel) {
+        connect(menu.addAction(lineIcon(Icon::trend), text), &QAction::triggered, this,
+                [this, channel, place = m_encoder->place()] {
+                    Q_EMIT trendWanted({place, channel, {}});
+                });
+    };
+    addTrend(tr("Show &position in trend"), Channel::position);
+    addTrend(tr("Show &speed in trend"), Channel::speed);
+    if (m_print != nullptr && printedView())
+        menu.addAction(m_print);
     menu.exec(event->globalPos());
 }
 

@@ -18,6 +18,7 @@ class DialHead;
 class EmptyState;
 class RodDial;
 class ShaftDial;
+struct Track;
 
 // The chosen encoder as a picture of what it measures: a disc on a shaft, or a rod with its magnet.
 class DialPanel : public QWidget, public PrintsPicture
@@ -35,6 +36,9 @@ public:
     std::optional<PrintedView> printedView() const override;
     // For its context menu, while there is something to print; it outlives the panel.
     void setPrinting(QAction &print) { m_print = &print; }
+
+Q_SIGNALS:
+    void trendWanted(const codewheel::Track &track);
 
 protected:
     void contextMenuEvent(QContextMenuEvent *event) override;

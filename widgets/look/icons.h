@@ -63,6 +63,7 @@ enum class Icon : std::uint8_t {
     stop,
     trace,
     training,
+    trend,
     turnLeft,
     turnRight,
     up,

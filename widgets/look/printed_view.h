@@ -30,7 +30,7 @@ PrintedPicture drawnOnPaper(QWidget &view, QSize size);
 struct PrintedView
 {
     QString title; // "Cams"
-    Place place;   // whose it is
+    Place place;   // whose it is; empty: of several
     QString device;
     std::vector<PrintedPicture> pictures{};
     std::vector<std::pair<QString, QString>> values{}; // name and value

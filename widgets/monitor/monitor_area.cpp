@@ -3,6 +3,7 @@
 
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
+#include "history/track.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
@@ -226,6 +227,7 @@ WordCard *MonitorArea::make(Place place)
     connect(card, &WordCard::closeRequested, this, [this, card] { closed(card); });
     connect(card, &WordCard::pinToggled, this, [this, card](bool pinned) { setPinned(card, pinned); });
     connect(card, &WordCard::displayChosen, this, &MonitorArea::setDisplay);
+    connect(card, &WordCard::trendWanted, this, &MonitorArea::trendWanted);
     connect(channel, &QObject::destroyed, card, [this, card] { remove(card); });
     return card;
 }

@@ -18,6 +18,7 @@ namespace codewheel {
 
 class EmptyState;
 class WordCard;
+struct Track;
 
 // The column of monitors: that of the chosen device, which follows the choice, above the pinned ones.
 class MonitorArea : public QWidget
@@ -46,6 +47,9 @@ public:
     QJsonObject state() const;
     // Also accepts older states: a monitor per word, all of them pinned.
     void restoreState(const QJsonObject &state);
+
+Q_SIGNALS:
+    void trendWanted(const codewheel::Track &track);
 
 protected:
     // A device dragged out of the bus structure is pinned.

@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "history/track.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/describe.h"
@@ -283,7 +284,27 @@ void WordCard::makeKeys()
     if (m_bits->bits() == 32)
         addAction(menu->plcWords());
     addAction(menu->menuAction());
+    makeTrendActions();
     setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+// Of the word that was chosen last, and of the bit that was.
+void WordCard::makeTrendActions()
+{
+    const auto channelOf = [](const WordLine &line) {
+        return line.direction() == WordDirection::in ? Channel::in : Channel::out;
+    };
+    auto *bit = new QAction(lineIcon(Icon::trend), tr("Show &bit in trend"), this);
+    connect(bit, &QAction::triggered, this, [this, channelOf] {
+        const WordBit chosen = m_bits->focusedBit();
+        Q_EMIT trendWanted({m_place, channelOf(*m_lines[static_cast<std::size_t>(chosen.word)]),
+                            static_cast<unsigned>(chosen.bit)});
+    });
+    auto *word = new QAction(lineIcon(Icon::trend), tr("Show &word in trend"), this);
+    connect(word, &QAction::triggered, this, [this, channelOf] {
+        Q_EMIT trendWanted({m_place, channelOf(chosenLine()), {}});
+    });
+    addActions({bit, word});
 }
 
 void WordCard::copy(WordNotation notation)

@@ -18,6 +18,7 @@ class BarView;
 class DisplayMenu;
 class InlineMessage;
 class WordView;
+struct Track;
 
 // The words of one device: OUT above IN, bit under bit, each as numbers and in a sentence. An OUT word is
 // staged by clicking and typing, and sent by Write. Part of the MonitorArea, which passes on each frame of
@@ -60,6 +61,7 @@ Q_SIGNALS:
     void closeRequested();
     void pinToggled(bool pinned);                                 // by the user
     void displayChosen(const codewheel::MonitorDisplay &display); // by the user
+    void trendWanted(const codewheel::Track &track);
 
 private:
     // Why the message is shown; it goes with its cause.
@@ -70,6 +72,7 @@ private:
     void arrange(QHBoxLayout *title);
     void makeSender(WordSender &sender, NumberFields &numbers);
     void makeKeys();
+    void makeTrendActions();
     void copy(WordNotation notation); // the word that was chosen last
     WordLine *outLine() const;
     const WordLine &chosenLine() const;

@@ -20,6 +20,7 @@ struct ProgramSettings
     int eepromQuestionFrom = 75;    // percent of the manual's figure; never more
     int largestMessageFile = 200;   // MB
     int traceRows = 20'000;         // of one encoder
+    int trendMemory = 256;          // MB, for all encoders together
     int secondsBetweenKeeping = 30; // of unsaved changes, for recovery after a crash
 
     friend bool operator==(const ProgramSettings &, const ProgramSettings &) = default;
@@ -34,6 +35,7 @@ struct SettingRange
 inline constexpr SettingRange eepromQuestionRange{10, 75};
 inline constexpr SettingRange messageFileRange{1, 10'000};
 inline constexpr SettingRange traceRowsRange{1'000, 200'000};
+inline constexpr SettingRange trendMemoryRange{16, 16'384};
 inline constexpr SettingRange keepingRange{5, 600};
 inline constexpr int frameRates[] = {10, 30, 60};
 

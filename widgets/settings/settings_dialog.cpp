@@ -154,12 +154,18 @@ void SettingsDialog::makeKept(const std::vector<KeptFolder> &folders)
     m_traceRows = addNumber(form, tr("&Handshake trace, at most"), tr(" rows", "of a table"),
                             tr("Kept for each encoder while the program runs; the oldest are dropped."),
                             traceRowsRange);
+    m_trendMemory =
+        addNumber(form, tr("&Trend, at most"), tr(" MB", "megabytes"),
+                  tr("Memory for what all encoders have shown while the program runs; the oldest is "
+                     "dropped. How far back it goes is shown on the page of the trend."),
+                  trendMemoryRange);
     m_keeping = addNumber(form, tr("&Unsaved changes, every"), tr(" s", "seconds"),
                           tr("How often unsaved changes are kept in case of a crash. They are offered at the "
                              "next start until they are recovered or discarded."),
                           keepingRange);
     m_messageFile->setObjectName(QStringLiteral("settingsMessageFile"));
     m_traceRows->setObjectName(QStringLiteral("settingsTraceRows"));
+    m_trendMemory->setObjectName(QStringLiteral("settingsTrendMemory"));
     m_keeping->setObjectName(QStringLiteral("settingsKeeping"));
     form.addRow(new FolderRows(folders, form.parentWidget()));
     form.addRow(
@@ -223,6 +229,7 @@ void SettingsDialog::showValues(const ProgramSettings &settings)
     m_eeprom->setValue(settings.eepromQuestionFrom);
     m_messageFile->setValue(settings.largestMessageFile);
     m_traceRows->setValue(settings.traceRows);
+    m_trendMemory->setValue(settings.trendMemory);
     m_keeping->setValue(settings.secondsBetweenKeeping);
 }
 
@@ -240,6 +247,7 @@ void SettingsDialog::take()
         .eepromQuestionFrom = m_eeprom->value(),
         .largestMessageFile = m_messageFile->value(),
         .traceRows = m_traceRows->value(),
+        .trendMemory = m_trendMemory->value(),
         .secondsBetweenKeeping = m_keeping->value(),
     };
     if (taken == m_settings)

@@ -59,6 +59,7 @@ private:
     QSpinBox *m_eeprom = nullptr;
     QSpinBox *m_messageFile = nullptr;
     QSpinBox *m_traceRows = nullptr;
+    QSpinBox *m_trendMemory = nullptr;
     QSpinBox *m_keeping = nullptr;
 };
 

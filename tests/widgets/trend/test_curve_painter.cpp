@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a curve looks like, in pixels.
+#include "widgets/trend/curve_painter.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int width = 400;
+constexpr int height = 100;
+
+class CurvePainterTest : public testing::Test
+{
+protected:
+    void fill(Instant from, int count, auto value)
+    {
+        for (int index = 0; index < count; ++index)
+            history.append({from + 1ms * index, value(index)});
+    }
+    void draw(const TimeSpan &span, double low, double high)
+    {
+        paint([&](CurvePainter &painter) { painter.draw(curve, low, high); }, span);
+    }
+    void drawBit(const TimeSpan &span, unsigned bit)
+    {
+        curve.track = {{}, Channel::in, bit};
+        paint([&](CurvePainter &painter) { painter.drawBit(curve); }, span);
+    }
+    void paint(auto what, const TimeSpan &span)
+    {
+        image.fill(Qt::white);
+        QPainter on(&image);
+        CurvePainter painter(on, QRectF(0, 0, width, height), span, width);
+        what(painter);
+    }
+    bool isDrawn(int x, int y) const { return image.pixelColor(x, y) != Qt::white; }
+    bool hasInRow(int y) const
+    {
+        for (int x = 0; x < width; ++x)
+            if (isDrawn(x, y))
+                return true;
+        return false;
+    }
+    bool hasInColumn(int x) const
+    {
+        for (int y = 0; y < height; ++y)
+            if (isDrawn(x, y))
+                return true;
+        return false;
+    }
+
+    History history;
+    TrendCurve curve{.track = {}, .scale = {}, .history = &history, .name = {}, .color = Qt::black};
+    QImage image{width, height, QImage::Format_RGB32};
+};
+
+TEST_F(CurvePainterTest, ASpikeOfOneCycleIsSeenAtEveryZoom)
+{
+    fill(0s, 300'000, [](int index) { return index == 123'457 ? 1'000 : 10; });
+    for (const Instant length : std::array<Instant, 6>{300s, 100s, 10s, 1s, 100ms, 10ms}) {
+        const Instant from = std::max(Instant(123'457ms - length / 3), Instant(0));
+        draw({from, from + length}, 0, 1'010);
+        EXPECT_TRUE(hasInRow(1) || hasInRow(2)) << length.count();
+    }
+}
+
+TEST_F(CurvePainterTest, WhatStandsIsALineThroughAllOfIt)
+{
+    fill(0s, 10'000, [](int) { return 50; });
+    draw({2s, 8s}, 0, 100);
+    for (int x = 0; x < width; ++x)
+        ASSERT_TRUE(isDrawn(x, 50) || isDrawn(x, 49)) << x;
+}
+
+TEST_F(CurvePainterTest, AGapIsNotDrawnThrough)
+{
+    fill(0s, 1'000, [](int) { return 50; });
+    history.interrupt(1s);
+    fill(3s, 1'001, [](int) { return 50; });
+    draw({0s, 4s}, 0, 100);
+    EXPECT_TRUE(hasInColumn(50));
+    EXPECT_FALSE(hasInColumn(150));
+    EXPECT_FALSE(hasInColumn(250));
+    EXPECT_TRUE(hasInColumn(350));
+}
+
+TEST_F(CurvePainterTest, BeforeTheFirstAndBehindTheLastThereIsNothing)
+{
+    fill(1s, 1'001, [](int) { return 50; });
+    draw({0s, 4s}, 0, 100);
+    EXPECT_FALSE(hasInColumn(90));
+    EXPECT_TRUE(hasInColumn(150));
+    EXPECT_FALSE(hasInColumn(210));
+}
+
+TEST_F(CurvePainterTest, ASampleThatStandsAloneIsSeen)
+{
+    history.append({1s, 50});
+    draw({0s, 2s}, 0, 100);
+    EXPECT_TRUE(hasInColumn(200) || hasInColumn(201));
+}
+
+TEST_F(CurvePainterTest, WhatIsBeyondTheAxisIsDrawnBeyondIt)
+{
+    fill(0s, 4'000, [](int index) { return index < 2'000 ? 50 : 4'000'000'000; });
+    draw({0s, 4s}, 0, 100);
+    EXPECT_TRUE(hasInColumn(100));
+    EXPECT_FALSE(hasInColumn(300));
+}
+
+TEST_F(CurvePainterTest, ScaledValuesAreDrawnInTheirUnit)
+{
+    curve.track.channel = Channel::position;
+    curve.scale = {TrackUnit::degrees, 360.0 / 8'192};
+    fill(0s, 4'000, [](int) { return 4'096; });
+    draw({0s, 4s}, 0, 360);
+    EXPECT_TRUE(isDrawn(200, 50) || isDrawn(200, 49));
+}
+
+TEST_F(CurvePainterTest, ABitHasTwoLevelsAndAnUprightLineWhereItChanges)
+{
+    fill(0s, 4'000, [](int index) { return std::int64_t{index < 2'000 ? 0x0000'0001 : 0x8000'0001}; });
+    drawBit({0s, 4s}, 31);
+    EXPECT_FALSE(isDrawn(100, 50));
+    EXPECT_TRUE(isDrawn(300, 50)) << "1 is filled";
+    EXPECT_TRUE(isDrawn(300, 0));
+    EXPECT_FALSE(isDrawn(100, 0));
+    drawBit({0s, 4s}, 0);
+    EXPECT_TRUE(isDrawn(100, 50));
+}
+
+TEST_F(CurvePainterTest, ABitOfOneCycleIsSeenAtEveryZoom)
+{
+    fill(0s, 300'000, [](int index) { return std::int64_t{index == 123'457 ? 4 : 0}; });
+    for (const Instant length : std::array<Instant, 3>{300s, 10s, 100ms}) {
+        const Instant from = std::max(Instant(123'457ms - length / 3), Instant(0));
+        drawBit({from, from + length}, 2);
+        EXPECT_TRUE(hasInRow(50)) << length.count();
+    }
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/trend/scene_maker.h"
+
+#include "widgets/trend/curve_colors.h"
+#include "widgets/trend/ticks.h"
+#include "widgets/trend/track_text.h"
+
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+constexpr double margin = 1.02; // of an axis that fits
+constexpr int stepsOfAxis = 10; // an axis that fits begins and ends at whole ones: it does not tremble
+
+bool isWord(const TrendLane &lane)
+{
+    return bitCount(lane.curves.front().track.channel) > 0;
+}
+
+// What the curve has in the span, and on both sides of it.
+std::optional<Extent> extentOf(const TrendCurve &curve, const TimeSpan &span)
+{
+    if (curve.history == nullptr)
+        return {};
+    auto extent = curve.history->extent(span);
+    for (const auto &beside :
+         {curve.history->at(span.from - Instant(1)), curve.history->after(span.to - Instant(1))}) {
+        if (!beside)
+            continue;
+        extent = extent.value_or(Extent{beside->value, beside->value});
+        extent->include({beside->value, beside->value});
+    }
+    return extent;
+}
+
+} // namespace
+
+TrendCurve SceneMaker::curve(const TrendTracks::Shown &shown) const
+{
+    const EncoderHistory *history = m_histories.of(shown.track.place);
+    TrendCurve curve{.track = shown.track,
+                     .scale = m_scales.of(shown),
+                     .history = history == nullptr ? nullptr : &history->of(shown.track.channel),
+                     .name = {}};
+    curve.name = nameOf(curve);
+    return curve;
+}
+
+// "2.0 Hoist position, °"
+QString SceneMaker::nameOf(const TrendCurve &curve) const
+{
+    QStringList words{curve.track.place.shown()};
+    if (const QString station = m_station(curve.track.place); !station.isEmpty())
+        words << station;
+    words << trackText(curve.track);
+    const QString unit = unitSymbol(curve.scale, curve.track.channel);
+    return unit.isEmpty() ? words.join(u' ') : QStringLiteral("%1, %2").arg(words.join(u' '), unit);
+}
+
+TrendScene SceneMaker::make(const TimeSpan &span, const QPalette &palette) const
+{
+    TrendScene scene{.lanes = {}, .span = span, .marks = {}};
+    const TrendTracks::Shown *above = nullptr;
+    std::size_t index = 0;
+    for (const TrendTracks::Shown &shown : m_tracks.shown()) {
+        TrendCurve its = curve(shown);
+        its.color = curveColor(index++, palette);
+        const bool shares = above != nullptr && shown.sharesAxis && canShareAxis(*above, shown) &&
+                            scene.lanes.back().curves.back().scale.unit == its.scale.unit;
+        if (!shares)
+            scene.lanes.push_back({.curves = {}, .unit = unitSymbol(its.scale, its.track.channel)});
+        scene.lanes.back().curves.push_back(std::move(its));
+        above = &shown;
+    }
+    for (TrendLane &lane : scene.lanes)
+        if (!lane.isLogic())
+            fitAxis(lane, span);
+    for (const Mark &mark : m_histories.marks())
+        if (mark.at >= span.from && mark.at < span.to)
+            scene.marks.push_back(mark);
+    return scene;
+}
+
+SceneMaker::Axis SceneMaker::axisOf(const TrendLane &lane)
+{
+    return {lane.curves.front().track, lane.curves.front().scale.unit};
+}
+
+void SceneMaker::fixAxis(const TrendLane &lane, double low, double high)
+{
+    if (high > low)
+        m_fixed[axisOf(lane)] = {low, high};
+}
+
+void SceneMaker::fitAxis(TrendLane &lane, const TimeSpan &span) const
+{
+    if (const auto fixed = m_fixed.find(axisOf(lane)); fixed != m_fixed.end()) {
+        std::tie(lane.low, lane.high) = fixed->second;
+        return;
+    }
+    std::optional<std::pair<double, double>> range;
+    double least = 0; // how much of the unit a step is
+    for (const TrendCurve &curve : lane.curves) {
+        const double unit =
+            curve.track.channel == Channel::speed ? speedUnits : 1; // a step, or one per second
+        least = std::max(least, unit * std::abs(curve.scale.factor(curve.track.channel)));
+        const auto extent = extentOf(curve, span);
+        if (!extent)
+            continue;
+        const auto [low, high] = std::minmax({curve.valueOf(extent->least), curve.valueOf(extent->greatest)});
+        range = range ? std::pair(std::min(range->first, low), std::max(range->second, high))
+                      : std::pair(low, high);
+    }
+    const auto [low, high] = range.value_or(std::pair(0.0, 1.0));
+    const double spread = std::max(high - low, 10 * least);
+    const double middle = (low + high) / 2;
+    const double step = isWord(lane) ? hexStep(spread, stepsOfAxis) : tickStep(spread, stepsOfAxis);
+    lane.low = std::floor((middle - spread / 2 * margin) / step) * step;
+    lane.high = std::ceil((middle + spread / 2 * margin) / step) * step;
+}
+
+} // namespace codewheel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "history/track.h"
+
+#include <QString>
+
+namespace codewheel {
+
+// What a track shows, in the user's language: "position", "IN", "OUT bit 25", "cam 1".
+QString trackText(const Track &track);
+QString unitName(TrackUnit unit); // "degrees"
+// As it stands behind a number: "°", "rpm", "mm/s"; empty for words.
+QString unitSymbol(const TrackScale &scale, Channel channel);
+
+} // namespace codewheel

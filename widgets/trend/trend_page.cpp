@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/trend/trend_page.h"
+
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/models/dragged_place.h"
+#include "widgets/trend/curve_bar.h"
+#include "widgets/trend/mark_text.h"
+#include "widgets/trend/note_bar.h"
+#include "widgets/trend/ticks.h"
+#include "widgets/trend/trend_chart.h"
+#include "widgets/trend/trend_values_model.h"
+
+#include <QAction>
+#include <QDropEvent>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTableView>
+
+namespace codewheel {
+namespace {
+
+constexpr double kibi = 1024;
+
+} // namespace
+
+QString TrendPage::effect() const
+{
+    return tr("Nothing is sent here.");
+}
+
+void TrendPage::showTrack(const Track &track)
+{
+    if (!m_tracks.add(track))
+        m_message->showMessage(Role::attention, tr("No more than %n curves can be shown. Remove one first.",
+                                                   nullptr, int{TrendTracks::most}));
+    const auto index = m_tracks.find(track);
+    if (!index)
+        return;
+    m_scales.look();
+    showWhatThereIs();
+    m_table->selectRow(static_cast<int>(*index));
+}
+
+void TrendPage::showWhatThereIs()
+{
+    m_pages->setCurrentIndex(m_tracks.shown().empty() ? 0 : 1);
+    m_curve->setCurve(currentCurve());
+    showColumns();
+}
+
+std::optional<std::size_t> TrendPage::currentCurve() const
+{
+    const int row = m_table->currentIndex().row();
+    return row >= 0 && row < m_values->rowCount() ? std::optional(static_cast<std::size_t>(row))
+                                                  : std::nullopt;
+}
+
+void TrendPage::showFrame()
+{
+    if (!m_pause->isChecked() && !m_tracks.shown().empty())
+        m_view->showFrame();
+}
+
+void TrendPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    m_scales.look();
+    m_view->showAnew();
+    showMemory();
+}
+
+// What is at the cursors at once; what goes through all samples between them once they rest.
+void TrendPage::showValues()
+{
+    m_values->show(m_view->scene(), m_scales, false);
+    m_soon.start();
+    showCursors();
+}
+
+void TrendPage::bringUpToDate()
+{
+    m_view->showAnew();
+    showCursors();
+    showMemory();
+    m_soon.stop();
+    showStatistics();
+}
+
+// Goes through all samples between the cursors.
+void TrendPage::showStatistics()
+{
+    m_values->show(m_view->scene(), m_scales, true);
+}
+
+QString TrendPage::markAtCursor() const
+{
+    const TrendScene &scene = m_view->scene();
+    const auto cursor = scene.cursors.at(scene.chosenCursor);
+    QStringList texts;
+    for (const Mark &mark : scene.marks)
+        if (mark.at == cursor)
+            texts << markText(mark);
+    return texts.join(QStringLiteral("; "));
+}
+
+void TrendPage::showCursors()
+{
+    const TrendScene &scene = m_view->scene();
+    const QLocale locale;
+    const Instant length = scene.span.to - scene.span.from;
+    const auto &[a, b] = scene.cursors;
+    QStringList parts;
+    if (a)
+        parts << QStringLiteral("A  %1").arg(timeText(*a, length, locale));
+    if (b)
+        parts << QStringLiteral("B  %1").arg(timeText(*b, length, locale));
+    if (a && b)
+        parts << QStringLiteral("B \u2212 A  %1").arg(durationText(*b - *a, locale));
+    if (parts.isEmpty())
+        parts << tr("Click into the curves for cursor A, with Shift for cursor B.");
+    if (const QString mark = markAtCursor(); !mark.isEmpty())
+        parts << mark;
+    m_cursors->setText(parts.join(QStringLiteral("     ")));
+}
+
+// How far back it goes, and will go.
+void TrendPage::showMemory()
+{
+    const QLocale locale;
+    const auto span = m_histories.span();
+    const auto reach = m_histories.reach();
+    const auto megabytes = [&](std::size_t bytes) {
+        return locale.toString(static_cast<double>(bytes) / kibi / kibi, 'f', 0);
+    };
+    QStringList parts;
+    parts << tr("Kept: %1, %2 of %3 MB", "a duration, megabytes")
+                 .arg(roughDurationText(span ? span->to - span->from : Instant(), locale),
+                      megabytes(m_histories.bytes()), megabytes(m_histories.limit()));
+    if (reach)
+        parts << tr("enough for %1 at the present rate").arg(roughDurationText(*reach, locale));
+    if (m_histories.dropped() > 0)
+        parts << tr("%n cycles came too fast and are missing", nullptr,
+                    static_cast<int>(std::min<std::uint64_t>(m_histories.dropped(), INT_MAX)));
+    m_memory->setText(parts.join(QStringLiteral("; ")));
+}
+
+void TrendPage::showMark(bool forward)
+{
+    if (m_view->goToMark(forward))
+        m_message->withdraw();
+    else
+        m_message->showMessage(Role::attention,
+                               forward ? tr("There is no later mark.") : tr("There is no earlier mark."));
+}
+
+// At the cursor that keys move, or else at the newest value.
+void TrendPage::askNote()
+{
+    const TrendScene &scene = m_view->scene();
+    const auto all = m_histories.span();
+    const auto at = scene.cursors.at(scene.chosenCursor) ? scene.cursors.at(scene.chosenCursor)
+                    : all                                ? std::optional(all->to)
+                                                         : std::nullopt;
+    if (!at)
+        return;
+    QString before;
+    for (const Mark &mark : m_histories.marks())
+        if (mark.isNote() && mark.at == *at)
+            before = std::get<QString>(mark.what);
+    m_note->ask(*at, timeText(*at, scene.span.to - scene.span.from, QLocale()), before);
+}
+
+void TrendPage::say(Role role, const QString &sentence, const QString &action)
+{
+    m_message->showMessage(role, sentence, action);
+}
+
+void TrendPage::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (const auto place = placeDragged(*event->mimeData()); place && m_buses.encoder(*place) != nullptr)
+        event->acceptProposedAction();
+}
+
+void TrendPage::dropEvent(QDropEvent *event)
+{
+    if (const auto place = placeDragged(*event->mimeData()); place && m_buses.encoder(*place) != nullptr) {
+        event->acceptProposedAction();
+        showTrack({*place, Channel::position, {}});
+    }
+}
+
+void TrendPage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    showColumns();
+}
+
+} // namespace codewheel

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/trend/trend_values_model.h"
+
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/trend/curve_values.h"
+#include "widgets/trend/encoder_scales.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QPixmap>
+
+namespace codewheel {
+namespace {
+
+constexpr QChar figureSpace(0x2007); // as wide as a digit: the column keeps its width
+
+QPixmap sampleOf(const QColor &color)
+{
+    QPixmap sample(grid::smallIcon, grid::smallIcon);
+    sample.fill(QApplication::palette().color(QPalette::Base)); // also where the row is selected
+    QPainter painter(&sample);
+    painter.fillRect(0, grid::smallIcon / 2 - 1, grid::smallIcon, 3, color);
+    return sample;
+}
+
+std::optional<TimeSpan> betweenCursors(const TrendScene &scene)
+{
+    const auto &[a, b] = scene.cursors;
+    return a && b ? std::optional(TimeSpan{*a, *b}) : std::nullopt;
+}
+
+} // namespace
+
+void TrendValuesModel::show(const TrendScene &scene, const EncoderScales &scales, bool withStatistics)
+{
+    std::vector<TrendRow> fresh;
+    const auto between = betweenCursors(scene);
+    for (const TrendLane &lane : scene.lanes)
+        for (const TrendCurve &curve : lane.curves) {
+            TrendRow &row = fresh.emplace_back(rowOf(curve, scene, scales.stepsPerTurn(curve.track.place)));
+            if (withStatistics && between)
+                addStatistics(row, curve,
+                              {std::min(between->from, between->to), std::max(between->from, between->to)});
+        }
+    update(std::move(fresh));
+}
+
+void TrendValuesModel::showNow(const TrendScene &scene)
+{
+    int row = 0;
+    for (const TrendLane &lane : scene.lanes)
+        for (const TrendCurve &curve : lane.curves) {
+            if (row >= rowCount())
+                return;
+            TrendRow its = rowAt(row);
+            its.now = CurveValues(curve, {}, m_locale).now().rightJustified(its.now.size(), figureSpace);
+            if (its != rowAt(row))
+                replace(row, its);
+            ++row;
+        }
+}
+
+void TrendValuesModel::update(std::vector<TrendRow> fresh)
+{
+    if (std::ssize(fresh) != rowCount()) {
+        setRows(std::move(fresh));
+        return;
+    }
+    for (int row = 0; row < rowCount(); ++row)
+        if (fresh[static_cast<std::size_t>(row)] != rowAt(row))
+            replace(row, fresh[static_cast<std::size_t>(row)]);
+}
+
+TrendRow TrendValuesModel::rowOf(const TrendCurve &curve, const TrendScene &scene,
+                                 std::optional<double> stepsPerTurn) const
+{
+    const CurveValues values(curve, stepsPerTurn, m_locale);
+    TrendRow row{.name = curve.name, .color = curve.color, .now = values.now()};
+    for (std::size_t cursor = 0; cursor < row.atCursors.size(); ++cursor)
+        if (scene.cursors[cursor])
+            row.atCursors[cursor] = values.at(*scene.cursors[cursor]);
+    if (const auto between = betweenCursors(scene)) {
+        row.difference = values.difference(*between);
+        row.degrees = values.differenceInDegrees(*between);
+        row.rate = values.rate(*between);
+    }
+    return row;
+}
+
+// Words and bits have none.
+void TrendValuesModel::addStatistics(TrendRow &row, const TrendCurve &curve, const TimeSpan &span) const
+{
+    if (curve.history == nullptr || bitCount(curve.track.channel) > 0)
+        return;
+    const auto statistics = curve.history->statistics(span);
+    if (!statistics)
+        return;
+    const CurveValues values(curve, {}, m_locale);
+    const double factor = curve.scale.factor(curve.track.channel);
+    row.least = values.text(static_cast<double>(statistics->extent.least) * factor);
+    row.greatest = values.text(static_cast<double>(statistics->extent.greatest) * factor);
+    row.mean = values.averageText(statistics->mean * factor);
+    row.deviation = values.averageText(statistics->deviation * std::abs(factor));
+}
+
+QVariant TrendValuesModel::headerCell(int column, int role) const
+{
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignVCenter | (column == name ? Qt::AlignLeft : Qt::AlignRight));
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
+        return {};
+    const bool isTip = role == Qt::ToolTipRole;
+    switch (column) {
+    case name:
+        return isTip ? tr("The encoder, what is shown of it, and its unit") : tr("Curve");
+    case now:
+        return isTip ? tr("The newest value; a dash where none is shown") : tr("Now");
+    case cursorA:
+        return isTip ? tr("The value at cursor A") : QStringLiteral("A");
+    case cursorB:
+        return isTip ? tr("The value at cursor B") : QStringLiteral("B");
+    case difference:
+        return isTip ? tr("From cursor A to cursor B") : QStringLiteral("B \u2212 A");
+    case degrees:
+        return isTip ? tr("From cursor A to cursor B, in degrees of the shaft") : tr("Angle");
+    case rate:
+        return isTip ? tr("The mean speed from cursor A to cursor B") : tr("Rate");
+    case least:
+        return isTip ? tr("The least value between the cursors") : tr("Min");
+    case greatest:
+        return isTip ? tr("The greatest value between the cursors") : tr("Max");
+    case mean:
+        return isTip ? tr("The mean over time between the cursors") : tr("Mean");
+    case deviation:
+        return isTip ? tr("The standard deviation between the cursors") : tr("Std. dev.");
+    default:
+        return {};
+    }
+}
+
+QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
+{
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignVCenter | (column == name ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::FontRole && column != name)
+        return numberFont();
+    if (role == Qt::DecorationRole && column == name)
+        return sampleOf(row.color);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case name:
+        return row.name;
+    case now:
+        return row.now;
+    case cursorA:
+        return row.atCursors[0];
+    case cursorB:
+        return row.atCursors[1];
+    case difference:
+        return row.difference;
+    case degrees:
+        return row.degrees;
+    case rate:
+        return row.rate;
+    case least:
+        return row.least;
+    case greatest:
+        return row.greatest;
+    case mean:
+        return row.mean;
+    case deviation:
+        return row.deviation;
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel
