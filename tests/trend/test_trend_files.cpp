@@ -280,7 +280,7 @@ TEST_F(TrendFilesTest, StayAsTheyAreWhereThereIsNoRoom)
     const QByteArray table = contentOf(path);
     const QByteArray described = contentOf(json);
     extract.span.from = at(0);
-    for (const rlim_t room : {100, 200'000}) {
+    for (const rlim_t room : {rlim_t{100}, rlim_t{200'000}}) {
         const auto saved = [&] {
             const test::NoRoom disk(room);
             return save();
