@@ -87,7 +87,7 @@ void CurveBar::move(int by)
     if (!m_index || (by < 0 && *m_index == 0) || (by > 0 && *m_index + 1 >= m_tracks.shown().size()))
         return;
     const std::size_t from = *m_index;
-    const auto to = static_cast<std::size_t>(static_cast<int>(from) + by);
+    const std::size_t to = by < 0 ? from - 1 : from + 1;
     m_index = to;
     m_tracks.move(from, to);
     Q_EMIT moved(to);

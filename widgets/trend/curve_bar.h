@@ -23,7 +23,7 @@ public:
 
     void setCurve(std::optional<std::size_t> index); // nothing: none is chosen
     std::optional<std::size_t> curve() const { return m_index; }
-    void move(int by); // the chosen curve, down or up; not beyond the others
+    void move(int by); // the chosen curve, by one: up (-1) or down (1); not beyond the others
     void showAnew();   // after something else has changed
 
 Q_SIGNALS:
