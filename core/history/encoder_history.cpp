@@ -11,11 +11,6 @@ constexpr Instant betweenSpeeds = std::chrono::milliseconds(10);
 
 } // namespace
 
-bool EncoderHistory::isEmpty() const
-{
-    return std::ranges::all_of(m_channels, &History::isEmpty);
-}
-
 std::optional<TimeSpan> EncoderHistory::span() const
 {
     std::optional<TimeSpan> all;
@@ -53,13 +48,6 @@ void EncoderHistory::addSpeed(const ShownValues &shown)
         return;
     m_speedAt = shown.at;
     history(Channel::speed).append({shown.at, std::llround(*shown.stepsPerSecond * speedUnits)});
-}
-
-void EncoderHistory::interrupt(Instant at)
-{
-    for (History &channel : m_channels)
-        channel.interrupt(at);
-    m_speedAt = Instant::min();
 }
 
 std::size_t EncoderHistory::bytes() const

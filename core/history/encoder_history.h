@@ -25,12 +25,10 @@ class EncoderHistory
 {
 public:
     const History &of(Channel channel) const { return m_channels[static_cast<std::size_t>(channel)]; }
-    bool isEmpty() const;
     // From the oldest to the newest of all channels.
     std::optional<TimeSpan> span() const;
 
     void add(const ShownValues &shown); // its time is that of the day
-    void interrupt(Instant at);
 
     std::size_t bytes() const;
     double samplesPerSecond(Instant lately) const; // kept, over the last `lately`

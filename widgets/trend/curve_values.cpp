@@ -40,8 +40,6 @@ QString CurveValues::text(double value) const
 
 QString CurveValues::averageText(double value) const
 {
-    if (bitCount(m_curve.track.channel) > 0)
-        return m_curve.track.bit ? valueText(value, 0.001, m_locale) : QString();
     return valueText(value, resolution() / 10, m_locale);
 }
 

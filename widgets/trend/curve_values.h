@@ -27,7 +27,7 @@ public:
     // In its unit.
     QString text(double value) const;
     QString text(const std::optional<Sample> &sample) const;
-    // With one digit more than single values have.
+    // Of numbers, not of words and bits: with one digit more than single values have.
     QString averageText(double value) const;
 
 private:

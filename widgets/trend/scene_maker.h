@@ -26,11 +26,9 @@ public:
     {}
 
     TrendScene make(const TimeSpan &span, const QPalette &palette) const;
-    TrendCurve curve(const TrendTracks::Shown &shown) const; // without its colour
     // In lanes of the scene made last.
     void fixAxis(const TrendLane &lane, double low, double high);
     void freeAxes() { m_fixed.clear(); }
-    bool hasFixedAxes() const { return !m_fixed.empty(); }
 
 private:
     struct Axis
@@ -44,6 +42,7 @@ private:
         }
     };
 
+    TrendCurve curve(const TrendTracks::Shown &shown) const; // without its colour
     static Axis axisOf(const TrendLane &lane);
     void fitAxis(TrendLane &lane, const TimeSpan &span) const;
     QString nameOf(const TrendCurve &curve) const;

@@ -24,7 +24,6 @@ public:
     explicit TrendChart(QWidget *parent = nullptr);
 
     void showScene(const TrendScene &scene);
-    const TrendScene &shown() const { return m_shown; }
     void resizeForPaper(QSize size); // without being shown
     QRectF plot() const;             // where curves are, in the widget
     const std::vector<QRectF> &lanes() const;

@@ -20,7 +20,7 @@ constexpr double flagSize = 5; // of a mark
 constexpr double tagSize = 14; // of a cursor's letter
 constexpr int mostColumns = 4'000;
 
-// A second of them at one place is not seen.
+// One for each pixel of the device.
 int columnsOf(const QPainter &painter, double width)
 {
     const double ratio = painter.device() == nullptr ? 1 : painter.device()->devicePixelRatioF();

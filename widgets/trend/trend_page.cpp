@@ -33,8 +33,8 @@ QString TrendPage::effect() const
 void TrendPage::showTrack(const Track &track)
 {
     if (!m_tracks.add(track))
-        m_message->showMessage(Role::attention, tr("No more than %n curves can be shown. Remove one first.",
-                                                   nullptr, int{TrendTracks::most}));
+        say(Role::attention,
+            tr("No more than %n curves can be shown. Remove one first.", nullptr, int{TrendTracks::most}));
     const auto index = m_tracks.find(track);
     if (!index)
         return;
@@ -151,8 +151,7 @@ void TrendPage::showMark(bool forward)
     if (m_view->goToMark(forward))
         m_message->withdraw();
     else
-        m_message->showMessage(Role::attention,
-                               forward ? tr("There is no later mark.") : tr("There is no earlier mark."));
+        say(Role::attention, forward ? tr("There is no later mark.") : tr("There is no earlier mark."));
 }
 
 // At the cursor that keys move, or else at the newest value.

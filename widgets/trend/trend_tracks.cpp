@@ -61,12 +61,6 @@ void TrendTracks::remove(std::size_t index)
     Q_EMIT changed();
 }
 
-void TrendTracks::removeAll()
-{
-    m_shown.clear();
-    Q_EMIT changed();
-}
-
 void TrendTracks::move(std::size_t index, std::size_t to)
 {
     const Shown moved = m_shown.at(index);

@@ -36,7 +36,6 @@ public:
     // that is already shown stays where it is.
     bool add(const Track &track);
     void remove(std::size_t index);
-    void removeAll();
     void move(std::size_t index, std::size_t to);
     void encoderMoved(Place from, Place to);
     void setUnit(std::size_t index, TrackUnit unit);

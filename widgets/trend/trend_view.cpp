@@ -88,7 +88,6 @@ void TrendView::showAnew()
     m_scene.chosenCursor = m_chosenCursor;
     m_chart->showScene(m_scene);
     showScrollBar();
-    Q_EMIT shown();
 }
 
 void TrendView::update(const std::function<void()> &change)

@@ -49,7 +49,6 @@ public:
     void draw(QPainter &painter, QSize size) const;
 
 Q_SIGNALS:
-    void shown(); // another scene
     void cursorsMoved();
     void scalesChanged(); // other units, and so other values
     void followChanged(bool follows);
