@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "history/encoder_history.h"
 
-#include <cmath>
 #include <numeric>
 
 namespace codewheel {
-namespace {
-
-constexpr Instant betweenSpeeds = std::chrono::milliseconds(10);
-
-} // namespace
 
 std::optional<TimeSpan> EncoderHistory::span() const
 {
@@ -22,11 +16,9 @@ std::optional<TimeSpan> EncoderHistory::span() const
 
 void EncoderHistory::add(const ShownValues &shown)
 {
-    put(Channel::position, shown.at, shown.position);
-    put(Channel::cams, shown.at, shown.cams);
-    put(Channel::in, shown.at, shown.words ? std::optional<std::int64_t>(shown.words->in) : std::nullopt);
-    put(Channel::out, shown.at, shown.words ? std::optional<std::int64_t>(shown.words->out) : std::nullopt);
-    addSpeed(shown);
+    m_shown.split(shown, [&](Channel channel, const std::optional<std::int64_t> &value) {
+        put(channel, shown.at, value);
+    });
 }
 
 void EncoderHistory::put(Channel channel, Instant at, const std::optional<std::int64_t> &value)
@@ -35,19 +27,6 @@ void EncoderHistory::put(Channel channel, Instant at, const std::optional<std::i
         history(channel).append({at, *value});
     else
         history(channel).interrupt(at);
-}
-
-void EncoderHistory::addSpeed(const ShownValues &shown)
-{
-    if (!shown.stepsPerSecond) {
-        history(Channel::speed).interrupt(shown.at);
-        m_speedAt = Instant::min();
-        return;
-    }
-    if (m_speedAt != Instant::min() && shown.at < m_speedAt + betweenSpeeds)
-        return;
-    m_speedAt = shown.at;
-    history(Channel::speed).append({shown.at, std::llround(*shown.stepsPerSecond * speedUnits)});
 }
 
 std::size_t EncoderHistory::bytes() const

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/shown_values.h"
 #include "history/history.h"
+#include "history/shown_channels.h"
 
 #include <array>
 
 namespace codewheel {
-
-// What is kept of an encoder.
-enum class Channel : std::uint8_t {
-    position, // steps
-    speed,    // thousandths of a step per second, each 10 ms at most: it is smoothed anyway (PositionSpeed)
-    in,       // words; only of an encoder that has them
-    out,
-    cams, // that are on, bit n: cam n
-};
-inline constexpr std::size_t channelCount = static_cast<std::size_t>(Channel::cams) + 1;
-inline constexpr double speedUnits = 1'000; // in a step per second
 
 // What an encoder has shown. Times are those of the day: since 1970, UTC, by the clock of its bus, so that
 // those of several buses stand on one axis.
@@ -39,10 +28,9 @@ public:
 private:
     History &history(Channel channel) { return m_channels[static_cast<std::size_t>(channel)]; }
     void put(Channel channel, Instant at, const std::optional<std::int64_t> &value);
-    void addSpeed(const ShownValues &shown);
 
     std::array<History, channelCount> m_channels;
-    Instant m_speedAt = Instant::min();
+    ShownChannels m_shown;
 };
 
 } // namespace codewheel
