@@ -8839,6 +8839,14 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>it was made by a newer Codewheel (version %1 of the file; this one reads up to version %2).</source>
         <translation>sie stammt von einem neueren Codewheel (Dateiversion %1; dieses liest bis %2).</translation>
     </message>
+    <message>
+        <source>it does not exist.</source>
+        <translation>es gibt sie nicht.</translation>
+    </message>
+    <message>
+        <source>it is not readable.</source>
+        <translation>sie ist nicht lesbar.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::JsonObject</name>

@@ -70,13 +70,14 @@ Stored<void> whenFree(const QString &file, const QSqlQuery &query, Try isDone)
 }
 
 // As a URI, since characters in a file name could otherwise have a special meaning there.
-QString uriOf(const DatabasePlace &place)
+QString uriOf(const DatabasePlace &place, const char *mode)
 {
     if (place.inMemory)
         return QStringLiteral("file:/%1?vfs=memdb").arg(place.name);
     return QStringLiteral("file:") +
            QString::fromLatin1(QFile::encodeName(QFileInfo(place.name).absoluteFilePath())
-                                   .toPercentEncoding(QByteArrayLiteral("/")));
+                                   .toPercentEncoding(QByteArrayLiteral("/")) +
+                               mode);
 }
 
 } // namespace
@@ -120,11 +121,16 @@ DatabaseError Database::damaged()
     return {DatabaseError::Kind::broken, Journal::tr("it is damaged, or no database at all.")};
 }
 
+DatabaseError Database::locked()
+{
+    return {DatabaseError::Kind::locked, Journal::tr("another program has locked it.")};
+}
+
 DatabaseError Database::errorOf(const QSqlError &error)
 {
     switch (primaryCode(error)) {
     case sqliteBusy:
-        return {DatabaseError::Kind::locked, Journal::tr("another program has locked it.")};
+        return locked();
     case sqliteInputOutput:
         return {DatabaseError::Kind::other, Journal::tr("its disk cannot be read or written.")};
     case sqliteCorrupt:
@@ -151,7 +157,7 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     if (!place.inMemory && !QDir().mkpath(QFileInfo(place.name).absolutePath()))
         return tl::unexpected(
             DatabaseError{DatabaseError::Kind::other, Journal::tr("its folder cannot be made.")});
-    auto database = connect(place);
+    auto database = connect(place, Access::write);
     if (!database)
         return database;
     if (auto prepared = database->prepare(schema); !prepared)
@@ -159,13 +165,32 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     return database;
 }
 
+Stored<Database> Database::openToRead(const QString &file, const DatabaseSchema &schema)
+{
+    auto database = connect(DatabasePlace::file(file), Access::read);
+    if (!database)
+        return database;
+    const auto version =
+        database->set()
+            .and_then([&] { return database->execute(QStringLiteral("PRAGMA query_only = ON")); })
+            .and_then([&] { return database->check(schema); });
+    if (!version)
+        return tl::unexpected(version.error());
+    return database;
+}
+
 // If another kind of file has its name, it is not ours to put aside, and not touched. An empty file is a new
 // database.
-Stored<Database> Database::connect(const DatabasePlace &place)
+Stored<Database> Database::connect(const DatabasePlace &place, Access access)
 {
     const QFileInfo info(place.name);
     if (!place.inMemory && info.exists() && !info.isFile()) // a pipe would never end
         return tl::unexpected(foreignFile(Journal::tr("it is not a file.")));
+    const bool isRead = access == Access::read;
+    if (isRead && !info.exists())
+        return tl::unexpected(DatabaseError{DatabaseError::Kind::other, Journal::tr("it does not exist.")});
+    if (isRead && !info.isReadable())
+        return tl::unexpected(DatabaseError{DatabaseError::Kind::other, Journal::tr("it is not readable.")});
     const OpenFile::Turn turn = OpenFile::turn();
     std::optional<QByteArray> begin;
     if (!place.inMemory)
@@ -179,7 +204,8 @@ Stored<Database> Database::connect(const DatabasePlace &place)
     if (!connection.isValid())
         return tl::unexpected(DatabaseError{
             DatabaseError::Kind::other, Journal::tr("Qt's driver for SQLite is missing on this computer.")});
-    connection.setDatabaseName(uriOf(place));
+    const char *mode = !isRead ? "" : info.isWritable() ? "?mode=rw" : "?mode=ro";
+    connection.setDatabaseName(uriOf(place, mode));
     connection.setConnectOptions(QString::fromLatin1(connectOptions));
     if (!connection.open())
         return tl::unexpected(errorOf(connection.lastError()));
@@ -199,15 +225,22 @@ void Database::leaveWriteAheadLog() const
         (void)execute(QString::fromLatin1(step));
 }
 
-Stored<void> Database::prepare(const DatabaseSchema &schema) const
+Stored<void> Database::set() const
 {
     for (const char *setting : settings)
-        if (auto set = execute(QString::fromLatin1(setting)); !set)
-            return set;
+        if (auto done = execute(QString::fromLatin1(setting)); !done)
+            return done;
+    return {};
+}
+
+Stored<void> Database::prepare(const DatabaseSchema &schema) const
+{
+    if (auto done = set(); !done)
+        return done;
     const auto tables = number(QStringLiteral("SELECT count(*) FROM sqlite_schema"));
     if (!tables)
         return tl::unexpected(tables.error());
-    if (auto ready = *tables == 0 ? make(schema) : check(schema); !ready)
+    if (auto ready = *tables == 0 ? make(schema) : raise(schema); !ready)
         return ready;
     return execute(schema.survivesPowerLoss ? QStringLiteral("PRAGMA synchronous = EXTRA")
                                             : QStringLiteral("PRAGMA synchronous = NORMAL"));
@@ -223,7 +256,7 @@ Stored<void> Database::make(const DatabaseSchema &schema) const
         if (!found)
             return tl::unexpected(found.error());
         if (!found->isEmpty()) // another program was faster
-            return check(schema);
+            return check(schema).map([](qint64) {});
         for (const DatabaseSchema::Version &version : schema.versions)
             for (const QString &statement : version.statements)
                 if (auto made = execute(statement); !made)
@@ -235,7 +268,8 @@ Stored<void> Database::make(const DatabaseSchema &schema) const
     });
 }
 
-Stored<void> Database::check(const DatabaseSchema &schema) const
+// The version of the format it has.
+Stored<qint64> Database::check(const DatabaseSchema &schema) const
 {
     const auto kind = number(QStringLiteral("PRAGMA application_id"));
     const auto version = number(QStringLiteral("PRAGMA user_version"));
@@ -259,12 +293,14 @@ Stored<void> Database::check(const DatabaseSchema &schema) const
     expected.sort();
     if (*found != expected)
         return tl::unexpected(damaged());
-    return *version < std::ssize(schema.versions) ? raise(schema) : Stored<void>();
+    return version;
 }
 
 // To the newest version.
 Stored<void> Database::raise(const DatabaseSchema &schema) const
 {
+    if (const auto checked = check(schema); !checked || *checked == std::ssize(schema.versions))
+        return checked ? Stored<void>() : tl::unexpected(checked.error());
     return inTransaction([&]() -> Stored<void> {
         const auto version = number(QStringLiteral("PRAGMA user_version")); // another program may be faster
         if (!version)

@@ -72,6 +72,9 @@ class Database
 public:
     // Creates the file and its folders if they do not exist.
     static Stored<Database> open(const DatabasePlace &place, const DatabaseSchema &schema);
+    // An existing file that is left as it is, also while another program writes to it. Where that program was
+    // killed, its last change is undone first; that has to be allowed.
+    static Stored<Database> openToRead(const QString &file, const DatabaseSchema &schema);
 
     Database(Database &&other) noexcept;
     Database &operator=(Database &&other) noexcept;
@@ -100,6 +103,7 @@ public:
 
     static DatabaseError errorOf(const QSqlError &error);
     static DatabaseError damaged();
+    static DatabaseError locked();
     // Whether Qt's driver is there.
     static bool isAvailable();
 
@@ -108,10 +112,12 @@ private:
         : m_file(std::move(file))
         , m_connection(connection)
     {}
-    static Stored<Database> connect(const DatabasePlace &place);
+    enum class Access { write, read };
+    static Stored<Database> connect(const DatabasePlace &place, Access access);
+    Stored<void> set() const;
     Stored<void> prepare(const DatabaseSchema &schema) const;
     Stored<void> make(const DatabaseSchema &schema) const;
-    Stored<void> check(const DatabaseSchema &schema) const;
+    Stored<qint64> check(const DatabaseSchema &schema) const;
     Stored<void> raise(const DatabaseSchema &schema) const;
     Stored<QStringList> objects() const;
     void leaveWriteAheadLog() const;
