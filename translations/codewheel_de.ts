@@ -2831,6 +2831,22 @@
         <source>Another program has changed %1 since it was read here. It was left unchanged; nothing was saved. Read it again.</source>
         <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb unverändert; nichts wurde gespeichert. Die Datei neu lesen.</translation>
     </message>
+    <message>
+        <source>There is already a file %1. A recording is never written over another file: choose another name, or remove that file.</source>
+        <translation>Die Datei %1 gibt es schon. Eine Aufzeichnung wird nie über eine andere Datei geschrieben: einen anderen Namen wählen oder diese Datei entfernen.</translation>
+    </message>
+    <message>
+        <source>%1 was moved, replaced or removed while it was being recorded to: the recording has ended. Begin another one.</source>
+        <translation>%1 wurde während der Aufzeichnung verschoben, ersetzt oder entfernt: Die Aufzeichnung ist beendet. Eine neue beginnen.</translation>
+    </message>
+    <message>
+        <source>The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay free. The recording waits. Make room.</source>
+        <translation>Der Datenträger von %1 ist fast voll: %2 MB sind frei, und %3 MB sollen frei bleiben. Die Aufzeichnung wartet. Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Some values of %1 cannot be read: the file is damaged (blocks: %2). There are gaps instead.</source>
+        <translation>Einige Werte aus %1 lassen sich nicht lesen: Die Datei ist beschädigt (Blöcke: %2). An ihrer Stelle sind Lücken.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>

@@ -66,6 +66,7 @@ enum class RefusalId : std::uint8_t {
     lineSettingWrong,      // the text given, what is allowed
     lineAddressTaken,      // address, text of what answers there
     lineAddressNotAlone,   // address, text of another encoder of the line
+    recordingExists,       // file
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -131,6 +132,9 @@ enum class RefusalId : std::uint8_t {
     busFault,       // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
     notInRing,      // place
     databaseFailed, // file, reason
+    recordingGone,  // file
+    damagedBlocks,  // file, blocks of samples
+    diskAlmostFull, // file, free MB, MB that are to stay free
     portNotFound,   // port
     portInUse,      // port
     portNoRights,   // port, group that may use it, command that adds the user to it

@@ -135,6 +135,9 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Every encoder answers to address %1: it is for an encoder that is alone on its "
                           "line, and there is %2 too. Use the address of the encoder itself.")},
+    RefusalRow{RefusalId::recordingExists, "recordingExists",
+               QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over "
+                                            "another file: choose another name, or remove that file.")},
     // notSupported
     RefusalRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",
@@ -387,6 +390,18 @@ constexpr std::array refusalRows{
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
     RefusalRow{RefusalId::databaseFailed, "databaseFailed",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
+    RefusalRow{RefusalId::recordingGone, "recordingGone",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 was moved, replaced or removed while it was being recorded to: "
+                                 "the recording has ended. Begin another one.")},
+    RefusalRow{RefusalId::damagedBlocks, "damagedBlocks",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "Some values of %1 cannot be read: the file is damaged (blocks: %2). "
+                                 "There are gaps instead.")},
+    RefusalRow{RefusalId::diskAlmostFull, "diskAlmostFull",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay "
+                                 "free. The recording waits. Make room.")},
     RefusalRow{
         RefusalId::portNotFound, "portNotFound",
         QT_TRANSLATE_NOOP(

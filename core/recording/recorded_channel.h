@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "journal/database.h"
+#include "recording/recording_columns.h"
+
+#include <functional>
+#include <set>
+
+namespace codewheel {
+
+// One channel of a recording: the same questions as a History has, answered from the file. Belongs to its
+// RecordingReader, which outlives it, and to its thread. Knows how far the recording had come when it was
+// made.
+class RecordedChannel
+{
+public:
+    // Before the sample nothing was known, from `gapFrom` on. Returns whether the next one is wanted.
+    using With = std::function<bool(const Sample &sample, const std::optional<Instant> &gapFrom)>;
+
+    // From the first sample to just behind the last one; nothing: there is none.
+    std::optional<TimeSpan> span() const;
+    // As History has them; where a column is wider than eight blocks of samples, what is at its edge may be
+    // counted with the column beside it.
+    Result<RecordingColumns::Columns> columns(const TimeSpan &span, std::size_t count);
+    Result<std::optional<Sample>> at(Instant at);
+    Result<std::optional<History::Statistics>> statistics(const TimeSpan &span);
+    // Each sample of the span, oldest first, read piece by piece.
+    Result<void> forEach(const TimeSpan &span, const With &with);
+
+    // Some of what was read so far is damaged: there are gaps instead. Nothing: all was whole.
+    std::optional<Refusal> damage() const;
+
+private:
+    friend class RecordingReader;
+    struct Block
+    {
+        qint64 id = 0;
+        RecordedPiece piece;
+    };
+    struct Limits
+    {
+        Instant since{}; // what is older is not there any more
+        Instant until{}; // the last value stood until then
+        std::optional<Instant> gapSince{};
+    };
+
+    RecordedChannel(const Database &database, QString file, qint64 id, const Limits &limits)
+        : m_database(&database)
+        , m_file(std::move(file))
+        , m_id(id)
+        , m_limits(limits)
+    {}
+    Stored<void> findEnds();
+    Instant end() const; // of what is known
+    std::optional<Sample> held() const;
+    Stored<Instant> startBefore(Instant at) const;
+    Stored<Instant> addSummaries(RecordingColumns &columns, std::chrono::seconds width,
+                                 const TimeSpan &span) const;
+    Stored<void> addBlocks(RecordingColumns &columns, Instant from, Instant to);
+    Stored<void> addSamples(RecordingColumns &columns, const Block &row);
+    Stored<std::optional<RecordedBlock>> read(const Block &row);
+    Stored<std::vector<Block>> blocksAfter(Instant from, qint64 id, Instant to, int most) const;
+    Stored<std::optional<Block>> blockAt(Instant at) const;
+    Stored<bool> isInGap(Instant at, const Block &row, const RecordedBlock &block, std::size_t next);
+    Stored<void> forEachSample(const TimeSpan &span, const With &with);
+    tl::unexpected<Refusal> refusal(const DatabaseError &error) const;
+
+    const Database *m_database;
+    QString m_file;
+    qint64 m_id;
+    Limits m_limits;
+    std::optional<Sample> m_first;
+    std::optional<Sample> m_last; // that is in a block
+    std::set<qint64> m_damaged;   // ids of blocks
+};
+
+} // namespace codewheel

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/recording_reader.h"
+
+#include "recording/recording_tables.h"
+
+#include <QFileInfo>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+namespace codewheel {
+namespace {
+
+Instant timeOf(const QSqlQuery &row, int column)
+{
+    return recordedTime(row.value(column).toLongLong());
+}
+
+// "6.1"; "3/": the bus itself. A file may contain anything.
+std::optional<Place> placeOf(const QString &key)
+{
+    if (!key.endsWith(u'/'))
+        return Place::parse(key);
+    const int bus = key.chopped(1).toInt();
+    return bus > 0 ? std::optional(Place{{bus}, {}}) : std::nullopt;
+}
+
+std::optional<TrafficKind> kindOf(const QString &word)
+{
+    for (const TrafficKind kind :
+         {TrafficKind::sent, TrafficKind::answer, TrafficKind::echo, TrafficKind::garbage, TrafficKind::late})
+        if (rowKindWord(kind) == word)
+            return kind;
+    return std::nullopt;
+}
+
+RecordingHead headOf(const QSqlQuery &row)
+{
+    return {.program = row.value(0).toString(),
+            .zone = row.value(1).toString(),
+            .begun = timeOf(row, 2),
+            .since = timeOf(row, 3),
+            .until = timeOf(row, 4),
+            .hasEnded = !row.value(5).isNull()};
+}
+
+RecordedBus busOf(const QSqlQuery &row)
+{
+    return {BusId{row.value(0).toInt()}, row.value(1).toString()};
+}
+
+RecordingReader::Description descriptionOf(const QSqlQuery &row)
+{
+    return {timeOf(row, 0), row.value(1).toString().toUtf8()};
+}
+
+RecordingReader::StoredAt messageOf(const QSqlQuery &row)
+{
+    const int severity = std::clamp(row.value(2).toInt(), 0, static_cast<int>(Severity::fault));
+    return {timeOf(row, 0),
+            {.id = row.value(1).toLongLong(),
+             .at = std::chrono::duration_cast<std::chrono::milliseconds>(timeOf(row, 0)).count(),
+             .severity = static_cast<Severity>(severity),
+             .place = placeOf(row.value(3).toString()),
+             .code = row.value(4).toString(),
+             .arguments = row.value(5).toString(),
+             .refusal = row.value(6).toString()}};
+}
+
+RecordedNote noteOf(const QSqlQuery &row)
+{
+    return {timeOf(row, 0), row.value(1).toString()};
+}
+
+RecordedTraffic trafficOf(const QSqlQuery &row)
+{
+    RecordedTraffic entry{timeOf(row, 0), BusId{row.value(1).toInt()}, {}};
+    entry.row.at = entry.at;
+    entry.row.time = QDateTime::fromMSecsSinceEpoch(
+        std::chrono::duration_cast<std::chrono::milliseconds>(entry.at).count());
+    entry.row.place = placeOf(row.value(2).toString());
+    entry.row.kind = kindOf(row.value(3).toString());
+    entry.row.cycle = static_cast<std::uint64_t>(row.value(4).toLongLong());
+    entry.row.out = static_cast<Word>(row.value(5).toLongLong());
+    entry.row.in = static_cast<Word>(row.value(6).toLongLong());
+    entry.row.bytes = row.value(7).toByteArray();
+    entry.row.isAutomatic = row.value(8).toInt() != 0;
+    entry.row.isTyped = row.value(9).toInt() != 0;
+    return entry;
+}
+
+RecordedLoss lossOf(const QSqlQuery &row)
+{
+    return {timeOf(row, 0), BusId{row.value(1).toInt()},
+            static_cast<std::uint64_t>(row.value(2).toLongLong())};
+}
+
+RecordedClock clockOf(const QSqlQuery &row)
+{
+    return {timeOf(row, 0), timeOf(row, 1)};
+}
+
+struct DeviceAndChannel
+{
+    qint64 device;
+    QString place;
+    QString channel;
+};
+
+DeviceAndChannel deviceOf(const QSqlQuery &row)
+{
+    return {row.value(0).toLongLong(), row.value(1).toString(), row.value(2).toString()};
+}
+
+struct ChannelLimits
+{
+    qint64 id;
+    Instant until;
+    std::optional<Instant> gapSince;
+};
+
+ChannelLimits limitsOf(const QSqlQuery &row)
+{
+    return {row.value(0).toLongLong(), timeOf(row, 1),
+            row.value(2).isNull() ? std::nullopt : std::optional(timeOf(row, 2))};
+}
+
+} // namespace
+
+Result<RecordingReader> RecordingReader::open(const QString &file)
+{
+    auto database = Database::openToRead(file, recordingSchema());
+    if (!database)
+        return refuse(RefusalKind::link, RefusalId::databaseFailed, {file, database.error().reason});
+    return RecordingReader(file, std::move(*database));
+}
+
+template <class Row>
+Result<std::vector<Row>> RecordingReader::rows(const QString &statement, const std::vector<QVariant> &values,
+                                               Row (*rowOf)(const QSqlQuery &)) const
+{
+    QSqlQuery query = m_database->query(statement);
+    for (int i = 0; i < static_cast<int>(values.size()); ++i)
+        query.bindValue(i, values[static_cast<std::size_t>(i)]);
+    auto done = m_database->run(query);
+    std::vector<Row> all;
+    while (done && query.next())
+        all.push_back(rowOf(query));
+    if (done && query.lastError().isValid()) // in the middle of the file
+        done = tl::unexpected(Database::errorOf(query.lastError()));
+    if (!done)
+        return refuse(RefusalKind::link, RefusalId::databaseFailed, {m_file, done.error().reason});
+    return all;
+}
+
+Result<RecordingHead> RecordingReader::head() const
+{
+    const auto heads =
+        rows(QStringLiteral("SELECT program, zone, begun, since, until, ended FROM recording"), {}, headOf);
+    if (!heads)
+        return tl::unexpected(heads.error());
+    if (heads->size() != 1)
+        return refuse(RefusalKind::link, RefusalId::databaseFailed, {m_file, Database::damaged().reason});
+    return heads->front();
+}
+
+Result<std::vector<RecordedBus>> RecordingReader::buses() const
+{
+    return rows(QStringLiteral("SELECT number, name FROM bus ORDER BY number"), {}, busOf);
+}
+
+Result<std::vector<RecordingReader::Device>> RecordingReader::devices() const
+{
+    const auto found =
+        rows(QStringLiteral("SELECT device.id, device.place, channel.kind FROM device LEFT JOIN channel "
+                            "ON channel.device = device.id ORDER BY device.id, channel.id"),
+             {}, deviceOf);
+    if (!found)
+        return tl::unexpected(found.error());
+    std::vector<Device> devices;
+    for (const DeviceAndChannel &row : *found) {
+        const auto place = placeOf(row.place);
+        if (!place)
+            continue;
+        if (devices.empty() || devices.back().id != row.device)
+            devices.push_back({row.device, *place});
+        if (const auto channel = channelFromKey(row.channel))
+            devices.back().channels.push_back(*channel);
+    }
+    return devices;
+}
+
+Result<std::vector<RecordingReader::Description>> RecordingReader::descriptions(const Device &device) const
+{
+    return rows(QStringLiteral("SELECT since, json FROM description WHERE device = ? ORDER BY since"),
+                {device.id}, descriptionOf);
+}
+
+Result<std::vector<RecordingReader::StoredAt>> RecordingReader::messages(const TimeSpan &span, int most) const
+{
+    return rows(QStringLiteral("SELECT at, id, severity, place, code, arguments, refusal FROM message "
+                               "WHERE at >= ? AND at < ? ORDER BY at, id LIMIT ?"),
+                {qint64{span.from.count()}, qint64{span.to.count()}, most}, messageOf);
+}
+
+Result<std::vector<RecordedNote>> RecordingReader::notes(const TimeSpan &span, int most) const
+{
+    return rows(QStringLiteral("SELECT at, text FROM note WHERE at >= ? AND at < ? ORDER BY at LIMIT ?"),
+                {qint64{span.from.count()}, qint64{span.to.count()}, most}, noteOf);
+}
+
+Result<std::vector<RecordedTraffic>> RecordingReader::traffic(const TimeSpan &span, int most) const
+{
+    return rows(
+        QStringLiteral("SELECT at, bus, place, kind, cycle, word_out, word_in, bytes, automatic, typed "
+                       "FROM traffic WHERE at >= ? AND at < ? ORDER BY at, id LIMIT ?"),
+        {qint64{span.from.count()}, qint64{span.to.count()}, most}, trafficOf);
+}
+
+Result<std::vector<RecordedLoss>> RecordingReader::losses() const
+{
+    return rows(QStringLiteral("SELECT at, bus, amount FROM loss ORDER BY at, id"), {}, lossOf);
+}
+
+Result<WallClock> RecordingReader::clock() const
+{
+    return rows(QStringLiteral("SELECT at, wall FROM clock ORDER BY at"), {}, clockOf)
+        .map([](std::vector<RecordedClock> clocks) { return WallClock(std::move(clocks)); });
+}
+
+Result<RecordedChannel> RecordingReader::channel(const Device &device, Channel channel) const
+{
+    const auto found = rows(QStringLiteral("SELECT channel.id, device.until, channel.gap_since FROM channel "
+                                           "JOIN device ON device.id = channel.device "
+                                           "WHERE channel.device = ? AND channel.kind = ?"),
+                            {device.id, channelKey(channel)}, limitsOf);
+    const auto about = head();
+    if (!found || !about)
+        return tl::unexpected(found ? about.error() : found.error());
+    if (found->empty())
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {device.place.key(), QString()});
+    const ChannelLimits &limits = found->front();
+    RecordedChannel made(*m_database, m_file, limits.id, {about->since, limits.until, limits.gapSince});
+    if (auto ends = made.findEnds(); !ends)
+        return made.refusal(ends.error());
+    return made;
+}
+
+} // namespace codewheel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/recorded_channel.h"
+#include "recording/recording_clock.h"
+#include "recording/recording_store.h"
+
+namespace codewheel {
+
+// A recording as a file to look at: also one that is still being written, or whose program was killed. Reads
+// only what is asked for. Used by the thread that opened it.
+class RecordingReader
+{
+public:
+    struct Device
+    {
+        qint64 id = 0;
+        Place place{};
+        std::vector<Channel> channels{};
+    };
+    struct Description
+    {
+        Instant since{};
+        QByteArray json;
+    };
+    struct StoredAt
+    {
+        Instant at{};
+        StoredMessage message;
+    };
+
+    static Result<RecordingReader> open(const QString &file);
+
+    const QString &file() const { return m_file; }
+    Result<RecordingHead> head() const; // as it is now
+    Result<std::vector<RecordedBus>> buses() const;
+    Result<std::vector<Device>> devices() const;
+    Result<std::vector<Description>> descriptions(const Device &device) const; // oldest first
+    // Those of a span, oldest first; at most `most`.
+    Result<std::vector<StoredAt>> messages(const TimeSpan &span, int most) const;
+    Result<std::vector<RecordedNote>> notes(const TimeSpan &span, int most) const;
+    Result<std::vector<RecordedTraffic>> traffic(const TimeSpan &span, int most) const;
+    Result<std::vector<RecordedLoss>> losses() const;
+    Result<WallClock> clock() const;
+    // Refused if the device has none of these.
+    Result<RecordedChannel> channel(const Device &device, Channel channel) const;
+
+private:
+    RecordingReader(QString file, Database database)
+        : m_file(std::move(file))
+        , m_database(std::make_unique<Database>(std::move(database)))
+    {}
+    template <class Row>
+    Result<std::vector<Row>> rows(const QString &statement, const std::vector<QVariant> &values,
+                                  Row (*rowOf)(const QSqlQuery &)) const;
+
+    QString m_file;
+    std::unique_ptr<Database> m_database; // channels refer to it
+};
+
+} // namespace codewheel

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a recording says is what a history of the same values says.
+#include "tests/recording/recording_file.h"
+
+#include <gmock/gmock.h>
+#include <random>
+
+namespace codewheel {
+namespace {
+
+using namespace test;
+
+// A shaft that turns, stands, jumps and is lost at times.
+ShownSeries someMotion(std::mt19937_64 &random, Instant &at, std::size_t count)
+{
+    ShownSeries values;
+    std::int64_t position = 1'000;
+    while (values.size() < count) {
+        const auto kind = random() % 6;
+        const std::size_t stretch = 1 + random() % 200;
+        for (std::size_t i = 0; i < stretch && values.size() < count; ++i) {
+            at += Instant(900 + static_cast<std::int64_t>(random() % 200));
+            position += kind < 3 ? 7 + static_cast<std::int64_t>(random() % 3) : 0;
+            ShownValues shown{.at = at, .position = position};
+            shown.words = ExchangedWords{static_cast<Word>(position * 3), static_cast<Word>(i % 7 == 0)};
+            if (kind == 5)
+                shown = {.at = at};
+            values.push_back(shown);
+        }
+        position += kind == 4 ? 100'000 : 0;
+    }
+    return values;
+}
+
+class RecordedChannelTest : public testing::TestWithParam<Channel>
+{
+protected:
+    void SetUp() override
+    {
+        std::mt19937_64 random(1602);
+        auto writer = file.begin();
+        Instant at = noon;
+        for (int piece = 0; piece < 12; ++piece) {
+            const ShownSeries values = someMotion(random, at, 700);
+            for (const ShownValues &shown : values)
+                history.add(shown);
+            writer->add(RecordedValues{"1.0"_ring, values});
+            writer->flush();
+            if (piece % 5 == 4)
+                at += 100s; // the bus was stopped
+        }
+        span = {noon - 1s, at + 1s};
+        (void)writer->end();
+    }
+
+    RecordingFile file;
+    EncoderHistory history;
+    TimeSpan span;
+};
+
+TEST_P(RecordedChannelTest, HasTheSamplesOfTheHistory)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, GetParam());
+    const History &expected = history.of(GetParam());
+    ASSERT_EQ(channel.span(), expected.span());
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 40; ++i) {
+        const Instant from = noon + Instant(static_cast<std::int64_t>(random() % 200'000'000));
+        const TimeSpan part =
+            i == 0 ? span : TimeSpan{from, from + Instant(static_cast<std::int64_t>(random() % 3'000'000))};
+        std::vector<Sample> wanted;
+        expected.forEach(part, [&](const Sample &sample) { wanted.push_back(sample); });
+        ASSERT_EQ(samplesOf(channel, part), wanted);
+    }
+    EXPECT_FALSE(channel.damage());
+}
+
+TEST_P(RecordedChannelTest, HasTheGapsOfTheHistory)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, GetParam());
+    std::vector<History::Gap> gaps;
+    ASSERT_TRUE(channel.forEach(span, [&](const Sample &sample, const std::optional<Instant> &gapFrom) {
+        if (gapFrom)
+            gaps.push_back({*gapFrom, sample.at});
+        return true;
+    }));
+    std::vector<History::Gap> wanted(history.of(GetParam()).gaps().begin(),
+                                     history.of(GetParam()).gaps().end());
+    if (!wanted.empty() && wanted.back().to == Instant::max())
+        wanted.pop_back(); // no sample has followed
+    EXPECT_EQ(gaps, wanted);
+    EXPECT_EQ(gaps.empty(), GetParam() == Channel::speed);
+}
+
+TEST_P(RecordedChannelTest, HasTheColumnsOfTheHistoryWhereTheyAreNarrow)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, GetParam());
+    for (const auto &[part, count] : {std::pair{span, std::size_t{1'000}},
+                                      {span, 333},
+                                      {TimeSpan{noon + 300ms, noon + 900ms}, 1'000},
+                                      {TimeSpan{noon + 1s, noon + 8s}, 100},
+                                      {TimeSpan{noon + 8s, noon + 160s}, 77}})
+        ASSERT_EQ(channel.columns(part, count), history.of(GetParam()).columns(part, count)) << count;
+}
+
+TEST_P(RecordedChannelTest, KnowsTheValueAtAnyTime)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, GetParam());
+    std::mt19937_64 random(6);
+    int unknown = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Instant at = noon + Instant(static_cast<std::int64_t>(random() % 210'000'000));
+        const auto wanted = history.of(GetParam()).at(at);
+        ASSERT_EQ(channel.at(at).value(), wanted) << (at - noon).count();
+        unknown += wanted ? 0 : 1;
+    }
+    EXPECT_GT(unknown, 0);
+    EXPECT_LT(unknown, 500);
+}
+
+TEST_P(RecordedChannelTest, HasTheStatisticsOfTheHistory)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, GetParam());
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 60; ++i) {
+        const Instant from = noon + Instant(static_cast<std::int64_t>(random() % 210'000'000));
+        const TimeSpan part =
+            i == 0 ? span : TimeSpan{from, from + Instant(static_cast<std::int64_t>(random() % 30'000'000))};
+        const auto found = channel.statistics(part);
+        const auto wanted = history.of(GetParam()).statistics(part);
+        ASSERT_TRUE(found);
+        ASSERT_EQ(found->has_value(), wanted.has_value());
+        if (!wanted)
+            continue;
+        EXPECT_EQ((*found)->extent, wanted->extent);
+        EXPECT_EQ((*found)->known, wanted->known);
+        EXPECT_DOUBLE_EQ((*found)->mean, wanted->mean);
+        EXPECT_NEAR((*found)->deviation, wanted->deviation, 1e-6 * (1 + wanted->deviation));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RecordedChannelTest,
+                         testing::Values(Channel::position, Channel::in, Channel::out));
+
+// A day of a value each second, with one spike: the columns come from minutes and hours.
+class LongRecordingTest : public testing::Test
+{
+protected:
+    static constexpr std::size_t hours = 40;
+
+    void SetUp() override
+    {
+        auto writer = file.begin();
+        RecordedValues values{"1.0"_ring, {}};
+        for (std::size_t second = 0; second < hours * 3600; ++second)
+            values.values.push_back(
+                {.at = noon + 1s * second,
+                 .position = second == spike ? 1'000'000 : static_cast<std::int64_t>(second % 100)});
+        writer->add(std::move(values));
+        (void)writer->end();
+    }
+    std::size_t columnsWithSpike(Instant from, std::size_t count)
+    {
+        const RecordingReader reader = file.reader();
+        RecordedChannel channel = file.channel(reader, Channel::position);
+        const auto columns = channel.columns({from, noon + 1h * hours}, count);
+        std::size_t found = 0;
+        for (const auto &column : *columns) {
+            EXPECT_TRUE(column);
+            found += column && column->summary.extent.greatest == 1'000'000 ? 1 : 0;
+        }
+        return found;
+    }
+
+    RecordingFile file;
+    std::size_t spike = 12'345;
+};
+
+TEST_F(LongRecordingTest, ASpikeIsSeenAtEveryZoom)
+{
+    EXPECT_GT(file.execute(QStringLiteral("SELECT count(*) FROM summary WHERE length = 3600000000")).toInt(),
+              37);
+    for (const std::size_t count : {1U, 2U, 4U, 5U, 30U, 100U, 299U, 1'000U, 10'000U})
+        EXPECT_EQ(columnsWithSpike(noon, count), 1U) << count;
+    EXPECT_EQ(columnsWithSpike(noon + 20h, 4), 0U);
+}
+
+TEST_F(LongRecordingTest, WhatIsInTheFirstMinutesIsSeenEvenWhereThePictureBeginsAmongThem)
+{
+    EXPECT_EQ(columnsWithSpike(noon + 12'345s, 4), 1U);
+    EXPECT_EQ(columnsWithSpike(noon + 12'340s, 30), 1U);
+}
+
+TEST_F(LongRecordingTest, AWideColumnIsRightButForAnEighthAtItsEdges)
+{
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, Channel::position);
+    const auto columns = channel.columns({noon, noon + 1h * hours}, 100);
+    const Instant width = Instant(1h) * static_cast<std::int64_t>(hours) / 100;
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+        const bool has = (*columns)[i]->summary.extent.greatest == 1'000'000;
+        const Instant begin = noon + width * static_cast<std::int64_t>(i);
+        const Instant at = noon + 1s * spike;
+        EXPECT_TRUE(!has || (at >= begin - width / 8 && at < begin + width + width / 8)) << i;
+    }
+}
+
+} // namespace
+} // namespace codewheel
