@@ -119,8 +119,12 @@ void RecordingComposer::interrupt(Device &device, Instant at)
 
 void RecordingComposer::take(const RecordedInterruption &entry)
 {
+    const auto isMeant = [&entry](Place place) {
+        return !entry.place || entry.place == place ||
+               (entry.place->isEmpty() && entry.place->bus == place.bus);
+    };
     for (auto &[place, device] : m_devices)
-        if (!entry.place || entry.place == place)
+        if (isMeant(place))
             interrupt(device, entry.at);
     reach(entry.at);
 }

@@ -39,7 +39,8 @@ struct RecordedPast
     std::vector<History::Gap> gaps{};
     Instant until{}; // the last value stood until then
 };
-// From then on nothing is known of the device, or of all of them, until it shows something again.
+// From then on nothing is known of the device, of all of a bus (a place without a node), or of all, until
+// they show something again.
 struct RecordedInterruption
 {
     std::optional<Place> place{};

@@ -92,6 +92,25 @@ TEST(RecordingWriter, BusesMayHaveTheSamePlaces)
     EXPECT_EQ(samplesOf(channel).front().value, 100);
 }
 
+TEST(RecordingWriter, WhileABusIsClosedItsDevicesAreInAGap)
+{
+    const RecordingFile file;
+    auto writer = file.begin();
+    const Place other{{7}, NodeId("1.0")};
+    for (const Instant from : {noon, noon + 1s}) {
+        writer->add(positions(from, 10, counting));
+        writer->add(positions(from, 10, counting, other));
+        writer->add(RecordedInterruption{Place{firstRing, {}}, from + 20ms});
+    }
+    (void)writer->end();
+    const RecordingReader reader = file.reader();
+    RecordedChannel closed = file.channel(reader, Channel::position, 0);
+    RecordedChannel open = file.channel(reader, Channel::position, 1);
+    EXPECT_TRUE(closed.at(noon + 15ms).value());
+    EXPECT_FALSE(closed.at(noon + 500ms).value());
+    EXPECT_TRUE(open.at(noon + 500ms).value());
+}
+
 TEST(RecordingWriter, ItCanBeReadWhileItIsWritten)
 {
     const RecordingFile file;
