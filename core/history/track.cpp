@@ -66,6 +66,13 @@ QLatin1String channelKey(Channel channel)
     return rowOf(channel).key;
 }
 
+std::optional<Channel> channelFromKey(QStringView key)
+{
+    const auto *const row =
+        std::ranges::find_if(channelRows, [key](const ChannelRow &one) { return key == one.key; });
+    return row == channelRows.end() ? std::nullopt : std::optional(row->channel);
+}
+
 unsigned bitCount(Channel channel)
 {
     return rowOf(channel).bits;
@@ -100,14 +107,13 @@ std::optional<Track> Track::parse(QStringView text)
     const QStringView what = text.sliced(slash + 1);
     const qsizetype dot = what.indexOf(u'.');
     const QStringView name = dot < 0 ? what : what.first(dot);
-    const auto *const row =
-        std::ranges::find_if(channelRows, [name](const ChannelRow &one) { return name == one.key; });
-    if (!place || row == channelRows.end())
+    const auto channel = channelFromKey(name);
+    if (!place || !channel)
         return {};
     if (dot < 0)
-        return Track{*place, row->channel, {}};
-    const auto bit = bitOf(what.sliced(dot + 1), row->bits);
-    return bit ? std::optional(Track{*place, row->channel, bit}) : std::nullopt;
+        return Track{*place, *channel, {}};
+    const auto bit = bitOf(what.sliced(dot + 1), bitCount(*channel));
+    return bit ? std::optional(Track{*place, *channel, bit}) : std::nullopt;
 }
 
 double TrackScale::factor(Channel channel) const

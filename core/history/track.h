@@ -27,7 +27,8 @@ struct Track
 };
 
 QLatin1String channelKey(Channel channel); // "position", the same in every language
-unsigned bitCount(Channel channel);        // how many it has; 0: it is no word, but a number
+std::optional<Channel> channelFromKey(QStringView key);
+unsigned bitCount(Channel channel); // how many it has; 0: it is no word, but a number
 
 // What positions are measured in; speeds in the same, per second, and turns per minute.
 enum class TrackUnit : std::uint8_t { steps, turns, degrees, millimetres };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/recording_reader.h"
 
+#include "history/track.h"
 #include "recording/recording_tables.h"
 
 #include <QFileInfo>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/recording_store.h"
 
+#include "history/track.h"
 #include "recording/recording_tables.h"
 
 #include <QSqlQuery>
@@ -30,7 +31,7 @@ QVariant text(const QString &some)
     return some.isNull() ? QStringLiteral("") : some;
 }
 
-QVariant textOrNull(const QString &some)
+QVariant nullIfEmpty(const QString &some)
 {
     return some.isEmpty() ? QVariant() : QVariant(some);
 }
@@ -185,7 +186,7 @@ Stored<void> RecordingStore::writeEvents(const RecordingChanges &changes)
                                  keyOrNull(message.place),
                                  message.code,
                                  message.arguments,
-                                 textOrNull(message.refusal)};
+                                 nullIfEmpty(message.refusal)};
                })
         .and_then([&] {
             return put(

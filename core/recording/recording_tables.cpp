@@ -8,14 +8,6 @@ namespace {
 
 constexpr int recordingApplication = 0x43575243; // "CWRC"
 
-constexpr std::array channelKeys{
-    std::pair{Channel::position, "position"},
-    std::pair{Channel::speed, "speed"},
-    std::pair{Channel::in, "in"},
-    std::pair{Channel::out, "out"},
-    std::pair{Channel::cams, "cams"},
-};
-
 // %1: a number of a row, %2: bytes, %3: clustered.
 constexpr std::array tableStatements{
     "CREATE TABLE recording (id %1 PRIMARY KEY, version BIGINT NOT NULL, program TEXT NOT NULL, "
@@ -82,22 +74,6 @@ QString putStatement(const QString &table, const QStringList &columns, qsizetype
     return QStringLiteral("INSERT INTO %1 (%2) VALUES (%3) ON CONFLICT (%4) DO UPDATE SET %5")
         .arg(table, columns.join(QStringLiteral(", ")), places.join(QStringLiteral(", ")),
              keyColumns.join(QStringLiteral(", ")), updates.join(QStringLiteral(", ")));
-}
-
-QString channelKey(Channel channel)
-{
-    for (const auto &[known, key] : channelKeys)
-        if (known == channel)
-            return QString::fromLatin1(key);
-    return {};
-}
-
-std::optional<Channel> channelFromKey(const QString &key)
-{
-    for (const auto &[channel, known] : channelKeys)
-        if (key == QLatin1String(known))
-            return channel;
-    return std::nullopt;
 }
 
 } // namespace codewheel

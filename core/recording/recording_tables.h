@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "history/shown_channels.h"
 #include "journal/database.h"
-
-#include <optional>
 
 namespace codewheel {
 
@@ -25,9 +22,5 @@ const DatabaseSchema &recordingSchema();
 
 // Puts a row there, or replaces the one with the same key, which is the first `keys` columns.
 QString putStatement(const QString &table, const QStringList &columns, qsizetype keys);
-
-// "position", "in"
-QString channelKey(Channel channel);
-std::optional<Channel> channelFromKey(const QString &key);
 
 } // namespace codewheel

@@ -139,7 +139,7 @@ TEST_P(RecordedChannelTest, HasTheStatisticsOfTheHistory)
             continue;
         EXPECT_EQ((*found)->extent, wanted->extent);
         EXPECT_EQ((*found)->known, wanted->known);
-        EXPECT_DOUBLE_EQ((*found)->mean, wanted->mean);
+        EXPECT_NEAR((*found)->mean, wanted->mean, 1e-9 * (1 + std::abs(wanted->mean)));
         EXPECT_NEAR((*found)->deviation, wanted->deviation, 1e-6 * (1 + wanted->deviation));
     }
 }

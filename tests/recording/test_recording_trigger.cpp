@@ -122,7 +122,7 @@ TEST(RecordingExtent, WhatWasBeforeComesFromTheHistory)
     EncoderHistory history;
     for (int i = 0; i < 10; ++i)
         history.add({.at = 1ms * i, .position = i / 5});
-    history.interrupt(20ms);
+    history.add({.at = 20ms});
     const auto past = pastOf(here, history, {3ms, 30ms});
     ASSERT_EQ(past.size(), 1U);
     EXPECT_EQ(past[0].channel, Channel::position);
