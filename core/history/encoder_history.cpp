@@ -8,7 +8,7 @@ namespace codewheel {
 std::optional<TimeSpan> EncoderHistory::span() const
 {
     std::optional<TimeSpan> all;
-    for (const History &channel : m_channels)
+    for (const MemoryHistory &channel : m_channels)
         if (const auto its = channel.span())
             all = all ? TimeSpan{std::min(all->from, its->from), std::max(all->to, its->to)} : *its;
     return all;
@@ -32,7 +32,7 @@ void EncoderHistory::put(Channel channel, Instant at, const std::optional<std::i
 std::size_t EncoderHistory::bytes() const
 {
     return std::transform_reduce(m_channels.begin(), m_channels.end(), std::size_t{0}, std::plus{},
-                                 [](const History &channel) { return channel.bytes(); });
+                                 [](const MemoryHistory &channel) { return channel.bytes(); });
 }
 
 double EncoderHistory::samplesPerSecond(Instant lately) const
@@ -42,7 +42,7 @@ double EncoderHistory::samplesPerSecond(Instant lately) const
         return 0;
     const TimeSpan recent{std::max(all->from, all->to - lately), all->to};
     std::size_t samples = 0;
-    for (const History &channel : m_channels)
+    for (const MemoryHistory &channel : m_channels)
         samples += channel.count(recent);
     return static_cast<double>(samples) /
            std::max(std::chrono::duration<double>(recent.to - recent.from).count(), 1.0);
@@ -51,7 +51,7 @@ double EncoderHistory::samplesPerSecond(Instant lately) const
 std::optional<Instant> EncoderHistory::oldestBlockEnd() const
 {
     std::optional<Instant> oldest;
-    for (const History &channel : m_channels)
+    for (const MemoryHistory &channel : m_channels)
         if (const auto end = channel.oldestBlockEnd())
             oldest = oldest ? std::min(*oldest, *end) : *end;
     return oldest;
@@ -62,7 +62,7 @@ void EncoderHistory::forgetOldest()
     const auto oldest = oldestBlockEnd();
     if (!oldest)
         return;
-    for (History &channel : m_channels)
+    for (MemoryHistory &channel : m_channels)
         if (channel.oldestBlockEnd() == oldest)
             channel.forgetOldest();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "history/history.h"
+#include "history/memory_history.h"
 #include "history/shown_channels.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace codewheel {
 class EncoderHistory
 {
 public:
-    const History &of(Channel channel) const { return m_channels[static_cast<std::size_t>(channel)]; }
+    const MemoryHistory &of(Channel channel) const { return m_channels[static_cast<std::size_t>(channel)]; }
     // From the oldest to the newest of all channels.
     std::optional<TimeSpan> span() const;
 
@@ -26,10 +26,10 @@ public:
     void forgetOldest();
 
 private:
-    History &history(Channel channel) { return m_channels[static_cast<std::size_t>(channel)]; }
+    MemoryHistory &history(Channel channel) { return m_channels[static_cast<std::size_t>(channel)]; }
     void put(Channel channel, Instant at, const std::optional<std::int64_t> &value);
 
-    std::array<History, channelCount> m_channels;
+    std::array<MemoryHistory, channelCount> m_channels;
     ShownChannels m_shown;
 };
 

@@ -90,7 +90,8 @@ void Histories::addDropped(std::uint64_t count)
 
 void Histories::note(Instant at, const QString &text)
 {
-    std::erase_if(m_marks, [at](const Mark &mark) { return mark.isNote() && mark.at == at; });
+    std::erase_if(m_ownMarks, [at](const Mark &mark) { return mark.isNote() && mark.at == at; });
+    mixMarks();
     if (text.isEmpty())
         Q_EMIT marksChanged();
     else
@@ -99,10 +100,56 @@ void Histories::note(Instant at, const QString &text)
 
 void Histories::insert(const Mark &mark)
 {
-    m_marks.insert(std::ranges::upper_bound(m_marks, mark.at, {}, &Mark::at), mark);
-    if (m_marks.size() > mostMarks)
-        m_marks.pop_front();
+    for (std::deque<Mark> *marks : {&m_ownMarks, &m_marks})
+        marks->insert(std::ranges::upper_bound(*marks, mark.at, {}, &Mark::at), mark);
+    if (m_ownMarks.size() > mostMarks) {
+        m_marks.erase(std::ranges::find(m_marks, m_ownMarks.front()));
+        m_ownMarks.pop_front();
+    }
     Q_EMIT marksChanged();
+}
+
+void Histories::mixMarks()
+{
+    m_marks = m_ownMarks;
+    for (const Archive *archive : m_archives) {
+        const std::vector<Mark> its = archive->marks();
+        const auto own = static_cast<std::ptrdiff_t>(m_marks.size());
+        m_marks.insert(m_marks.end(), its.begin(), its.end());
+        std::ranges::inplace_merge(m_marks, m_marks.begin() + own, {}, &Mark::at);
+    }
+}
+
+void Histories::takeArchives()
+{
+    mixMarks();
+    Q_EMIT marksChanged();
+    Q_EMIT archivesChanged();
+}
+
+void Histories::add(Archive &archive)
+{
+    m_archives.push_back(&archive);
+    connect(&archive, &Archive::changed, this, &Histories::takeArchives);
+    connect(&archive, &QObject::destroyed, this, &Histories::remove);
+    takeArchives();
+    Q_EMIT placesChanged();
+}
+
+// Only its address is known by then.
+void Histories::remove(const QObject *archive)
+{
+    std::erase_if(m_archives, [archive](const QObject *one) { return one == archive; });
+    takeArchives();
+    Q_EMIT placesChanged();
+}
+
+Archive *Histories::archiveOf(Place place) const
+{
+    const auto found = std::ranges::find_if(m_archives, [place](const Archive *archive) {
+        return std::ranges::count(archive->places(), place) > 0;
+    });
+    return found == m_archives.end() ? nullptr : *found;
 }
 
 std::vector<Place> Histories::places() const
@@ -110,6 +157,8 @@ std::vector<Place> Histories::places() const
     std::vector<Place> places;
     for (const auto &[place, watched] : m_watched)
         places.push_back(place);
+    for (const Archive *archive : m_archives)
+        std::ranges::copy(archive->places(), std::back_inserter(places));
     return places;
 }
 
@@ -117,6 +166,14 @@ const EncoderHistory *Histories::of(Place place) const
 {
     const auto found = m_watched.find(place);
     return found == m_watched.end() ? nullptr : &found->second.history;
+}
+
+const History *Histories::of(Place place, Channel channel) const
+{
+    if (const EncoderHistory *history = of(place))
+        return &history->of(channel);
+    const Archive *archive = archiveOf(place);
+    return archive == nullptr ? nullptr : archive->of(place, channel);
 }
 
 std::optional<TimeSpan> Histories::span() const

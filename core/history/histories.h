@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/buses.h"
+#include "history/archive.h"
 #include "history/encoder_history.h"
 #include "history/mark.h"
 
@@ -13,7 +14,7 @@
 namespace codewheel {
 
 // The histories of all encoders there are, on whatever bus, as far back as the memory goes that they may take
-// together; then the oldest of all is forgotten. And what happened meanwhile.
+// together; then the oldest of all is forgotten. And what happened meanwhile. Archives stand beside them.
 class Histories : public QObject
 {
     Q_OBJECT
@@ -24,13 +25,19 @@ public:
 
     explicit Histories(Buses &buses, QObject *parent = nullptr);
 
-    std::vector<Place> places() const; // that have one
+    std::vector<Place> places() const; // that have one, here or in an archive
     // Null: nothing was ever shown there. What is kept stays when its bus is closed.
-    const EncoderHistory *of(Place place) const;
-    std::optional<TimeSpan> span() const;                     // of all
-    const std::deque<Mark> &marks() const { return m_marks; } // oldest first
+    const EncoderHistory *of(Place place) const; // here
+    const History *of(Place place, Channel channel) const;
+    std::optional<TimeSpan> span() const;                     // of all that are here
+    const std::deque<Mark> &marks() const { return m_marks; } // oldest first, with those of the archives
     // What the user notes; an empty text removes the note of that moment.
     void note(Instant at, const QString &text);
+
+    // It is here until it is destroyed.
+    void add(Archive &archive);
+    Archive *archiveOf(Place place) const; // null: it is in none
+    const std::vector<Archive *> &archives() const { return m_archives; }
 
     std::size_t bytes() const;
     std::size_t limit() const { return m_limit; }
@@ -43,6 +50,7 @@ public:
 
 Q_SIGNALS:
     void placesChanged();
+    void archivesChanged();                                 // added, removed, or another shift of one
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
     void marksChanged();
     void droppedChanged();
@@ -60,12 +68,17 @@ private:
     void watch(EncoderBus &bus);
     void addMessage(const codewheel::Message &message);
     void addDropped(std::uint64_t count);
+    void remove(const QObject *archive);
     void insert(const Mark &mark);
+    void mixMarks();
+    void takeArchives();
     void keepLimit();
 
     Buses &m_buses;
     std::map<Place, Watched> m_watched;
-    std::deque<Mark> m_marks;
+    std::vector<Archive *> m_archives;
+    std::deque<Mark> m_ownMarks;
+    std::deque<Mark> m_marks; // with those of the archives
     std::size_t m_limit = usualLimit;
     std::uint64_t m_dropped = 0;
 };

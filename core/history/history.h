@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "history/sample_block.h"
+#include "history/sample.h"
 
-#include <deque>
+#include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace codewheel {
 
-// What happened to a value over time: what it was in every cycle, and where there was none. While it stands,
-// only its first and its newest sample are kept, so that a bus at rest costs nothing. Knows what the samples
-// of any span have been without going through them, so that a curve shows a spike of one cycle at every zoom.
+// What happened to a value over time: what it was in every cycle, and where there was none. Where it stood,
+// there may be only its first and its newest sample. Knows what the samples of any span have been without
+// going through them, so that a curve shows a spike of one cycle at every zoom. In memory (MemoryHistory), or
+// in a file (RecordedHistory).
 class History
 {
 public:
@@ -34,6 +34,7 @@ public:
 
         friend bool operator==(const Column &, const Column &) = default;
     };
+    using Columns = std::vector<std::optional<Column>>;
     struct Statistics
     {
         Extent extent;
@@ -43,67 +44,26 @@ public:
 
         friend bool operator==(const Statistics &, const Statistics &) = default;
     };
+    using With = std::function<void(const Sample &sample)>;
 
-    // False: it is older than the last one or lies in a gap, and is not kept.
-    bool append(const Sample &sample);
-    // From here on there is no value, until the next sample.
-    void interrupt(Instant at);
+    virtual ~History() = default;
 
-    bool isEmpty() const { return m_blocks.empty(); }
-    std::size_t size() const { return m_size; }
-    std::optional<TimeSpan> span() const; // from the first sample to just behind the last one
-    std::optional<Sample> newest() const; // nothing: none as yet, or it is in a gap
+    virtual std::optional<TimeSpan> span() const = 0; // from the first sample to just behind the last one
+    virtual std::optional<Sample> newest() const = 0; // nothing: none as yet, or it is in a gap
     // The newest sample up to then: its value stood then. Nothing: it is not in the span, or is in a gap.
-    std::optional<Sample> at(Instant at) const;
+    virtual std::optional<Sample> at(Instant at) const = 0;
     // The first sample behind that one, under the same conditions.
-    std::optional<Sample> after(Instant at) const;
-    std::size_t count(const TimeSpan &span) const;            // of the samples kept
-    std::optional<Extent> extent(const TimeSpan &span) const; // of the samples kept in it
+    virtual std::optional<Sample> after(Instant at) const = 0;
+    virtual std::size_t count(const TimeSpan &span) const = 0; // of the samples in it, or a few more
+    virtual std::optional<Extent> extent(const TimeSpan &span) const = 0; // of the samples in it
     // One for each of `count` equal parts of the span, oldest first; nothing where it has no sample.
-    std::vector<std::optional<Column>> columns(const TimeSpan &span, std::size_t count) const;
-    std::optional<Statistics> statistics(const TimeSpan &span) const;
-    // Oldest first; the last one ends at Instant::max() while no sample has followed.
-    const std::deque<Gap> &gaps() const { return m_gaps; }
-
+    virtual Columns columns(const TimeSpan &span, std::size_t count) const = 0;
+    virtual std::optional<Statistics> statistics(const TimeSpan &span) const = 0;
+    // Those that reach into the span, oldest first; the last one ends at Instant::max() while no sample has
+    // followed.
+    virtual std::vector<Gap> gaps(const TimeSpan &span) const = 0;
     // Calls `with` with each sample of the span, oldest first.
-    template <class With>
-    void forEach(const TimeSpan &span, With with) const
-    {
-        for (std::size_t block = blockAt(span.from); block < m_blocks.size(); ++block) {
-            const SampleBlock &samples = m_blocks[block];
-            const std::size_t end = samples.indexAt(span.to);
-            for (std::size_t index = samples.indexAt(span.from); index < end; ++index)
-                with(samples[index]);
-            if (end < samples.size())
-                return;
-        }
-    }
-
-    // So that older ones make room for new ones: some thousand samples go at once. The newest block stays.
-    void forgetOldest();
-    std::optional<Instant> oldestBlockEnd() const; // nothing: the newest block is the only one
-    std::size_t bytes() const;                     // of memory
-
-private:
-    struct Position // of a sample
-    {
-        std::size_t block = 0;
-        std::size_t index = 0;
-    };
-
-    std::size_t blockAt(Instant at) const; // the first one that ends no earlier
-    Position find(Instant at) const;       // the first sample no older than that
-    Sample sampleBefore(Position position) const;
-    std::optional<Summary> summaryOf(Position begin, Position end) const;
-    void addMoments(Moments &moments, const TimeSpan &span) const;
-    bool hasGapAfter(Instant from, Instant until) const;
-    bool isInGap() const { return !m_gaps.empty() && m_gaps.back().to == Instant::max(); }
-
-    std::deque<SampleBlock> m_blocks;
-    std::deque<Gap> m_gaps;
-    std::size_t m_size = 0;
-    std::size_t m_bytes = 0; // of all blocks but the newest
-    bool m_stands = false;   // the last two samples are of one value, in one block, and no gap lies between
+    virtual void forEach(const TimeSpan &span, const With &with) const = 0;
 };
 
 } // namespace codewheel

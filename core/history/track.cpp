@@ -8,28 +8,28 @@ namespace {
 
 constexpr double secondsPerMinute = 60;
 
-struct ChannelRow
+struct KnownChannel
 {
     Channel channel;
     QLatin1String key;
     unsigned bits;
 };
 
-constexpr std::array channelRows{
-    ChannelRow{Channel::position, QLatin1String("position"), 0},
-    ChannelRow{Channel::speed, QLatin1String("speed"), 0},
-    ChannelRow{Channel::in, QLatin1String("in"), 32},
-    ChannelRow{Channel::out, QLatin1String("out"), 32},
-    ChannelRow{Channel::cams, QLatin1String("cams"), 8},
+constexpr std::array knownChannels{
+    KnownChannel{Channel::position, QLatin1String("position"), 0},
+    KnownChannel{Channel::speed, QLatin1String("speed"), 0},
+    KnownChannel{Channel::in, QLatin1String("in"), 32},
+    KnownChannel{Channel::out, QLatin1String("out"), 32},
+    KnownChannel{Channel::cams, QLatin1String("cams"), 8},
 };
-static_assert(channelRows.size() == channelCount);
+static_assert(knownChannels.size() == channelCount);
 
-const ChannelRow &rowOf(Channel channel)
+const KnownChannel &rowOf(Channel channel)
 {
-    return *std::ranges::find(channelRows, channel, &ChannelRow::channel);
+    return *std::ranges::find(knownChannels, channel, &KnownChannel::channel);
 }
 
-struct UnitRow
+struct KnownUnit
 {
     TrackUnit unit;
     QLatin1String key;
@@ -37,17 +37,18 @@ struct UnitRow
     QLatin1String ofSpeed;
 };
 
-constexpr std::array unitRows{
-    UnitRow{TrackUnit::steps, QLatin1String("steps"), QLatin1String("steps"), QLatin1String("steps/s")},
-    UnitRow{TrackUnit::turns, QLatin1String("turns"), QLatin1String("turns"), QLatin1String("rpm")},
-    UnitRow{TrackUnit::degrees, QLatin1String("degrees"), QLatin1String("deg"), QLatin1String("deg/s")},
-    UnitRow{TrackUnit::millimetres, QLatin1String("millimetres"), QLatin1String("mm"), QLatin1String("mm/s")},
+constexpr std::array knownUnits{
+    KnownUnit{TrackUnit::steps, QLatin1String("steps"), QLatin1String("steps"), QLatin1String("steps/s")},
+    KnownUnit{TrackUnit::turns, QLatin1String("turns"), QLatin1String("turns"), QLatin1String("rpm")},
+    KnownUnit{TrackUnit::degrees, QLatin1String("degrees"), QLatin1String("deg"), QLatin1String("deg/s")},
+    KnownUnit{TrackUnit::millimetres, QLatin1String("millimetres"), QLatin1String("mm"),
+              QLatin1String("mm/s")},
 };
-static_assert(unitRows.size() == trackUnits.size());
+static_assert(knownUnits.size() == trackUnits.size());
 
-const UnitRow &rowOf(TrackUnit unit)
+const KnownUnit &rowOf(TrackUnit unit)
 {
-    return *std::ranges::find(unitRows, unit, &UnitRow::unit);
+    return *std::ranges::find(knownUnits, unit, &KnownUnit::unit);
 }
 
 // A bit as a key writes it, without sign or leading zero.
@@ -69,8 +70,8 @@ QLatin1String channelKey(Channel channel)
 std::optional<Channel> channelFromKey(QStringView key)
 {
     const auto *const row =
-        std::ranges::find_if(channelRows, [key](const ChannelRow &one) { return key == one.key; });
-    return row == channelRows.end() ? std::nullopt : std::optional(row->channel);
+        std::ranges::find_if(knownChannels, [key](const KnownChannel &one) { return key == one.key; });
+    return row == knownChannels.end() ? std::nullopt : std::optional(row->channel);
 }
 
 unsigned bitCount(Channel channel)
@@ -86,8 +87,8 @@ QLatin1String unitKey(TrackUnit unit)
 std::optional<TrackUnit> trackUnit(QStringView key)
 {
     const auto *const row =
-        std::ranges::find_if(unitRows, [key](const UnitRow &unit) { return key == unit.key; });
-    return row == unitRows.end() ? std::nullopt : std::optional(row->unit);
+        std::ranges::find_if(knownUnits, [key](const KnownUnit &unit) { return key == unit.key; });
+    return row == knownUnits.end() ? std::nullopt : std::optional(row->unit);
 }
 
 QString Track::key() const

@@ -165,10 +165,10 @@ Stored<std::optional<RecordedBlock>> RecordedChannel::read(const Block &row)
     return std::nullopt;
 }
 
-Result<RecordingColumns::Columns> RecordedChannel::columns(const TimeSpan &span, std::size_t count)
+Result<RecordedChannel::Look> RecordedChannel::look(const TimeSpan &span, std::size_t count)
 {
     if (count == 0 || span.to <= span.from)
-        return RecordingColumns::Columns(count);
+        return Look{RecordingColumns::Columns(count), 0};
     RecordingColumns columns(span, count, m_limits.since);
     const Instant begin = std::max(span.from, m_limits.since);
     Instant from = begin;
@@ -190,7 +190,8 @@ Result<RecordingColumns::Columns> RecordedChannel::columns(const TimeSpan &span,
         return refusal(added.error());
     if (const auto newest = held())
         columns.add(*newest, false);
-    return columns.take();
+    const std::uint64_t samples = columns.samples();
+    return Look{columns.take(), samples};
 }
 
 // Returns from when on there are no such rows as yet.
@@ -317,6 +318,21 @@ Result<void> RecordedChannel::forEach(const TimeSpan &span, const With &with)
     if (auto done = forEachSample({std::max(span.from, m_limits.since), span.to}, with); !done)
         return refusal(done.error());
     return {};
+}
+
+Result<std::vector<History::Gap>> RecordedChannel::gaps(const TimeSpan &span)
+{
+    std::vector<History::Gap> gaps;
+    const auto done = forEach({span.from, Instant::max()}, [&](const Sample &sample, const auto &gapFrom) {
+        if (gapFrom && *gapFrom < span.to && sample.at > span.from)
+            gaps.push_back({*gapFrom, sample.at});
+        return sample.at < span.to;
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    if (m_limits.gapSince && *m_limits.gapSince < span.to)
+        gaps.push_back({*m_limits.gapSince, Instant::max()});
+    return gaps;
 }
 
 Stored<void> RecordedChannel::forEachSample(const TimeSpan &span, const With &with)

@@ -18,16 +18,25 @@ class RecordedChannel
 public:
     // Before the sample nothing was known, from `gapFrom` on. Returns whether the next one is wanted.
     using With = std::function<bool(const Sample &sample, const std::optional<Instant> &gapFrom)>;
+    // What a picture of a span needs: its columns, and how many samples are in them, or a few more.
+    struct Look
+    {
+        RecordingColumns::Columns columns;
+        std::uint64_t samples = 0;
+    };
 
     // From the first sample to just behind the last one; nothing: there is none.
     std::optional<TimeSpan> span() const;
     // As History has them; where a column is wider than eight blocks of samples, what is at its edge may be
     // counted with the column beside it.
-    Result<RecordingColumns::Columns> columns(const TimeSpan &span, std::size_t count);
+    Result<Look> look(const TimeSpan &span, std::size_t count);
     Result<std::optional<Sample>> at(Instant at);
     Result<std::optional<History::Statistics>> statistics(const TimeSpan &span);
     // Each sample of the span, oldest first, read piece by piece.
     Result<void> forEach(const TimeSpan &span, const With &with);
+
+    // Those that reach into the span, oldest first, as History has them.
+    Result<std::vector<History::Gap>> gaps(const TimeSpan &span);
 
     // Some of what was read so far is damaged: there are gaps instead. Nothing: all was whole.
     std::optional<Refusal> damage() const;

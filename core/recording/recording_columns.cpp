@@ -37,7 +37,7 @@ void RecordingColumns::add(const RecordedPiece &piece)
 {
     const Instant at = std::max(piece.from, m_since);
     if (contains(at) && piece.from + piece.length >= at)
-        add(at, piece.column);
+        add(at, piece.column, piece.samples);
 }
 
 void RecordingColumns::add(const Sample &sample, bool isAfterGap)
@@ -45,12 +45,13 @@ void RecordingColumns::add(const Sample &sample, bool isAfterGap)
     if (!contains(sample.at))
         return;
     const auto word = static_cast<std::uint32_t>(sample.value);
-    add(sample.at, {{{sample.value, sample.value}, word, word}, sample.value, sample.value, isAfterGap});
+    add(sample.at, {{{sample.value, sample.value}, word, word}, sample.value, sample.value, isAfterGap}, 1);
 }
 
-void RecordingColumns::add(Instant at, const History::Column &column)
+void RecordingColumns::add(Instant at, const History::Column &column, std::uint64_t samples)
 {
-    std::optional<History::Column> &there = m_columns[columnAt(at)];
+    m_samples += samples;
+    auto &there = m_columns[columnAt(at)];
     if (!there) {
         there = column;
         return;

@@ -10,7 +10,7 @@ namespace codewheel {
 class RecordingColumns
 {
 public:
-    using Columns = std::vector<std::optional<History::Column>>;
+    using Columns = History::Columns;
 
     // What is older than `since` is left out.
     RecordingColumns(const TimeSpan &span, std::size_t count, Instant since)
@@ -28,17 +28,19 @@ public:
     void add(const RecordedPiece &piece);
     void add(const Sample &sample, bool isAfterGap);
 
+    std::uint64_t samples() const { return m_samples; } // that are in them, or a few more
     Columns take() { return std::move(m_columns); }
 
 private:
     bool contains(Instant at) const { return at >= m_since && at < m_span.to; }
     Instant edge(std::size_t column) const;
     std::size_t columnAt(Instant at) const;
-    void add(Instant at, const History::Column &column);
+    void add(Instant at, const History::Column &column, std::uint64_t samples);
 
     TimeSpan m_span;
     Instant m_since;
     Columns m_columns;
+    std::uint64_t m_samples = 0;
 };
 
 } // namespace codewheel

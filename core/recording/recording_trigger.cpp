@@ -98,13 +98,13 @@ std::vector<RecordedPast> pastOf(Place place, const EncoderHistory &history, con
     std::vector<RecordedPast> past;
     for (std::size_t i = 0; i < channelCount; ++i) {
         const auto channel = static_cast<Channel>(i);
-        const History &its = history.of(channel);
+        const MemoryHistory &its = history.of(channel);
         RecordedPast one{.place = place, .channel = channel, .samples = {}, .until = {}};
         if (const auto standing = its.at(span.from))
             one.samples.push_back({span.from, standing->value});
         its.forEach(span, [&](const Sample &sample) { one.samples.push_back(sample); });
-        for (const History::Gap &gap : its.gaps())
-            if (gap.from >= span.from && gap.from < span.to)
+        for (const History::Gap &gap : its.gaps(span))
+            if (gap.from >= span.from)
                 one.gaps.push_back(gap);
         if (one.samples.empty())
             continue;

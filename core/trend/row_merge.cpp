@@ -84,10 +84,9 @@ void RowMerge::Column::load(const History *history, const TimeSpan &stretch)
 void RowMerge::Column::addGaps(const History &history, const TimeSpan &stretch)
 {
     const auto samples = static_cast<std::ptrdiff_t>(events.size());
-    auto gap = std::ranges::lower_bound(history.gaps(), stretch.from, {}, &History::Gap::from);
-    for (; gap != history.gaps().end() && gap->from < stretch.to; ++gap)
-        if (gap->from < gap->to)
-            events.push_back({gap->from, {}});
+    for (const History::Gap &gap : history.gaps(stretch))
+        if (gap.from >= stretch.from && gap.from < gap.to)
+            events.push_back({gap.from, {}});
     std::inplace_merge(events.begin(), events.begin() + samples, events.end(),
                        [](const Event &one, const Event &other) { return one.at < other.at; });
 }

@@ -40,10 +40,7 @@ QString TrendColumn::title() const
 
 HistoryOf historyOf(const Histories &histories)
 {
-    return [&histories](const Track &track) -> const History * {
-        const EncoderHistory *encoder = histories.of(track.place);
-        return encoder != nullptr ? &encoder->of(track.channel) : nullptr;
-    };
+    return [&histories](const Track &track) { return histories.of(track.place, track.channel); };
 }
 
 } // namespace codewheel

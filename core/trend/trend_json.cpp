@@ -82,7 +82,7 @@ KnownTimes knownTimes(const History *history, const TimeSpan &span)
     if (!all)
         return {};
     KnownTimes known{.from = std::max(all->from, span.from), .to = std::min(all->to - Instant(1), span.to)};
-    for (const History::Gap &gap : history->gaps())
+    for (const History::Gap &gap : history->gaps(span))
         known.leaveOut(gap, span);
     return known;
 }

@@ -23,13 +23,13 @@ constexpr int cyclesPerFrame = 33;
 constexpr int framesPerSecond = 30;
 constexpr std::size_t limit = std::size_t{256} << 20; // of the memory
 
-History measureSamples()
+MemoryHistory measureSamples()
 {
     bench::NoisyShaft shaft;
     std::vector<std::int64_t> positions;
     for (int i = 0; i < samples; ++i)
         positions.push_back(shaft.next());
-    History history;
+    MemoryHistory history;
     const double seconds = bench::processorSecondsOf([&] {
         Instant at{};
         for (const std::int64_t position : positions)
@@ -40,7 +40,7 @@ History measureSamples()
     return history;
 }
 
-void measureStatistics(const History &history)
+void measureStatistics(const MemoryHistory &history)
 {
     double deviation = 0;
     const double seconds =

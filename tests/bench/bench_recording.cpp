@@ -203,16 +203,16 @@ void measureFirstPicture(const QString &file, int channels)
     std::size_t columns = 0;
     for (const auto &device : *devices) {
         auto channel = reader->channel(device, Channel::position);
-        columns += channel->columns(*channel->span(), 1'000)->size();
+        columns += channel->look(*channel->span(), 1'000)->columns.size();
     }
     const double first = secondsSince(begin);
     const auto again = Clock::now();
     auto channel = reader->channel(devices->front(), Channel::position);
     const Instant from = channel->span()->from + (channel->span()->to - channel->span()->from) / 3;
-    (void)channel->columns({from, from + 1h}, 1'000);
+    (void)channel->look({from, from + 1h}, 1'000);
     const double hour = secondsSince(again);
     const auto then = Clock::now();
-    (void)channel->columns({from, from + 10s}, 1'000);
+    (void)channel->look({from, from + 10s}, 1'000);
     std::printf(
         "100 million samples in %d channel%s, %.0f MB, in no cache: first picture of all, %zu columns, after "
         "%.0f ms (1000 or less); then an hour of one %.0f ms, 10 s of it %.1f ms\n",

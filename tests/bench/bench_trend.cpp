@@ -27,16 +27,16 @@ constexpr int framesPerAxis = 10; // after which the labels of the values change
 using Position = std::function<std::int64_t()>;
 
 // Some more than are seen at once.
-History historyOf(int inView, const Position &next)
+MemoryHistory historyOf(int inView, const Position &next)
 {
-    History history;
+    MemoryHistory history;
     Instant at{};
     for (int i = 0; i < inView + inView / 2; ++i)
         history.append({at += cycle, next()});
     return history;
 }
 
-bench::FrameTimes measure(TrendChart &chart, const History &history, int inView)
+bench::FrameTimes measure(TrendChart &chart, const MemoryHistory &history, int inView)
 {
     TrendScene scene{.lanes = {{.curves = {{.track = {},
                                             .scale = {},
@@ -70,8 +70,8 @@ void print(const char *what, const bench::FrameTimes &times)
 
 void compare(TrendChart &chart, const char *what, const Position &next)
 {
-    const History little = historyOf(few, next);
-    const History large = historyOf(many, next);
+    const MemoryHistory little = historyOf(few, next);
+    const MemoryHistory large = historyOf(many, next);
     std::printf("%s\n", what);
     const auto ofFew = measure(chart, little, few);
     const auto ofMany = measure(chart, large, many);

@@ -33,8 +33,8 @@ void readChannel(const RecordingReader &reader, const RecordingReader::Device &d
         return;
     }
     const TimeSpan all = channel->span().value_or(TimeSpan{Instant(0), Instant(1'000)});
-    (void)channel->columns(all, 50);
-    (void)channel->columns({all.from, all.from + Instant(1'000'000)}, 50);
+    (void)channel->look(all, 50);
+    (void)channel->look({all.from, all.from + Instant(1'000'000)}, 50);
     (void)channel->at(all.from + Instant(500));
     (void)channel->statistics(all);
     if (const auto damage = channel->damage())

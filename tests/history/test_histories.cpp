@@ -49,7 +49,7 @@ protected:
             line.advance(33ms);
         }
     }
-    const History &position(Place place) const { return histories.of(place)->of(Channel::position); }
+    const MemoryHistory &position(Place place) const { return histories.of(place)->of(Channel::position); }
 
     const Place standing = "1.0"_ring;
     const Place turning = "4.0"_ring;
@@ -90,7 +90,7 @@ TEST_F(HistoriesTest, TimesAreThoseOfTheDay)
 TEST_F(HistoriesTest, ATurningShaftHasASpeed)
 {
     advance(3s);
-    const History &speed = histories.of(turning)->of(Channel::speed);
+    const MemoryHistory &speed = histories.of(turning)->of(Channel::speed);
     const auto last = speed.newest();
     ASSERT_TRUE(last);
     EXPECT_NEAR(static_cast<double>(last->value) / 1e3,
@@ -213,6 +213,64 @@ TEST_F(HistoriesTest, AClosedBusLeavesWhatIsKept)
     ring.setTime(began.addSecs(60));
     advance(500ms);
     EXPECT_GT(position(turning).size(), before + 400);
+}
+
+// Of another day, with one encoder that showed two positions.
+class OldDay : public Archive
+{
+public:
+    OldDay()
+    {
+        m_position.append({1'000s, 4});
+        m_position.append({1'001s, 5});
+    }
+    std::vector<Place> places() const override { return {place}; }
+    const History *of(Place asked, Channel channel) const override
+    {
+        return asked == place && channel == Channel::position ? &m_position : nullptr;
+    }
+    std::optional<TimeSpan> span() const override { return m_position.span(); }
+    std::vector<Mark> marks() const override { return {{1'000s + shift(), {}, QStringLiteral("old")}}; }
+
+    const Place place{BusId{77}, "1.0"_ring.node};
+
+private:
+    MemoryHistory m_position;
+};
+
+TEST_F(HistoriesTest, AnArchiveStandsBesideWhatIsWatched)
+{
+    advance(1s);
+    int placesTold = 0;
+    int archivesTold = 0;
+    QObject::connect(&histories, &Histories::placesChanged, &histories, [&] { ++placesTold; });
+    QObject::connect(&histories, &Histories::archivesChanged, &histories, [&] { ++archivesTold; });
+    const auto before = histories.span();
+    histories.note(500s, QStringLiteral("older"));
+    const std::size_t marks = histories.marks().size();
+    {
+        OldDay old;
+        histories.add(old);
+        EXPECT_THAT(histories.places(), testing::Contains(old.place));
+        EXPECT_EQ(histories.archiveOf(old.place), &old);
+        EXPECT_EQ(histories.archiveOf(turning), nullptr);
+        EXPECT_EQ(histories.of(old.place), nullptr) << "is not watched";
+        EXPECT_EQ(histories.of(old.place, Channel::position)->newest()->value, 5);
+        EXPECT_EQ(histories.of(old.place, Channel::speed), nullptr);
+        EXPECT_EQ(histories.of(turning, Channel::position), &position(turning));
+        EXPECT_EQ(histories.span(), before) << "follows what is watched";
+        ASSERT_EQ(histories.marks().size(), marks + 1);
+        EXPECT_EQ(histories.marks()[1].at, Instant(1'000s));
+        old.setShift(-600s);
+        EXPECT_EQ(histories.marks()[0].at, Instant(400s));
+        histories.note(450s, QStringLiteral("between"));
+        EXPECT_TRUE(std::ranges::is_sorted(histories.marks(), {}, &Mark::at));
+        EXPECT_EQ(archivesTold, 2);
+        EXPECT_EQ(placesTold, 1);
+    }
+    EXPECT_TRUE(histories.archives().empty());
+    EXPECT_EQ(histories.marks().size(), marks + 1) << "the note stays";
+    EXPECT_EQ(placesTold, 2);
 }
 
 } // namespace

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a recording says is what a history of the same values says.
 #include "tests/recording/recording_file.h"
+#include "tests/recording/some_motion.h"
 
 #include <gmock/gmock.h>
-#include <random>
 
 namespace codewheel {
 namespace {
 
 using namespace test;
-
-// A shaft that turns, stands, jumps and is lost at times.
-ShownSeries someMotion(std::mt19937_64 &random, Instant &at, std::size_t count)
-{
-    ShownSeries values;
-    std::int64_t position = 1'000;
-    while (values.size() < count) {
-        const auto kind = random() % 6;
-        const std::size_t stretch = 1 + random() % 200;
-        for (std::size_t i = 0; i < stretch && values.size() < count; ++i) {
-            at += Instant(900 + static_cast<std::int64_t>(random() % 200));
-            position += kind < 3 ? 7 + static_cast<std::int64_t>(random() % 3) : 0;
-            ShownValues shown{.at = at, .position = position};
-            shown.words = ExchangedWords{static_cast<Word>(position * 3), static_cast<Word>(i % 7 == 0)};
-            if (kind == 5)
-                shown = {.at = at};
-            values.push_back(shown);
-        }
-        position += kind == 4 ? 100'000 : 0;
-    }
-    return values;
-}
 
 class RecordedChannelTest : public testing::TestWithParam<Channel>
 {
@@ -103,7 +81,7 @@ TEST_P(RecordedChannelTest, HasTheColumnsOfTheHistoryWhereTheyAreNarrow)
                                       {TimeSpan{noon + 300ms, noon + 900ms}, 1'000},
                                       {TimeSpan{noon + 1s, noon + 8s}, 100},
                                       {TimeSpan{noon + 8s, noon + 160s}, 77}})
-        ASSERT_EQ(channel.columns(part, count), history.of(GetParam()).columns(part, count)) << count;
+        ASSERT_EQ(channel.look(part, count)->columns, history.of(GetParam()).columns(part, count)) << count;
 }
 
 TEST_P(RecordedChannelTest, KnowsTheValueAtAnyTime)
@@ -168,9 +146,9 @@ protected:
     {
         const RecordingReader reader = file.reader();
         RecordedChannel channel = file.channel(reader, Channel::position);
-        const auto columns = channel.columns({from, noon + 1h * hours}, count);
+        const auto look = channel.look({from, noon + 1h * hours}, count);
         std::size_t found = 0;
-        for (const auto &column : *columns) {
+        for (const auto &column : look->columns) {
             EXPECT_TRUE(column);
             found += column && column->summary.extent.greatest == 1'000'000 ? 1 : 0;
         }
@@ -200,10 +178,10 @@ TEST_F(LongRecordingTest, AWideColumnIsRightButForAnEighthAtItsEdges)
 {
     const RecordingReader reader = file.reader();
     RecordedChannel channel = file.channel(reader, Channel::position);
-    const auto columns = channel.columns({noon, noon + 1h * hours}, 100);
+    const auto columns = channel.look({noon, noon + 1h * hours}, 100)->columns;
     const Instant width = Instant(1h) * static_cast<std::int64_t>(hours) / 100;
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-        const bool has = (*columns)[i]->summary.extent.greatest == 1'000'000;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const bool has = columns[i]->summary.extent.greatest == 1'000'000;
         const Instant begin = noon + width * static_cast<std::int64_t>(i);
         const Instant at = noon + 1s * spike;
         EXPECT_TRUE(!has || (at >= begin - width / 8 && at < begin + width + width / 8)) << i;

@@ -55,7 +55,7 @@ TEST(RecordingKilled, HasEverythingThatWasWritten)
         RecordedChannel words = file.channel(reader, Channel::in);
         ASSERT_EQ(samplesOf(words).size(), samples.size());
         ASSERT_GE(std::ssize(*reader.messages({Instant(0), Instant::max()}, 1'000'000)), promised / 300);
-        ASSERT_EQ(channel.columns(*channel.span(), 3)->at(2)->last, samples.back().value);
+        ASSERT_EQ(channel.look(*channel.span(), 3)->columns.at(2)->last, samples.back().value);
         ASSERT_FALSE(channel.damage());
         ASSERT_EQ(file.execute(QStringLiteral("PRAGMA integrity_check")), QStringLiteral("ok"));
     }

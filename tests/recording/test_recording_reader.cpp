@@ -105,9 +105,9 @@ TEST(RecordingReader, WhereASecondIsDamagedThereIsAGapAndASentence)
             "Some values of %1 cannot be read: the file is damaged (blocks: 2). There are gaps instead.")
             .arg(file.path));
     EXPECT_EQ(channel.at(noon + 11'500ms).value(), std::nullopt);
-    const auto columns = channel.columns({noon, noon + 30s}, 300);
-    EXPECT_FALSE(columns->at(115));
-    EXPECT_TRUE(columns->at(125));
+    const auto look = channel.look({noon, noon + 30s}, 300);
+    EXPECT_FALSE(look->columns.at(115));
+    EXPECT_TRUE(look->columns.at(125));
     EXPECT_TRUE(channel.statistics({noon, noon + 30s}));
 }
 
@@ -135,8 +135,8 @@ void askEverything(const QString &file)
         for (const Channel channel : device.channels)
             if (auto found = reader->channel(device, channel)) {
                 (void)found->span();
-                (void)found->columns(all, 100);
-                (void)found->columns({noon, noon + 30s}, 1'000);
+                (void)found->look(all, 100);
+                (void)found->look({noon, noon + 30s}, 1'000);
                 (void)found->at(noon + 5s);
                 (void)found->statistics({noon, noon + 30s});
                 (void)found->forEach(all, [](const Sample &, const auto &) { return true; });
@@ -206,7 +206,7 @@ TEST(RecordingReader, ReadsOnlyWhatIsAskedFor)
     file.execute(QStringLiteral("UPDATE samples SET data = zeroblob(10) WHERE id <> 16"));
     const RecordingReader reader = file.reader();
     RecordedChannel channel = file.channel(reader, Channel::position);
-    EXPECT_TRUE(channel.columns({noon, noon + 30s}, 3)->at(2)) << "from what stands above the blocks";
+    EXPECT_TRUE(channel.look({noon, noon + 30s}, 3)->columns.at(2)) << "from what stands above the blocks";
     EXPECT_FALSE(channel.damage());
     EXPECT_EQ(samplesOf(channel, {noon + 15s + 1ms, noon + 16s}).size(), 999U);
     EXPECT_FALSE(channel.damage());

@@ -90,7 +90,7 @@ TEST(TrendCsv, LeavesUnknownWhatIsBeforeTheFirstSampleAndWhatNobodyWatched)
 TEST(TrendCsv, HasAnEmptyCellFromWhereAGapBegins)
 {
     SampledTracks tracks;
-    History &position = tracks[ringPosition];
+    MemoryHistory &position = tracks[ringPosition];
     position.append({at(0), 10});
     position.interrupt(at(3));
     position.append({at(8), 11});

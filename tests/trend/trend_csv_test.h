@@ -24,7 +24,7 @@ constexpr Instant at(std::int64_t milliseconds)
 class SampledTracks
 {
 public:
-    History &operator[](const Track &track) { return m_histories[track.key()]; }
+    MemoryHistory &operator[](const Track &track) { return m_histories[track.key()]; }
     HistoryOf historyOf() const
     {
         return [this](const Track &track) -> const History * {
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    std::map<QString, History> m_histories;
+    std::map<QString, MemoryHistory> m_histories;
 };
 
 inline const Track ringPosition{"1.0"_ring, Channel::position, {}};

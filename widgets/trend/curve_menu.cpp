@@ -44,14 +44,17 @@ void CurveMenu::addEncoder(Place place)
     const QString station = m_station(place);
     QMenu *menu = addMenu(
         asLabel(station.isEmpty() ? place.shown() : QStringLiteral("%1  %2").arg(place.shown(), station)));
-    const EncoderHistory *history = m_histories.of(place);
+    const auto isKept = [&](Channel channel) {
+        const History *history = m_histories.of(place, channel);
+        return history != nullptr && history->span().has_value();
+    };
     for (const Channel channel : {Channel::position, Channel::speed})
         add(*menu, asTitle(trackText({place, channel, {}})), {place, channel, {}});
     if (const EncoderSession *encoder = m_buses.encoder(place);
-        (encoder != nullptr && encoder->can().cams) || !history->of(Channel::cams).isEmpty())
+        (encoder != nullptr && encoder->can().cams) || isKept(Channel::cams))
         addBits(*menu, place, Channel::cams);
     for (const Channel channel : {Channel::in, Channel::out}) {
-        if (history->of(channel).isEmpty())
+        if (!isKept(channel))
             continue;
         add(*menu, trackText({place, channel, {}}), {place, channel, {}});
         addBits(*menu, place, channel);

@@ -38,10 +38,9 @@ std::optional<Extent> extentOf(const TrendCurve &curve, const TimeSpan &span)
 
 TrendCurve SceneMaker::curve(const TrendTracks::Shown &shown) const
 {
-    const EncoderHistory *history = m_histories.of(shown.track.place);
     TrendCurve curve{.track = shown.track,
                      .scale = m_scales.of(shown),
-                     .history = history == nullptr ? nullptr : &history->of(shown.track.channel),
+                     .history = m_histories.of(shown.track.place, shown.track.channel),
                      .name = {}};
     curve.name = nameOf(curve);
     return curve;

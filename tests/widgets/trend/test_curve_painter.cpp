@@ -55,7 +55,7 @@ protected:
         return false;
     }
 
-    History history;
+    MemoryHistory history;
     TrendCurve curve{.track = {}, .scale = {}, .history = &history, .name = {}, .color = Qt::black};
     QImage image{width, height, QImage::Format_RGB32};
 };

@@ -219,7 +219,7 @@ TEST_F(TrendPageTest, CursorsTellValuesAndDifferences)
     click(0.6, Qt::ShiftModifier);
     const auto [a, b] = view().scene().cursors;
     ASSERT_TRUE(a && b);
-    const History &position = histories.of(baumer)->of(Channel::position);
+    const MemoryHistory &position = histories.of(baumer)->of(Channel::position);
     const auto steps = position.at(*b)->value - position.at(*a)->value;
     EXPECT_EQ(cell(0, TrendValuesModel::cursorA), QLocale().toString(qlonglong{position.at(*a)->value}));
     EXPECT_EQ(cell(0, TrendValuesModel::difference), u'+' + QLocale().toString(qlonglong{steps}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "history/history.h"
+#include "history/memory_history.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 
-class HistoryTest : public testing::Test
+class MemoryHistoryTest : public testing::Test
 {
 protected:
     // Each millisecond from then on.
@@ -27,7 +27,7 @@ protected:
         return values;
     }
 
-    History history;
+    MemoryHistory history;
 };
 
 const auto number = [](std::size_t index) { return static_cast<std::int64_t>(index); };
@@ -44,7 +44,7 @@ MATCHER_P(isColumn, wanted, "")
            arg->last == wanted.last && arg->hasGap == wanted.hasGap;
 }
 
-TEST_F(HistoryTest, EmptyItKnowsNothing)
+TEST_F(MemoryHistoryTest, EmptyItKnowsNothing)
 {
     EXPECT_FALSE(history.span());
     EXPECT_FALSE(history.at(1s));
@@ -55,7 +55,7 @@ TEST_F(HistoryTest, EmptyItKnowsNothing)
     EXPECT_TRUE(history.gaps().empty()) << "nothing was known before";
 }
 
-TEST_F(HistoryTest, GivesTheSamplesOfASpanOverAllBlocks)
+TEST_F(MemoryHistoryTest, GivesTheSamplesOfASpanOverAllBlocks)
 {
     fill(0s, 10'000, number);
     EXPECT_THAT(valuesOf({4094ms, 4099ms}), ElementsAre(4094, 4095, 4096, 4097, 4098));
@@ -67,7 +67,7 @@ TEST_F(HistoryTest, GivesTheSamplesOfASpanOverAllBlocks)
     EXPECT_EQ(history.span(), (TimeSpan{0s, 9999001us}));
 }
 
-TEST_F(HistoryTest, TheSampleOfATimeIsTheNewestUpToThen)
+TEST_F(MemoryHistoryTest, TheSampleOfATimeIsTheNewestUpToThen)
 {
     fill(1s, 5'000, number);
     EXPECT_FALSE(history.at(999'999us));
@@ -81,7 +81,7 @@ TEST_F(HistoryTest, TheSampleOfATimeIsTheNewestUpToThen)
     EXPECT_FALSE(history.after(5'999ms));
 }
 
-TEST_F(HistoryTest, WhatStandsCostsNothing)
+TEST_F(MemoryHistoryTest, WhatStandsCostsNothing)
 {
     fill(0s, 1'000'000, [](std::size_t) { return std::int64_t{17}; });
     EXPECT_EQ(history.size(), 2U);
@@ -93,7 +93,7 @@ TEST_F(HistoryTest, WhatStandsCostsNothing)
     EXPECT_EQ(history.at(999'999ms), (Sample{999'999ms, 17})) << "no ramp from there to the next value";
 }
 
-TEST_F(HistoryTest, WhatStandsForANightIsKept)
+TEST_F(MemoryHistoryTest, WhatStandsForANightIsKept)
 {
     for (int second = 0; second < 12 * 3'600; ++second)
         ASSERT_TRUE(history.append({1s * second, 17}));
@@ -102,7 +102,7 @@ TEST_F(HistoryTest, WhatStandsForANightIsKept)
     EXPECT_EQ(history.span()->to, 12h - 1s + 1us);
 }
 
-TEST_F(HistoryTest, WhatStandsBehindAGapIsNotDrawnThroughIt)
+TEST_F(MemoryHistoryTest, WhatStandsBehindAGapIsNotDrawnThroughIt)
 {
     fill(0s, 10, zero);
     history.interrupt(15ms);
@@ -113,7 +113,7 @@ TEST_F(HistoryTest, WhatStandsBehindAGapIsNotDrawnThroughIt)
     EXPECT_EQ(history.at(25ms)->value, 0);
 }
 
-TEST_F(HistoryTest, ASpikeOfOneCycleIsSeenAtEveryZoom)
+TEST_F(MemoryHistoryTest, ASpikeOfOneCycleIsSeenAtEveryZoom)
 {
     constexpr std::size_t spike = 123'457;
     fill(0s, 500'000, [](std::size_t index) { return std::int64_t{index == spike ? 8'191 : 17}; });
@@ -126,7 +126,7 @@ TEST_F(HistoryTest, ASpikeOfOneCycleIsSeenAtEveryZoom)
     }
 }
 
-TEST_F(HistoryTest, ABitOfOneCycleIsSeenAtEveryZoom)
+TEST_F(MemoryHistoryTest, ABitOfOneCycleIsSeenAtEveryZoom)
 {
     constexpr std::size_t spike = 123'457;
     fill(0s, 500'000, [](std::size_t index) { return number(index == spike ? 0x4001 : 0xC000 + index % 2); });
@@ -143,7 +143,7 @@ TEST_F(HistoryTest, ABitOfOneCycleIsSeenAtEveryZoom)
     }
 }
 
-TEST_F(HistoryTest, AColumnTellsWhereItBeginsAndEnds)
+TEST_F(MemoryHistoryTest, AColumnTellsWhereItBeginsAndEnds)
 {
     fill(0s, 8'000, number);
     EXPECT_THAT(history.columns({-4s, 8s}, 3),
@@ -151,7 +151,7 @@ TEST_F(HistoryTest, AColumnTellsWhereItBeginsAndEnds)
                             isColumn(column({4'000, 7'999}, 4'000, 7'999))));
 }
 
-TEST_F(HistoryTest, FewSamplesFillFewColumns)
+TEST_F(MemoryHistoryTest, FewSamplesFillFewColumns)
 {
     fill(0s, 3, number);
     EXPECT_THAT(history.columns({0s, 3ms}, 6),
@@ -159,7 +159,7 @@ TEST_F(HistoryTest, FewSamplesFillFewColumns)
                             std::nullopt, isColumn(column({2, 2}, 2, 2)), std::nullopt));
 }
 
-TEST_F(HistoryTest, InAGapThereIsNoValue)
+TEST_F(MemoryHistoryTest, InAGapThereIsNoValue)
 {
     fill(0s, 10, number);
     history.interrupt(20ms);
@@ -175,7 +175,7 @@ TEST_F(HistoryTest, InAGapThereIsNoValue)
     EXPECT_EQ(history.at(30ms), (Sample{30ms, 0}));
 }
 
-TEST_F(HistoryTest, AGapBreaksTheColumnBehindIt)
+TEST_F(MemoryHistoryTest, AGapBreaksTheColumnBehindIt)
 {
     fill(0s, 10, number);
     history.interrupt(15ms);
@@ -189,7 +189,7 @@ TEST_F(HistoryTest, AGapBreaksTheColumnBehindIt)
     EXPECT_FALSE(history.columns({41ms, 60ms}, 1)[0]->hasGap) << "before what is seen";
 }
 
-TEST_F(HistoryTest, WhatComesTooLateIsNotKept)
+TEST_F(MemoryHistoryTest, WhatComesTooLateIsNotKept)
 {
     fill(1s, 10, number);
     EXPECT_FALSE(history.append({1s, 5}));
@@ -199,7 +199,7 @@ TEST_F(HistoryTest, WhatComesTooLateIsNotKept)
     EXPECT_EQ(history.size(), 11U);
 }
 
-TEST_F(HistoryTest, StatisticsAreThoseOfTheSpan)
+TEST_F(MemoryHistoryTest, StatisticsAreThoseOfTheSpan)
 {
     fill(0s, 1'000, zero);
     fill(1s, 6'000, [](std::size_t index) { return std::int64_t{index % 2 == 0 ? 10 : 20}; });
@@ -211,7 +211,7 @@ TEST_F(HistoryTest, StatisticsAreThoseOfTheSpan)
     EXPECT_EQ(statistics->known, 5'999ms);
 }
 
-TEST_F(HistoryTest, AValueCountsForAsLongAsItStands)
+TEST_F(MemoryHistoryTest, AValueCountsForAsLongAsItStands)
 {
     fill(0s, 3'000, zero);
     fill(3s, 1'001, [](std::size_t) { return std::int64_t{8}; });
@@ -224,7 +224,7 @@ TEST_F(HistoryTest, AValueCountsForAsLongAsItStands)
 }
 
 // Beside the plain way of going through all of them.
-TEST_F(HistoryTest, StatisticsOfAnySpanAreThoseOfItsMicroseconds)
+TEST_F(MemoryHistoryTest, StatisticsOfAnySpanAreThoseOfItsMicroseconds)
 {
     std::mt19937 random(7);
     std::vector<std::optional<std::int64_t>> values; // at each microsecond
@@ -264,7 +264,7 @@ TEST_F(HistoryTest, StatisticsOfAnySpanAreThoseOfItsMicroseconds)
     }
 }
 
-TEST_F(HistoryTest, AGapCountsForNothing)
+TEST_F(MemoryHistoryTest, AGapCountsForNothing)
 {
     fill(0s, 1'001, zero);
     history.interrupt(1s);
@@ -276,14 +276,14 @@ TEST_F(HistoryTest, AGapCountsForNothing)
     EXPECT_FALSE(history.statistics({2s, 3s}));
 }
 
-TEST_F(HistoryTest, StatisticsOfLargeValuesKeepWhatIsSmall)
+TEST_F(MemoryHistoryTest, StatisticsOfLargeValuesKeepWhatIsSmall)
 {
     fill(0s, 4'000,
          [](std::size_t index) { return std::int64_t{4'000'000'000} + (index % 2 == 0 ? 1 : -1); });
     EXPECT_NEAR(history.statistics({0s, 4s})->deviation, 1, 1e-3);
 }
 
-TEST_F(HistoryTest, TheOldestMakeRoom)
+TEST_F(MemoryHistoryTest, TheOldestMakeRoom)
 {
     fill(0s, 2'000, number);
     history.interrupt(2s);
@@ -302,7 +302,7 @@ TEST_F(HistoryTest, TheOldestMakeRoom)
     EXPECT_FALSE(history.oldestBlockEnd());
 }
 
-TEST_F(HistoryTest, AMillionSamplesCostNoMoreThanNineBytesEach)
+TEST_F(MemoryHistoryTest, AMillionSamplesCostNoMoreThanNineBytesEach)
 {
     fill(0s, 1'000'000, number);
     EXPECT_LE(static_cast<double>(history.bytes()) / 1e6, 9.0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "history/history.h"
+#include "history/memory_history.h"
 
 #include <iterator>
 
 namespace codewheel {
 
-bool History::append(const Sample &sample)
+bool MemoryHistory::append(const Sample &sample)
 {
     const bool wasInGap = isInGap();
     if (!isEmpty() && sample.at < (wasInGap ? m_gaps.back().from : m_blocks.back().last()))
@@ -32,13 +32,13 @@ bool History::append(const Sample &sample)
 }
 
 // Before the first sample nothing is known anyway.
-void History::interrupt(Instant at)
+void MemoryHistory::interrupt(Instant at)
 {
     if (!isEmpty() && !isInGap())
         m_gaps.push_back({std::max(at, m_blocks.back().last()), Instant::max()});
 }
 
-std::optional<TimeSpan> History::span() const
+std::optional<TimeSpan> MemoryHistory::span() const
 {
     if (isEmpty())
         return {};
@@ -46,7 +46,7 @@ std::optional<TimeSpan> History::span() const
 }
 
 // By where they begin, which is in the blocks themselves: where they end is in memory that is far away.
-std::size_t History::blockAt(Instant at) const
+std::size_t MemoryHistory::blockAt(Instant at) const
 {
     const auto begun =
         std::ranges::lower_bound(m_blocks, at, {}, [](const SampleBlock &block) { return block.first(); });
@@ -54,13 +54,13 @@ std::size_t History::blockAt(Instant at) const
     return block > 0 && m_blocks[block - 1].last() >= at ? block - 1 : block;
 }
 
-History::Position History::find(Instant at) const
+MemoryHistory::Position MemoryHistory::find(Instant at) const
 {
     const std::size_t block = blockAt(at);
     return {block, block < m_blocks.size() ? m_blocks[block].indexAt(at) : 0};
 }
 
-Sample History::sampleBefore(Position position) const
+Sample MemoryHistory::sampleBefore(Position position) const
 {
     if (position.index > 0)
         return m_blocks[position.block][position.index - 1];
@@ -68,12 +68,12 @@ Sample History::sampleBefore(Position position) const
     return before[before.size() - 1];
 }
 
-std::optional<Sample> History::newest() const
+std::optional<Sample> MemoryHistory::newest() const
 {
     return isEmpty() || isInGap() ? std::nullopt : at(m_blocks.back().last());
 }
 
-std::optional<Sample> History::at(Instant at) const
+std::optional<Sample> MemoryHistory::at(Instant at) const
 {
     const Position next = find(at + Instant(1));
     if ((next.block == 0 && next.index == 0) || at > m_blocks.back().last())
@@ -82,7 +82,7 @@ std::optional<Sample> History::at(Instant at) const
     return hasGapAfter(sample.at, at) ? std::nullopt : std::optional(sample);
 }
 
-std::optional<Sample> History::after(Instant at) const
+std::optional<Sample> MemoryHistory::after(Instant at) const
 {
     const Position next = find(at + Instant(1));
     if (next.block == m_blocks.size())
@@ -94,13 +94,13 @@ std::optional<Sample> History::after(Instant at) const
 }
 
 // Whether a gap begins no earlier than `from` and before, or at, `until`.
-bool History::hasGapAfter(Instant from, Instant until) const
+bool MemoryHistory::hasGapAfter(Instant from, Instant until) const
 {
     const auto gap = std::ranges::lower_bound(m_gaps, from, {}, &Gap::from);
     return gap != m_gaps.end() && gap->from <= until;
 }
 
-std::optional<Summary> History::summaryOf(Position begin, Position end) const
+std::optional<Summary> MemoryHistory::summaryOf(Position begin, Position end) const
 {
     std::optional<Summary> all;
     for (; begin.block < m_blocks.size() && begin.block <= end.block; begin = {begin.block + 1, 0}) {
@@ -114,7 +114,7 @@ std::optional<Summary> History::summaryOf(Position begin, Position end) const
     return all;
 }
 
-std::size_t History::count(const TimeSpan &span) const
+std::size_t MemoryHistory::count(const TimeSpan &span) const
 {
     const Position begin = find(span.from);
     const Position end = find(span.to);
@@ -124,15 +124,15 @@ std::size_t History::count(const TimeSpan &span) const
     return count + end.index - begin.index;
 }
 
-std::optional<Extent> History::extent(const TimeSpan &span) const
+std::optional<Extent> MemoryHistory::extent(const TimeSpan &span) const
 {
     const auto summary = summaryOf(find(span.from), find(span.to));
     return summary ? std::optional(summary->extent) : std::nullopt;
 }
 
-std::vector<std::optional<History::Column>> History::columns(const TimeSpan &span, std::size_t count) const
+History::Columns MemoryHistory::columns(const TimeSpan &span, std::size_t count) const
 {
-    std::vector<std::optional<Column>> columns(count);
+    Columns columns(count);
     const auto edge = [&](std::size_t column) {
         return span.from +
                (span.to - span.from) * static_cast<std::int64_t>(column) / static_cast<std::int64_t>(count);
@@ -152,8 +152,27 @@ std::vector<std::optional<History::Column>> History::columns(const TimeSpan &spa
     return columns;
 }
 
+std::vector<History::Gap> MemoryHistory::gaps(const TimeSpan &span) const
+{
+    const auto begin = std::ranges::upper_bound(m_gaps, span.from, {}, &Gap::to);
+    const auto end = std::ranges::lower_bound(m_gaps, span.to, {}, &Gap::from);
+    return begin < end ? std::vector<Gap>(begin, end) : std::vector<Gap>();
+}
+
+void MemoryHistory::forEach(const TimeSpan &span, const With &with) const
+{
+    for (std::size_t block = blockAt(span.from); block < m_blocks.size(); ++block) {
+        const SampleBlock &samples = m_blocks[block];
+        const std::size_t end = samples.indexAt(span.to);
+        for (std::size_t index = samples.indexAt(span.from); index < end; ++index)
+            with(samples[index]);
+        if (end < samples.size())
+            return;
+    }
+}
+
 // A value stands until the next sample or the next gap.
-std::optional<History::Statistics> History::statistics(const TimeSpan &span) const
+std::optional<MemoryHistory::Statistics> MemoryHistory::statistics(const TimeSpan &span) const
 {
     const std::optional<Sample> first = at(span.from);
     std::optional<Extent> extremes = extent(span);
@@ -180,7 +199,7 @@ std::optional<History::Statistics> History::statistics(const TimeSpan &span) con
 
 // Of a span without a gap: the value that stands at its begin, whole stretches of blocks, and what stands
 // between them and at the end.
-void History::addMoments(Moments &moments, const TimeSpan &span) const
+void MemoryHistory::addMoments(Moments &moments, const TimeSpan &span) const
 {
     std::optional<Sample> standing;
     if (const Position next = find(span.from + Instant(1)); next.block > 0 || next.index > 0)
@@ -202,7 +221,7 @@ void History::addMoments(Moments &moments, const TimeSpan &span) const
         moments.add(standing->value, span.to - standing->at);
 }
 
-void History::forgetOldest()
+void MemoryHistory::forgetOldest()
 {
     if (m_blocks.size() < 2)
         return;
@@ -213,12 +232,12 @@ void History::forgetOldest()
         m_gaps.pop_front();
 }
 
-std::size_t History::bytes() const
+std::size_t MemoryHistory::bytes() const
 {
     return isEmpty() ? 0 : m_bytes + m_blocks.back().bytes() + m_gaps.size() * sizeof(Gap);
 }
 
-std::optional<Instant> History::oldestBlockEnd() const
+std::optional<Instant> MemoryHistory::oldestBlockEnd() const
 {
     return m_blocks.size() < 2 ? std::nullopt : std::optional(m_blocks.front().last());
 }

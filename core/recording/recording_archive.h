@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "history/archive.h"
+#include "recording/recorded_history.h"
+#include "recording/recording_reader.h"
+
+namespace codewheel {
+
+// What a recording has, as it was when it was opened.
+class RecordingArchive final : public Archive
+{
+    Q_OBJECT
+
+public:
+    // The bus a recorded one is here, so that its places are not those of another; without one, it is itself.
+    using BusesHere = std::map<BusId, BusId>;
+
+    static Result<std::unique_ptr<RecordingArchive>> open(const QString &file, const BusesHere &buses = {});
+
+    const RecordingReader &reader() const { return m_reader; }
+    Place placeHere(Place recorded) const;
+
+    std::vector<Place> places() const override;
+    const History *of(Place place, Channel channel) const override;
+    std::optional<TimeSpan> span() const override;
+    std::vector<Mark> marks() const override;
+    std::optional<Instant> played() const override;
+    void setPlayed(std::optional<Instant> at) { m_played = at; } // as recorded
+
+    // Why something could not be read, once.
+    void tell(const Refusal &why) const;
+    void tellDamage(const std::optional<Refusal> &damage) const;
+
+Q_SIGNALS:
+    void troubled(const codewheel::Refusal &why) const;
+
+private:
+    RecordingArchive(RecordingReader reader, BusesHere buses);
+    Result<void> read();
+    Result<void> readMarks(const TimeSpan &span);
+
+    RecordingReader m_reader;
+    BusesHere m_buses;
+    std::map<Place, std::map<Channel, RecordedHistory>> m_histories;
+    std::vector<Mark> m_marks; // as recorded
+    std::optional<Instant> m_played;
+    mutable std::optional<Refusal> m_told;
+};
+
+} // namespace codewheel
