@@ -33,7 +33,9 @@ public:
     virtual std::optional<Instant> played() const { return {}; }
 
 Q_SIGNALS:
-    void changed(); // its times are others, or it has more of them
+    void changed();                                     // its times are others, or it has more of them
+    void statisticsReady();                             // that were asked for before
+    void troubled(const codewheel::Refusal &why) const; // something of it cannot be read
 
 private:
     Instant m_shift{};

@@ -131,6 +131,8 @@ void Histories::add(Archive &archive)
 {
     m_archives.push_back(&archive);
     connect(&archive, &Archive::changed, this, &Histories::takeArchives);
+    connect(&archive, &Archive::statisticsReady, this, &Histories::statisticsReady);
+    connect(&archive, &Archive::troubled, this, &Histories::archiveTroubled);
     connect(&archive, &QObject::destroyed, this, &Histories::remove);
     takeArchives();
     Q_EMIT placesChanged();

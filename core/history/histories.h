@@ -50,7 +50,9 @@ public:
 
 Q_SIGNALS:
     void placesChanged();
-    void archivesChanged();                                 // added, removed, or another shift of one
+    void archivesChanged(); // added, removed, or another shift of one
+    void statisticsReady(); // of an archive
+    void archiveTroubled(const codewheel::Refusal &why);
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
     void marksChanged();
     void droppedChanged();

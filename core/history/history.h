@@ -58,6 +58,7 @@ public:
     virtual std::optional<Extent> extent(const TimeSpan &span) const = 0; // of the samples in it
     // One for each of `count` equal parts of the span, oldest first; nothing where it has no sample.
     virtual Columns columns(const TimeSpan &span, std::size_t count) const = 0;
+    // Nothing also where they take longer: then Archive::statisticsReady() says when to ask again.
     virtual std::optional<Statistics> statistics(const TimeSpan &span) const = 0;
     // Those that reach into the span, oldest first; the last one ends at Instant::max() while no sample has
     // followed.

@@ -13,6 +13,7 @@ namespace {
 // Of a statement; another program may want to write between two of them.
 constexpr int mostRows = 20'000;
 constexpr int mostBlocks = 64;
+constexpr std::size_t mostUnpacked = 1'000; // blocks, some 16 MB
 
 const QString pieceSelection =
     QStringLiteral("start, length, samples, lowest, highest, ones_always, ones_ever, first, last, gap");
@@ -147,9 +148,16 @@ Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocksAfter(Instant
         .map([&] { return std::move(blocks); });
 }
 
-// Nothing: it is damaged, or was left out meanwhile.
-Stored<std::optional<RecordedBlock>> RecordedChannel::read(const Block &row)
+// A picture that moves shows the same blocks again and again. One that was read before it was full has become
+// longer.
+Stored<RecordedChannel::Unpacked> RecordedChannel::read(const Block &row)
 {
+    const auto isTheOne = [&row](const RecordedBlock &block) {
+        return block.samples.front().at == row.piece.from &&
+               block.samples.back().at == row.piece.from + row.piece.length;
+    };
+    if (const auto known = m_unpacked.find(row.id); known != m_unpacked.end() && isTheOne(*known->second))
+        return known->second;
     QByteArray bytes;
     auto done = codewheel::read(
         *m_database, query(*m_database, QStringLiteral("SELECT data FROM samples WHERE id = ?"), row.id),
@@ -157,12 +165,24 @@ Stored<std::optional<RecordedBlock>> RecordedChannel::read(const Block &row)
     if (!done)
         return tl::unexpected(done.error());
     auto block = unpackBlock(bytes);
-    const bool isTheOne = block && block->samples.front().at == row.piece.from &&
-                          block->samples.back().at == row.piece.from + row.piece.length;
-    if (isTheOne)
-        return block;
+    if (block && isTheOne(*block))
+        return keep(row.id, *std::move(block));
     m_damaged.insert(row.id);
-    return std::nullopt;
+    return Unpacked();
+}
+
+RecordedChannel::Unpacked RecordedChannel::keep(qint64 id, RecordedBlock block)
+{
+    Unpacked &kept = m_unpacked[id];
+    if (!kept)
+        m_unpackedOrder.push_back(id);
+    kept = std::make_shared<const RecordedBlock>(std::move(block));
+    Unpacked its = kept;
+    if (m_unpackedOrder.size() > mostUnpacked) {
+        m_unpacked.erase(m_unpackedOrder.front());
+        m_unpackedOrder.pop_front();
+    }
+    return its;
 }
 
 Result<RecordedChannel::Look> RecordedChannel::look(const TimeSpan &span, std::size_t count)
@@ -243,7 +263,7 @@ Stored<void> RecordedChannel::addBlocks(RecordingColumns &columns, Instant from,
 
 Stored<void> RecordedChannel::addSamples(RecordingColumns &columns, const Block &row)
 {
-    return read(row).map([&](const std::optional<RecordedBlock> &block) {
+    return read(row).map([&](const Unpacked &block) {
         auto gap = block ? block->gaps.begin() : std::vector<RecordedBlock::GapBefore>::const_iterator();
         for (std::size_t index = 0; block && index < block->samples.size(); ++index) {
             const bool isAfterGap = gap != block->gaps.end() && gap->index == index;
@@ -320,16 +340,50 @@ Result<void> RecordedChannel::forEach(const TimeSpan &span, const With &with)
     return {};
 }
 
+// Of those in the span, and the one behind it, before which a gap may have begun in the span.
+Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocksWithGaps(const TimeSpan &span) const
+{
+    const auto start = startBefore(span.from);
+    if (!start)
+        return tl::unexpected(start.error());
+    auto behind = blocksAfter(span.to - Instant(1), std::numeric_limits<qint64>::max(), Instant::max(), 1);
+    if (!behind)
+        return behind;
+    std::erase_if(*behind, [](const Block &row) { return !row.piece.column.hasGap; });
+    std::vector<Block> blocks;
+    return codewheel::read(
+               *m_database,
+               query(*m_database,
+                     QStringLiteral("SELECT %1, data FROM block WHERE channel = ? AND start >= ? AND "
+                                    "start < ? AND gap != 0 ORDER BY start, data")
+                         .arg(pieceSelection),
+                     m_id, start->count(), span.to.count()),
+               [&](const QSqlQuery &row) {
+                   blocks.push_back({row.value(10).toLongLong(), pieceOf(row)});
+               })
+        .map([&] {
+            blocks.insert(blocks.end(), behind->begin(), behind->end());
+            return std::move(blocks);
+        });
+}
+
 Result<std::vector<History::Gap>> RecordedChannel::gaps(const TimeSpan &span)
 {
+    const auto rows = blocksWithGaps(span);
+    if (!rows)
+        return refusal(rows.error());
     std::vector<History::Gap> gaps;
-    const auto done = forEach({span.from, Instant::max()}, [&](const Sample &sample, const auto &gapFrom) {
-        if (gapFrom && *gapFrom < span.to && sample.at > span.from)
-            gaps.push_back({*gapFrom, sample.at});
-        return sample.at < span.to;
-    });
-    if (!done)
-        return tl::unexpected(done.error());
+    for (const Block &row : *rows) {
+        const auto block = read(row);
+        if (!block)
+            return refusal(block.error());
+        for (std::size_t i = 0; *block && i < (*block)->gaps.size(); ++i) {
+            const auto &[index, from] = (*block)->gaps[i];
+            const History::Gap gap{from, (*block)->samples[index].at};
+            if (gap.from < span.to && gap.to > span.from)
+                gaps.push_back(gap);
+        }
+    }
     if (m_limits.gapSince && *m_limits.gapSince < span.to)
         gaps.push_back({*m_limits.gapSince, Instant::max()});
     return gaps;

@@ -5,7 +5,10 @@
 #include "journal/database.h"
 #include "recording/recording_columns.h"
 
+#include <deque>
 #include <functional>
+#include <map>
+#include <memory>
 #include <set>
 
 namespace codewheel {
@@ -27,7 +30,7 @@ public:
 
     // From the first sample to just behind the last one; nothing: there is none.
     std::optional<TimeSpan> span() const;
-    // As History has them; where a column is wider than eight blocks of samples, what is at its edge may be
+    // As History has them; where a column is wider than two blocks of samples, what is at its edge may be
     // counted with the column beside it.
     Result<Look> look(const TimeSpan &span, std::size_t count);
     Result<std::optional<Sample>> at(Instant at);
@@ -69,7 +72,11 @@ private:
                                  const TimeSpan &span) const;
     Stored<void> addBlocks(RecordingColumns &columns, Instant from, Instant to);
     Stored<void> addSamples(RecordingColumns &columns, const Block &row);
-    Stored<std::optional<RecordedBlock>> read(const Block &row);
+    using Unpacked = std::shared_ptr<const RecordedBlock>; // null: it is damaged, or was left out meanwhile
+
+    Stored<Unpacked> read(const Block &row);
+    Unpacked keep(qint64 id, RecordedBlock block);
+    Stored<std::vector<Block>> blocksWithGaps(const TimeSpan &span) const;
     Stored<std::vector<Block>> blocksAfter(Instant from, qint64 id, Instant to, int most) const;
     Stored<std::optional<Block>> blockAt(Instant at) const;
     Stored<bool> isInGap(Instant at, const Block &row, const RecordedBlock &block, std::size_t next);
@@ -83,6 +90,8 @@ private:
     std::optional<Sample> m_first;
     std::optional<Sample> m_last; // that is in a block
     std::set<qint64> m_damaged;   // ids of blocks
+    std::map<qint64, Unpacked> m_unpacked;
+    std::deque<qint64> m_unpackedOrder; // which was unpacked first
 };
 
 } // namespace codewheel

@@ -6,7 +6,8 @@
 namespace codewheel {
 namespace {
 
-constexpr std::size_t usualColumns = 1'000; // of a picture
+constexpr std::size_t usualColumns = 1'000;   // of a picture
+constexpr std::size_t mostAtOnce = 1'000'000; // samples, which takes a frame or two
 
 } // namespace
 
@@ -105,6 +106,8 @@ History::Columns RecordedHistory::columns(const TimeSpan &span, std::size_t coun
 
 std::optional<History::Statistics> RecordedHistory::statistics(const TimeSpan &span) const
 {
+    if (count(span) > mostAtOnce)
+        return m_archive.slowStatistics(m_key, recorded(span));
     return valueOr<std::optional<Statistics>>(m_channel.statistics(recorded(span)), {});
 }
 

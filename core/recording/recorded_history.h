@@ -2,6 +2,7 @@
 #pragma once
 
 #include "recording/recorded_channel.h"
+#include "recording/recorded_key.h"
 
 namespace codewheel {
 
@@ -12,8 +13,9 @@ class RecordingArchive;
 class RecordedHistory final : public History
 {
 public:
-    RecordedHistory(RecordedChannel channel, const RecordingArchive &archive)
+    RecordedHistory(RecordedChannel channel, const RecordedKey &key, const RecordingArchive &archive)
         : m_channel(std::move(channel))
+        , m_key(key)
         , m_archive(archive)
     {}
 
@@ -37,6 +39,7 @@ private:
     What valueOr(Result<What> result, What other) const;
 
     mutable RecordedChannel m_channel; // notes what is damaged
+    RecordedKey m_key;
     const RecordingArchive &m_archive;
     mutable TimeSpan m_seen{};
     mutable std::size_t m_seenColumns = 0; // 0: none

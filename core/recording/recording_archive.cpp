@@ -11,7 +11,10 @@ constexpr int mostMarks = 10'000; // of messages, and of notes
 RecordingArchive::RecordingArchive(RecordingReader reader, BusesHere buses)
     : m_reader(std::move(reader))
     , m_buses(std::move(buses))
-{}
+    , m_statistics(m_reader.file())
+{
+    connect(&m_statistics, &RecordedStatistics::ready, this, &RecordingArchive::statisticsReady);
+}
 
 Result<std::unique_ptr<RecordingArchive>> RecordingArchive::open(const QString &file, const BusesHere &buses)
 {
@@ -35,7 +38,7 @@ Result<void> RecordingArchive::read()
             auto channel = m_reader.channel(device, kind);
             if (!channel)
                 return tl::unexpected(channel.error());
-            histories.try_emplace(kind, std::move(*channel), *this);
+            histories.try_emplace(kind, std::move(*channel), RecordedKey{device.id, kind}, *this);
         }
     }
     return readMarks({Instant(0), Instant::max()});
@@ -105,6 +108,12 @@ std::vector<Mark> RecordingArchive::marks() const
 std::optional<Instant> RecordingArchive::played() const
 {
     return m_played ? std::optional(*m_played + shift()) : std::nullopt;
+}
+
+std::optional<History::Statistics> RecordingArchive::slowStatistics(const RecordedKey &key,
+                                                                    const TimeSpan &recorded) const
+{
+    return m_statistics.of(key, recorded);
 }
 
 void RecordingArchive::tell(const Refusal &why) const

@@ -3,6 +3,7 @@
 
 #include "history/archive.h"
 #include "recording/recorded_history.h"
+#include "recording/recorded_statistics.h"
 #include "recording/recording_reader.h"
 
 namespace codewheel {
@@ -31,9 +32,8 @@ public:
     // Why something could not be read, once.
     void tell(const Refusal &why) const;
     void tellDamage(const std::optional<Refusal> &damage) const;
-
-Q_SIGNALS:
-    void troubled(const codewheel::Refusal &why) const;
+    // Of that many samples that they take a while: the first time nothing, then statisticsReady().
+    std::optional<History::Statistics> slowStatistics(const RecordedKey &key, const TimeSpan &recorded) const;
 
 private:
     RecordingArchive(RecordingReader reader, BusesHere buses);
@@ -46,6 +46,7 @@ private:
     std::vector<Mark> m_marks; // as recorded
     std::optional<Instant> m_played;
     mutable std::optional<Refusal> m_told;
+    mutable RecordedStatistics m_statistics;
 };
 
 } // namespace codewheel

@@ -21,8 +21,8 @@ public:
 
     Instant width() const { return (m_span.to - m_span.from) / static_cast<std::int64_t>(m_columns.size()); }
     // A piece that is this narrow is put where it begins, although it may reach into the next column, and
-    // into the first one if it begins before that: nobody sees the eighth of a pixel.
-    bool isNarrow(Instant length) const { return length <= width() / 8; }
+    // into the first one if it begins before that: nobody sees half a pixel.
+    bool isNarrow(Instant length) const { return length <= width() / 2; }
     // Whether it can be put as a whole: otherwise its samples have to be.
     bool takes(const RecordedPiece &piece) const;
     void add(const RecordedPiece &piece);

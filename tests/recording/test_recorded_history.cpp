@@ -6,6 +6,8 @@
 #include "tests/recording/recording_file.h"
 #include "tests/recording/some_motion.h"
 
+#include <QEventLoop>
+
 #include <gmock/gmock.h>
 
 namespace codewheel {
@@ -113,6 +115,24 @@ TEST_F(RecordedHistoryTest, MessagesOfDevicesAndNotesAreMarks)
     EXPECT_EQ(marks[0], (Mark{noon + shift + 1s, {}, QStringLiteral("knocked")}));
     EXPECT_EQ(marks[1].at, noon + shift + 2s);
     EXPECT_EQ(marks[1].place, placeHere);
+}
+
+TEST_F(RecordedHistoryTest, StatisticsThatTakeLongerFollow)
+{
+    int told = 0;
+    QEventLoop loop;
+    QObject::connect(archive.get(), &Archive::statisticsReady, &loop, [&] {
+        ++told;
+        loop.quit();
+    });
+    const TimeSpan all{noon, end};
+    const RecordedKey key{archive->reader().devices()->front().id, Channel::position};
+    EXPECT_EQ(archive->slowStatistics(key, all), std::nullopt);
+    loop.exec();
+    const auto statistics = archive->slowStatistics(key, all);
+    ASSERT_TRUE(statistics);
+    EXPECT_EQ(statistics->extent, memory.of(Channel::position).extent({all.from + shift, all.to + shift}));
+    EXPECT_EQ(told, 1);
 }
 
 TEST_F(RecordedHistoryTest, WhatIsDamagedIsAGapAndToldOnce)
