@@ -31,8 +31,11 @@ public:
     }
     // Where it is being played, with the shift; nothing: it is not.
     virtual std::optional<Instant> played() const { return {}; }
+    // Its encoders are to show this moment, with the shift.
+    void askFor(Instant moment) { Q_EMIT asked(moment - m_shift); }
 
 Q_SIGNALS:
+    void asked(codewheel::Instant moment);              // as recorded
     void changed();                                     // its times are others, or it has more of them
     void statisticsReady();                             // that were asked for before
     void troubled(const codewheel::Refusal &why) const; // something of it cannot be read

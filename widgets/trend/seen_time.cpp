@@ -15,20 +15,21 @@ Instant SeenTime::times(double lengths) const
     return Instant(std::llround(lengths * static_cast<double>(length().count())));
 }
 
-void SeenTime::setAll(const TimeSpan &all)
+void SeenTime::setAll(const TimeSpan &all, Instant newest)
 {
     m_all = all;
+    m_newest = newest;
     if (!m_follows)
         return;
     const Instant column = std::max((length() + Instant(m_columns / 2)) / m_columns, Instant(1));
-    const Instant to = (all.to / column + 1) * column;
+    const Instant to = (newest / column + 1) * column;
     m_span = {to - column * m_columns, to};
 }
 
 void SeenTime::follow()
 {
     m_follows = true;
-    setAll(m_all);
+    setAll(m_all, m_newest);
 }
 
 void SeenTime::show(const TimeSpan &span)

@@ -20,8 +20,9 @@ public:
     // How many columns of pixels a curve has. What follows keeps to whole ones, so that a curve does not
     // change its form while it moves.
     void setColumns(int columns) { m_columns = std::max(columns, 1); }
-    // All there is. While it follows, the newest of it stands at the right.
-    void setAll(const TimeSpan &all);
+    // All there is. While it follows, the newest of it stands at the right: what is older than `newest`.
+    void setAll(const TimeSpan &all, Instant newest);
+    void setAll(const TimeSpan &all) { setAll(all, all.to); }
     const TimeSpan &all() const { return m_all; }
     void follow();
     void show(const TimeSpan &span);
@@ -34,6 +35,7 @@ private:
     Instant times(double lengths) const;
 
     TimeSpan m_all{};
+    Instant m_newest{};
     TimeSpan m_span{{}, usual};
     int m_columns = 1'000;
     bool m_follows = true;

@@ -64,6 +64,7 @@ void TrendItem::paint(QPainter *painter, const QStyleOptionGraphicsItem *, QWidg
         paintLane(*painter, lane);
     painter->setRenderHint(QPainter::Antialiasing, false);
     paintMarks(*painter);
+    paintPlayed(*painter);
     paintCursors(*painter);
 }
 
@@ -127,6 +128,16 @@ void TrendItem::paintMarks(QPainter &painter) const
                                        QPointF(at + flagSize, m_plot.top() - flagSize),
                                        QPointF(at, m_plot.top() + flagSize)}));
     }
+}
+
+void TrendItem::paintPlayed(QPainter &painter) const
+{
+    if (!m_scene.played || x(*m_scene.played) < m_plot.left() || x(*m_scene.played) > m_plot.right())
+        return;
+    const double at = std::round(x(*m_scene.played));
+    const QColor color = roleColor(Role::attention, m_palette);
+    painter.setPen(QPen(color, 2));
+    painter.drawLine(QPointF(at, m_plot.top()), QPointF(at, m_plot.bottom()));
 }
 
 void TrendItem::paintCursors(QPainter &painter) const

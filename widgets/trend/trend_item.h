@@ -30,6 +30,7 @@ private:
     void paintTitle(QPainter &painter, const TrendLane &lane, const QRectF &area) const;
     void paintMarks(QPainter &painter) const;
     void paintCursors(QPainter &painter) const;
+    void paintPlayed(QPainter &painter) const;
 
     TrendScene m_scene;
     QRectF m_plot;

@@ -7,6 +7,7 @@
 #include "widgets/trend/curve_bar.h"
 #include "widgets/trend/mark_text.h"
 #include "widgets/trend/note_bar.h"
+#include "widgets/trend/shift_bar.h"
 #include "widgets/trend/ticks.h"
 #include "widgets/trend/trend_chart.h"
 #include "widgets/trend/trend_values_model.h"
@@ -17,6 +18,8 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTableView>
+
+#include <set>
 
 namespace codewheel {
 namespace {
@@ -46,8 +49,50 @@ void TrendPage::showTrack(const Track &track)
 void TrendPage::showWhatThereIs()
 {
     m_pages->setCurrentIndex(m_tracks.shown().empty() ? 0 : 1);
-    m_curve->setCurve(currentCurve());
+    showCurve();
     showColumns();
+}
+
+void TrendPage::showCurve()
+{
+    const auto curve = currentCurve();
+    m_curve->setCurve(curve);
+    m_shift->setArchive(curve ? m_histories.archiveOf(m_tracks.shown().at(*curve).track.place) : nullptr);
+}
+
+void TrendPage::takeArchives()
+{
+    std::set<BusId> buses;
+    for (const Archive *archive : m_histories.archives())
+        for (const Place place : archive->places())
+            buses.insert(place.bus);
+    m_tracks.setPassing(buses);
+    showCurve();
+    showValues();
+}
+
+void TrendPage::beginTogether()
+{
+    Archive *archive = m_shift->archive();
+    const auto its = archive != nullptr ? archive->span() : std::nullopt;
+    std::optional<Instant> begin;
+    for (const TrendTracks::Shown &shown : m_tracks.shown()) {
+        const History *history = m_histories.of(shown.track.place, shown.track.channel);
+        const auto span = history != nullptr ? history->span() : std::nullopt;
+        if (span && m_histories.archiveOf(shown.track.place) != archive)
+            begin = std::min(begin.value_or(span->from), span->from);
+    }
+    if (its && begin)
+        archive->setShift(archive->shift() + *begin - its->from);
+    else
+        say(Role::attention, tr("There is no other curve to begin with. Add one first."));
+}
+
+void TrendPage::putCursorAOnB()
+{
+    const auto &[a, b] = m_view->scene().cursors;
+    if (Archive *archive = m_shift->archive(); archive != nullptr && a && b)
+        archive->setShift(archive->shift() + *b - *a);
 }
 
 std::optional<std::size_t> TrendPage::currentCurve() const
@@ -111,6 +156,7 @@ void TrendPage::showCursors()
     const QLocale locale;
     const Instant length = scene.span.to - scene.span.from;
     const auto &[a, b] = scene.cursors;
+    m_shift->setCursors(a || b, a && b);
     QStringList parts;
     if (a)
         parts << QStringLiteral("A  %1").arg(timeText(*a, length, locale));

@@ -24,6 +24,7 @@ class CurveBar;
 class EmptyState;
 class InlineMessage;
 class NoteBar;
+class ShiftBar;
 class TrendExport;
 class TrendValuesModel;
 
@@ -67,7 +68,12 @@ private:
     void makeTable();
     void makeShortcuts();
     void connectParts();
+    void connectRecordings();
     void showWhatThereIs();
+    void showCurve();
+    void takeArchives();
+    void beginTogether();
+    void putCursorAOnB();
     void showValues();
     void showStatistics();
     void showColumns();
@@ -103,6 +109,7 @@ private:
     TrendValuesModel *m_values;
     QTableView *m_table;
     CurveBar *m_curve;
+    ShiftBar *m_shift; // of the recording that the chosen curve is of
     QLabel *m_memory;
     QAction *m_follow = nullptr;
     QAction *m_pause = nullptr;

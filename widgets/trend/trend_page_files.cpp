@@ -109,7 +109,7 @@ std::optional<TimeSpan> TrendPage::spanOf(Extract what) const
     case Extract::betweenCursors:
         return a && b ? std::optional(TimeSpan{std::min(*a, *b), std::max(*a, *b)}) : std::nullopt;
     case Extract::all:
-        return m_histories.span();
+        return m_view->timeOfCurves();
     }
     return {};
 }

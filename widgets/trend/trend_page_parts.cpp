@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend is made of.
+#include "encoder/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fitted_columns.h"
@@ -14,6 +15,7 @@
 #include "widgets/trend/curve_bar.h"
 #include "widgets/trend/curve_menu.h"
 #include "widgets/trend/note_bar.h"
+#include "widgets/trend/shift_bar.h"
 #include "widgets/trend/trend_chart.h"
 #include "widgets/trend/trend_page.h"
 #include "widgets/trend/trend_values_model.h"
@@ -77,13 +79,14 @@ TrendPage::TrendPage(Buses &buses, Histories &histories, std::function<QString(P
     , m_values(new TrendValuesModel(this))
     , m_table(new QTableView(this))
     , m_curve(new CurveBar(m_tracks, m_scales, this))
+    , m_shift(new ShiftBar(this))
     , m_memory(named(wrappedLabel(this), "trendMemory"))
 {
     setAcceptDrops(true);
     makeTools();
     makeTable();
     auto *below = new QWidget;
-    layOutColumn(below, {m_note, m_cursors, {m_table, 1}, new FoldingRow(m_parts, m_curve)},
+    layOutColumn(below, {m_note, m_cursors, {m_table, 1}, new FoldingRow(m_parts, m_curve), m_shift},
                  {.spacing = grid::unit, .margins = QMargins(0, grid::unit, 0, 0)});
     auto *parts = new QSplitter(Qt::Vertical);
     parts->addWidget(m_view);
@@ -98,6 +101,8 @@ TrendPage::TrendPage(Buses &buses, Histories &histories, std::function<QString(P
                  {.spacing = grid::unit, .margins = QMargins(grid::margin, 0, grid::margin, grid::unit)});
     makeShortcuts();
     connectParts();
+    connectRecordings();
+    takeArchives();
     showWhatThereIs();
     showValues();
     showMemory();
@@ -253,14 +258,28 @@ void TrendPage::connectParts()
         showWhatThereIs();
     });
     connect(&m_histories, &Histories::moved, &m_tracks, &TrendTracks::encoderMoved);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this] { m_curve->setCurve(currentCurve()); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &TrendPage::showCurve);
     connect(m_curve, &CurveBar::moved, this,
             [this](std::size_t to) { m_table->selectRow(static_cast<int>(to)); });
     connect(m_message, &InlineMessage::actionTriggered, this, &TrendPage::cancelExport);
     connect(m_note, &NoteBar::noted, &m_histories, &Histories::note);
     connect(m_note, &NoteBar::closed, m_view->findChild<TrendChart *>(), qOverload<>(&QWidget::setFocus));
     connect(&m_histories, &Histories::marksChanged, this, &TrendPage::showCursors);
+}
+
+void TrendPage::connectRecordings()
+{
+    connect(&m_histories, &Histories::archivesChanged, this, &TrendPage::takeArchives);
+    connect(&m_histories, &Histories::statisticsReady, &m_soon, qOverload<>(&QTimer::start));
+    connect(&m_histories, &Histories::archiveTroubled, this,
+            [this](const Refusal &why) { say(Role::attention, refusalText(why)); });
+    connect(m_shift, &ShiftBar::beginWanted, this, &TrendPage::beginTogether);
+    connect(m_shift, &ShiftBar::cursorWanted, this, &TrendPage::putCursorAOnB);
+    connect(m_shift, &ShiftBar::momentWanted, this, [this] {
+        const TrendScene &scene = m_view->scene();
+        if (const auto at = scene.cursors.at(scene.chosenCursor); at && m_shift->archive() != nullptr)
+            m_shift->archive()->askFor(*at);
+    });
 }
 
 } // namespace codewheel

@@ -43,7 +43,8 @@ struct TrendScene
     TimeSpan span{};
     std::vector<Mark> marks; // within the span, oldest first
     std::array<std::optional<Instant>, 2> cursors{};
-    std::size_t chosenCursor = 0; // the one that keys move
+    std::size_t chosenCursor = 0;    // the one that keys move
+    std::optional<Instant> played{}; // the moment of a recording that its encoders show
 };
 
 } // namespace codewheel

@@ -104,17 +104,29 @@ void TrendTracks::setTravel(Place place, double millimetres)
         Q_EMIT changed();
 }
 
+void TrendTracks::setPassing(const std::set<BusId> &buses)
+{
+    const std::set<BusId> before = std::exchange(m_passing, buses);
+    const auto isGone = [&](Place place) { return before.contains(place.bus) && !buses.contains(place.bus); };
+    std::erase_if(m_travel, [&](const auto &travel) { return isGone(travel.first); });
+    if (std::erase_if(m_shown, [&](const Shown &shown) { return isGone(shown.track.place); }) > 0)
+        Q_EMIT changed();
+}
+
 QStringList TrendTracks::state() const
 {
     QStringList state;
     for (const Shown &shown : m_shown) {
+        if (m_passing.contains(shown.track.place.bus))
+            continue;
         QStringList words{shown.track.key(), unitKey(shown.unit)};
         if (shown.sharesAxis)
             words << sharing;
         state << words.join(u' ');
     }
     for (const auto &[place, millimetres] : m_travel)
-        state << QStringLiteral("%1 %2 %3").arg(travelling, place.key()).arg(millimetres, 0, 'g', 12);
+        if (!m_passing.contains(place.bus))
+            state << QStringLiteral("%1 %2 %3").arg(travelling, place.key()).arg(millimetres, 0, 'g', 12);
     return state;
 }
 

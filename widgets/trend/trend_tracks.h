@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace codewheel {
@@ -44,6 +45,9 @@ public:
     std::optional<double> travel(Place place) const;
     void setTravel(Place place, double millimetres);
 
+    // Curves of these buses go with them and are not kept, such as those of recordings.
+    void setPassing(const std::set<BusId> &buses);
+
     QStringList state() const;              // to be kept
     void restore(const QStringList &state); // ignores what it cannot read
 
@@ -53,6 +57,7 @@ Q_SIGNALS:
 private:
     std::vector<Shown> m_shown;
     std::map<Place, double> m_travel;
+    std::set<BusId> m_passing;
 };
 
 // Whether these two may have one axis: numbers of one kind and unit.

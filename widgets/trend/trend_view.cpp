@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 
 #include <cmath>
+#include <set>
 
 namespace codewheel {
 namespace {
@@ -24,6 +25,7 @@ TrendView::TrendView(const Histories &histories, const TrendTracks &tracks, Enco
                      std::function<QString(Place)> station, QWidget *parent)
     : QWidget(parent)
     , m_histories(histories)
+    , m_tracks(tracks)
     , m_scales(scales)
     , m_maker(histories, tracks, scales, std::move(station))
     , m_chart(new TrendChart(this))
@@ -50,6 +52,37 @@ TrendView::TrendView(const Histories &histories, const TrendTracks &tracks, Enco
         showAnew();
     });
     connect(&histories, &Histories::marksChanged, this, &TrendView::showAnew);
+    connect(&histories, &Histories::archivesChanged, this, [this] { update([] {}); });
+}
+
+// Of what is watched now, unless all curves are of recordings.
+std::optional<TimeSpan> TrendView::timeOfCurves() const
+{
+    std::set<const Archive *> shown;
+    for (const TrendTracks::Shown &one : m_tracks.shown())
+        shown.insert(m_histories.archiveOf(one.track.place));
+    const bool isWatched = shown.erase(nullptr) > 0 || shown.empty();
+    std::optional<TimeSpan> all = isWatched ? m_histories.span() : std::nullopt;
+    for (const Archive *archive : shown)
+        if (const auto its = archive->span())
+            all = all ? TimeSpan{std::min(all->from, its->from), std::max(all->to, its->to)} : *its;
+    return all;
+}
+
+// Of the first curve that is being played.
+std::optional<Instant> TrendView::played() const
+{
+    for (const TrendTracks::Shown &one : m_tracks.shown())
+        if (const Archive *archive = m_histories.archiveOf(one.track.place))
+            if (const auto at = archive->played())
+                return at;
+    return {};
+}
+
+void TrendView::takeTime()
+{
+    if (const auto all = timeOfCurves())
+        m_time.setAll(*all, played().value_or(all->to));
 }
 
 void TrendView::changeEvent(QEvent *event)
@@ -67,15 +100,13 @@ void TrendView::showFrame()
         showAnew();
         Q_EMIT scalesChanged();
     }
-    const auto all = m_histories.span();
-    if (!all)
-        return;
     const TimeSpan before = m_time.span();
     const Instant grownFrom = m_time.all().to;
     m_time.setColumns(std::max(static_cast<int>(m_chart->plot().width() * devicePixelRatioF()), 1));
-    m_time.setAll(*all);
-    const bool growsInSight = grownFrom < before.to && all->to > before.from && all->to != grownFrom;
-    if (m_time.span() != before || (!m_time.follows() && growsInSight))
+    takeTime();
+    const Instant grownTo = m_time.all().to;
+    const bool growsInSight = grownFrom < before.to && grownTo > before.from && grownTo != grownFrom;
+    if (m_time.span() != before || (!m_time.follows() && growsInSight) || m_scene.played != played())
         showAnew();
     else
         showScrollBar();
@@ -86,6 +117,7 @@ void TrendView::showAnew()
     m_scene = m_maker.make(m_time.span(), palette());
     m_scene.cursors = m_cursors;
     m_scene.chosenCursor = m_chosenCursor;
+    m_scene.played = played();
     m_chart->showScene(m_scene);
     showScrollBar();
 }
@@ -93,8 +125,7 @@ void TrendView::showAnew()
 void TrendView::update(const std::function<void()> &change)
 {
     const bool followed = follows();
-    if (const auto all = m_histories.span())
-        m_time.setAll(*all);
+    takeTime();
     change();
     showAnew();
     if (follows() != followed)

@@ -26,6 +26,9 @@ public:
     const TrendScene &scene() const { return m_scene; }
     TrendChart &chart() const { return *m_chart; }
 
+    // All there is of the encoders and recordings whose curves are shown; nothing: nothing is kept.
+    std::optional<TimeSpan> timeOfCurves() const;
+
     // Takes what came since the last frame.
     void showFrame();
     // The same part of the time, with what else has changed.
@@ -57,11 +60,14 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    std::optional<Instant> played() const;
+    void takeTime();
     void update(const std::function<void()> &change);
     void showScrollBar();
     void scrollTo(int value);
 
     const Histories &m_histories;
+    const TrendTracks &m_tracks;
     EncoderScales &m_scales;
     SceneMaker m_maker;
     SeenTime m_time;

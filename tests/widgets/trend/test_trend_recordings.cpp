@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings in the trend: beside each other, on top of each other, and beside what comes.
+#include "recording/recording_archive.h"
+#include "tests/recording/recording_file.h"
+#include "tests/widgets/trend/trend_page_test.h"
+#include "widgets/input/number_fields.h"
+#include "widgets/trend/shift_bar.h"
+
+#include <QToolButton>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using test::baumer;
+using test::noon;
+
+class TrendRecordingsTest : public test::TrendPageTest
+{
+protected:
+    // Ten seconds of a shaft that turns; under a bus of that number.
+    std::unique_ptr<RecordingArchive> open(int bus, Instant begin = noon)
+    {
+        files.push_back(std::make_unique<test::RecordingFile>());
+        auto writer = files.back()->begin();
+        writer->add(test::positions(begin, 10'000, [](std::size_t index) { return index; }));
+        (void)writer->end();
+        auto archive = RecordingArchive::open(files.back()->path, {{"1.0"_ring.bus, BusId{bus}}});
+        EXPECT_TRUE(archive);
+        histories.add(**archive);
+        return std::move(*archive);
+    }
+    static Track position(int bus) { return {{BusId{bus}, "1.0"_ring.node}, Channel::position, {}}; }
+    ShiftBar &bar() { return *page.findChild<ShiftBar *>(); }
+    void press(const char *name) { QTest::mouseClick(&find<QToolButton>(name), Qt::LeftButton); }
+
+    std::vector<std::unique_ptr<test::RecordingFile>> files;
+};
+
+TEST_F(TrendRecordingsTest, AllOfARecordingIsSeenAndItsCurveIsThatOfTheFile)
+{
+    const auto night = open(8);
+    page.showTrack(position(8));
+    view().showAll();
+    EXPECT_LT(seen().from, noon);
+    EXPECT_GT(seen().to, noon + 9'999ms);
+    EXPECT_LT(seen().to, noon + 12s);
+    ASSERT_EQ(lane(0).curves.size(), 1U);
+    EXPECT_EQ(lane(0).curves[0].history->at(noon + 5s)->value, 5'000);
+    EXPECT_LT(lane(0).low, 1);
+    EXPECT_GT(lane(0).high, 9'998);
+    click(0.5);
+    EXPECT_TRUE(bar().isVisible());
+}
+
+TEST_F(TrendRecordingsTest, OnTopOfWhatComesByBeginningTogether)
+{
+    advance(2s);
+    const auto night = open(8);
+    page.showTrack({baumer, Channel::position, {}});
+    page.showTrack(position(8));
+    EXPECT_EQ(find<DecimalField>("recordingShift").value(), 0);
+    EXPECT_FALSE(find<QToolButton>("shiftNone").isEnabled());
+    press("shiftBegin");
+    EXPECT_EQ(night->span()->from, histories.of(baumer, Channel::position)->span()->from);
+    EXPECT_NEAR(find<DecimalField>("recordingShift").value(),
+                std::chrono::duration<double>(night->shift()).count(), 0.001);
+    press("shiftNone");
+    EXPECT_EQ(night->shift(), 0s);
+    EXPECT_EQ(night->span()->from, noon);
+}
+
+TEST_F(TrendRecordingsTest, TwoRecordingsLieOnTopOfEachOtherByTheCursors)
+{
+    const auto night = open(8);
+    const auto next = open(9, noon + 24h);
+    page.showTrack(position(8));
+    page.showTrack(position(9));
+    view().setCursor(0, noon + 24h + 3s);
+    EXPECT_FALSE(find<QToolButton>("shiftCursor").isEnabled());
+    view().setCursor(1, noon + 1s);
+    press("shiftCursor");
+    EXPECT_EQ(next->shift(), -24h - 2s);
+    EXPECT_EQ(night->shift(), 0s);
+    page.bringUpToDate();
+    EXPECT_EQ(lane(0).curves[0].history->at(noon + 1s)->value, 1'000);
+    EXPECT_EQ(lane(1).curves[0].history->at(noon + 1s)->value, 3'000);
+}
+
+TEST_F(TrendRecordingsTest, TheShiftCanBeTyped)
+{
+    const auto night = open(8);
+    page.showTrack(position(8));
+    auto &field = find<DecimalField>("recordingShift");
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, QLocale().toString(-1.5, 'f', 1));
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_EQ(night->shift(), -1'500ms);
+    EXPECT_EQ(histories.of(position(8).place, Channel::position)->span()->from, noon - 1'500ms);
+}
+
+TEST_F(TrendRecordingsTest, FollowsWhatIsPlayed)
+{
+    const auto night = open(8);
+    night->setShift(60s);
+    page.showTrack(position(8));
+    night->setPlayed(noon + 4s);
+    view().follow();
+    page.showFrame();
+    EXPECT_EQ(view().scene().played, std::optional(Instant(noon + 64s)));
+    EXPECT_LT(seen().to - (noon + 64s), 1s);
+    night->setPlayed(noon + 5s);
+    page.showFrame();
+    EXPECT_LT(seen().to - (noon + 65s), 1s);
+    EXPECT_EQ(view().scene().played, std::optional(Instant(noon + 65s)));
+}
+
+TEST_F(TrendRecordingsTest, TheMomentAtTheCursorIsAskedFor)
+{
+    const auto night = open(8);
+    night->setShift(60s);
+    page.showTrack(position(8));
+    std::vector<Instant> asked;
+    QObject::connect(night.get(), &Archive::asked, &page, [&](Instant at) { asked.push_back(at); });
+    EXPECT_FALSE(find<QToolButton>("showMoment").isEnabled());
+    view().setCursor(0, noon + 63s);
+    press("showMoment");
+    EXPECT_THAT(asked, testing::ElementsAre(noon + 3s));
+}
+
+TEST_F(TrendRecordingsTest, ItsCurvesGoWithItAndAreNotKept)
+{
+    advance(1s);
+    auto night = open(8);
+    page.showTrack({baumer, Channel::position, {}});
+    page.showTrack(position(8));
+    page.tracks().setTravel(position(8).place, 5);
+    EXPECT_EQ(page.tracks().state().size(), 1);
+    night.reset();
+    EXPECT_EQ(page.tracks().shown().size(), 1U);
+    EXPECT_FALSE(page.tracks().travel(position(8).place));
+    EXPECT_FALSE(bar().isVisible());
+    page.showFrame();
+    EXPECT_EQ(view().scene().lanes.size(), 1U);
+}
+
+TEST_F(TrendRecordingsTest, ABlockThatIsDamagedIsSaid)
+{
+    const auto night = open(8);
+    files.back()->execute(QStringLiteral("UPDATE samples SET data = x'00'"));
+    page.showTrack(position(8));
+    view().showSpan({noon + 1s, noon + 1'500ms});
+    page.grab();
+    EXPECT_THAT(sentence().toStdString(), testing::HasSubstr("damaged"));
+}
+
+} // namespace
+} // namespace codewheel
