@@ -845,6 +845,22 @@
         <comment>a sentence, date and time</comment>
         <translation>%1 Zuletzt gesehen: %2.</translation>
     </message>
+    <message>
+        <source>This is a recording.</source>
+        <translation>Dies ist eine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Of this time nothing is recorded.</source>
+        <translation>Aus dieser Zeit ist nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>IdCode</name>
@@ -2846,6 +2862,10 @@
     <message>
         <source>Some values of %1 cannot be read: the file is damaged (blocks: %2). There are gaps instead.</source>
         <translation>Einige Werte aus %1 lassen sich nicht lesen: Die Datei ist beschädigt (Blöcke: %2). An ihrer Stelle sind Lücken.</translation>
+    </message>
+    <message>
+        <source>This is a recording: nothing is sent.</source>
+        <translation>Dies ist eine Aufzeichnung: Es wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -12449,6 +12469,57 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplayOutline</name>
+    <message>
+        <source>Recording (%1)</source>
+        <translation>Aufzeichnung (%1)</translation>
+    </message>
+    <message>
+        <source>%1
+Shown: %2
+From %3 to %4
+Nothing is sent.</source>
+        <translation>%1
+Gezeigt: %2
+Von %3 bis %4
+Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1  %2
+State: %3 (%4)</source>
+        <translation>%1  %2
+Zustand: %3 (%4)</translation>
+    </message>
+    <message>
+        <source>This program has no description of this device: only its words are shown.</source>
+        <translation>Dieses Programm hat keine Beschreibung dieses Geräts: Nur seine Worte werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>nothing: it is a recording</source>
+        <translation>nichts: Es ist eine Aufzeichnung</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,13 @@ std::vector<EncoderBus *> Buses::open() const
     return open;
 }
 
+std::vector<EncoderBus *> Buses::connected() const
+{
+    std::vector<EncoderBus *> connected = open();
+    std::erase_if(connected, &EncoderBus::isReplay);
+    return connected;
+}
+
 EncoderBus *Buses::open(BusId bus) const
 {
     const auto found = std::ranges::find_if(

@@ -20,7 +20,8 @@ public:
     void add(EncoderBus &bus);
     void remove(const EncoderBus *bus); // no effect if it is not here
     std::vector<EncoderBus *> open() const;
-    EncoderBus *open(BusId bus) const; // null: it is not open
+    EncoderBus *open(BusId bus) const;           // null: it is not open
+    std::vector<EncoderBus *> connected() const; // those open that show no recording
 
     std::vector<Place> places() const;
     EncoderBus *busOf(Place place) const; // null: no open bus has it

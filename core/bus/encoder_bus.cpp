@@ -84,6 +84,8 @@ Refusal notConnected(Place place)
 std::vector<Place> devicesWithOut(const EncoderBus &bus)
 {
     std::vector<Place> found;
+    if (bus.isReplay())
+        return found;
     for (const Place place : bus.places())
         if (const WordChannel *channel = bus.channel(place); channel != nullptr && channel->out() != 0)
             found.push_back(place);

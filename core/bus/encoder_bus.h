@@ -81,11 +81,13 @@ public:
     virtual BusState state() const = 0;
     bool isOpen() const { return state() == BusState::open || state() == BusState::lost; } // connected
     virtual bool isSimulated() const = 0;                                                  // its encoders are
+    // It shows a recording: nobody is at work there, nothing is sent, and what it shows is of then.
+    virtual bool isReplay() const { return false; }
     virtual bool isRunning() const = 0; // RUN; for a serial line: the port is there, and positions are polled
     virtual bool isOperating() const = 0; // writing is allowed
 
     virtual Instant now() const = 0; // of the newest snapshot
-    QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
+    virtual QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
     Instant sinceEpoch(Instant at) const { return m_wallTime.sinceEpoch(at); }
     // A simulated clock stands still until the bus is opened: its time is now `time`.
     void setTime(const QDateTime &time) { m_wallTime.goOn(time, now()); }
@@ -118,6 +120,8 @@ Q_SIGNALS:
     void valuesDropped(std::uint64_t count);
     void messaged(const codewheel::Message &message); // with its place, of a device or of the bus itself
     void trafficPassed(const codewheel::TrafficRow &row);
+    // What passes from now on does not follow what passed before: it is another moment of a recording.
+    void trafficRestarted();
     // For the ledger of EEPROM writes, before anything of it is sent.
     void writeAboutToBeSent(const codewheel::TypedWrite &write);
     // Once for each that was about to be sent, for every encoder that exists by then. `mayBeDone`: it went
@@ -155,7 +159,7 @@ private:
 
 Refusal notConnected(Place place);
 
-// Those whose OUT is not 00000000, to be named on stop, disconnect and quit.
+// Those whose OUT is not 00000000, to be named on stop, disconnect and quit. None of a recording.
 std::vector<Place> devicesWithOut(const EncoderBus &bus);
 
 } // namespace codewheel

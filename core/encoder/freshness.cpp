@@ -51,4 +51,13 @@ Freshness::Freshness(const Reading &reading, const Circumstances &bus)
     m_reason = isSilent ? Reason::silent : Reason::notSeen;
 }
 
+Freshness Freshness::ofRecording(std::optional<Instant> at)
+{
+    Freshness made;
+    made.m_state = at ? State::old : State::unknown;
+    made.m_reason = at ? Reason::recorded : Reason::notRecorded;
+    made.m_seen = at.value_or(Instant{});
+    return made;
+}
+
 } // namespace codewheel

@@ -26,6 +26,8 @@ public:
         silent,       // it does not answer
         notAsked,     // not for longer than `lateAfter`: something else keeps the line busy
         slept,        // the computer has slept since
+        recorded,     // it is of a recording
+        notRecorded,  // likewise, and nobody recorded it
     };
 
     // The state of the encoder's bus.
@@ -45,6 +47,8 @@ public:
     // `seen`: when it was shown; empty: never.
     Freshness(std::optional<Instant> seen, const Circumstances &bus);
     Freshness(const Reading &reading, const Circumstances &bus);
+    // Of a recording, as it was at that time; empty: nobody recorded it.
+    static Freshness ofRecording(std::optional<Instant> at);
 
     State state() const { return m_state; }
     Reason reason() const { return m_reason; }

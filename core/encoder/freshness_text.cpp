@@ -35,6 +35,13 @@ QString agoText(const QDateTime &then, const QDateTime &now)
     return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
 }
 
+QString recordedText(const QDateTime &then)
+{
+    const QDateTime there = then.toLocalTime();
+    return QStringLiteral("%1 %2").arg(QLocale().toString(there.date(), QLocale::ShortFormat),
+                                       there.time().toString(QStringLiteral("HH:mm:ss")));
+}
+
 QString momentText(const QDateTime &at, const QDateTime &now)
 {
     const QDateTime there = at.toTimeZone(now.timeZone());
@@ -63,6 +70,10 @@ QString freshnessText(Freshness::Reason reason)
         return FreshnessText::tr("The encoder is not being asked: something else keeps the line busy.");
     case Freshness::Reason::slept:
         return FreshnessText::tr("The computer has slept since.");
+    case Freshness::Reason::recorded:
+        return FreshnessText::tr("This is a recording.");
+    case Freshness::Reason::notRecorded:
+        return FreshnessText::tr("Of this time nothing is recorded.");
     }
     return {};
 }
@@ -88,6 +99,10 @@ QString freshnessBrief(Freshness::Reason reason)
         return FreshnessText::tr("Not asked");
     case Freshness::Reason::slept:
         return FreshnessText::tr("Computer slept");
+    case Freshness::Reason::recorded:
+        return FreshnessText::tr("Recording");
+    case Freshness::Reason::notRecorded:
+        return FreshnessText::tr("Not recorded");
     }
     return {};
 }

@@ -12,6 +12,9 @@ namespace codewheel {
 // "20 s ago", "5 min ago", "2 h 5 min ago"; after a day the date and time. A time in the future is "0 s ago".
 QString agoText(const QDateTime &then, const QDateTime &now);
 
+// "24.11.2026 14:02:11", by locale: what a recording shows has a date, however short ago it was.
+QString recordedText(const QDateTime &then);
+
 // "14:02", with the date if it was not on the day of `now`, in whose time zone both are; by locale.
 QString momentText(const QDateTime &at, const QDateTime &now);
 

@@ -81,6 +81,7 @@ enum class RefusalId : std::uint8_t {
     resetNotSupported,              // device name
     sendingNotSupported,            // device name: it has no OUT word
     jobNotSupported,                // device name
+    onlyRecorded,                   //
     masterServiceNotSupported,      // text of the service
     encodersDiffer,                 // place, device name, place, device name
     // busy

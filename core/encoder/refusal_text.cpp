@@ -180,6 +180,8 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
     RefusalRow{RefusalId::jobNotSupported, "jobNotSupported",
                QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
+    RefusalRow{RefusalId::onlyRecorded, "onlyRecorded",
+               QT_TRANSLATE_NOOP("Refusal", "This is a recording: nothing is sent.")},
     RefusalRow{
         RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
         QT_TRANSLATE_NOOP(

@@ -25,11 +25,12 @@ Histories::Histories(Buses &buses, QObject *parent)
 void Histories::watchAll()
 {
     const std::size_t before = m_watched.size();
-    for (EncoderBus *bus : m_buses.open())
+    for (EncoderBus *bus : m_buses.connected()) {
         watch(*bus);
-    for (const Place place : m_buses.places())
-        if (EncoderSession *encoder = m_buses.encoder(place))
-            watch(place, *encoder);
+        for (const Place place : bus->places())
+            if (EncoderSession *encoder = bus->encoder(place))
+                watch(place, *encoder);
+    }
     if (m_watched.size() != before)
         Q_EMIT placesChanged();
 }

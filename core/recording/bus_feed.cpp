@@ -19,7 +19,7 @@ BusFeed::BusFeed(Buses &buses, WallClockNow now, QObject *parent)
 void BusFeed::watchAll()
 {
     tellClosed();
-    for (EncoderBus *bus : m_buses.open()) {
+    for (EncoderBus *bus : m_buses.connected()) {
         watch(*bus);
         for (const Place place : bus->places())
             if (EncoderSession *encoder = bus->encoder(place))
@@ -95,7 +95,7 @@ void BusFeed::tellDevice(const EncoderSession &encoder, const EncoderBus &bus)
 // By the clock of one bus, since they may be apart.
 void BusFeed::tellClock(BusId bus)
 {
-    const std::vector<EncoderBus *> open = m_buses.open();
+    const std::vector<EncoderBus *> open = m_buses.connected();
     if (open.empty() || open.front()->id() != bus)
         return;
     Q_EMIT came(RecordedClock{open.front()->sinceEpoch(open.front()->now()),

@@ -292,23 +292,94 @@ Result<std::optional<Sample>> RecordedChannel::at(Instant at)
 {
     if (at < m_limits.since || at > end())
         return std::nullopt;
-    const auto row = blockAt(at);
-    if (!row)
-        return refusal(row.error());
-    if (!*row)
+    const auto found = blockWith(at);
+    if (!found)
+        return refusal(found.error());
+    if (*found == nullptr)
         return std::nullopt;
-    const auto block = read(**row);
-    if (!block)
-        return refusal(block.error());
-    if (!*block)
-        return std::nullopt;
-    const std::vector<Sample> &samples = (*block)->samples;
+    const auto &[row, block] = **found;
+    const std::vector<Sample> &samples = block->samples;
     const auto next =
         static_cast<std::size_t>(std::ranges::upper_bound(samples, at, {}, &Sample::at) - samples.begin());
-    const auto inGap = isInGap(at, **row, **block, next);
+    const auto inGap = isInGap(at, row, *block, next);
     if (!inGap)
         return refusal(inGap.error());
     return *inGap ? std::nullopt : std::optional(samples[next - 1]);
+}
+
+Stored<const RecordedChannel::AtHand *> RecordedChannel::blockWith(Instant at)
+{
+    if (m_atHand && at >= m_atHand->row.piece.from && at < m_atHand->end())
+        return &*m_atHand;
+    const auto row = blockAt(at);
+    if (!row)
+        return tl::unexpected(row.error());
+    if (!*row)
+        return nullptr;
+    if (m_atHand && m_atHand->row.id == (*row)->id)
+        return &*m_atHand;
+    auto block = read(**row);
+    if (!block)
+        return tl::unexpected(block.error());
+    if (!*block)
+        return nullptr;
+    m_atHand = AtHand{**row, *block};
+    return &*m_atHand;
+}
+
+Result<std::optional<Summary>> RecordedChannel::summary(const TimeSpan &span)
+{
+    if (m_atHand && span.from > m_atHand->row.piece.from && span.to <= m_atHand->end()) {
+        std::optional<Summary> all;
+        for (const Sample &sample : m_atHand->block->samples)
+            if (sample.at >= span.from && sample.at < span.to) {
+                const auto word = static_cast<std::uint32_t>(sample.value);
+                const Summary one{{sample.value, sample.value}, word, word};
+                if (all)
+                    all->include(one);
+                else
+                    all = one;
+            }
+        return all;
+    }
+    return look(span, 1).map([](const Look &look) {
+        const auto &only = look.columns;
+        return only.empty() || !only.front() ? std::nullopt : std::optional(only.front()->summary);
+    });
+}
+
+// A damaged block has none.
+Result<std::optional<Sample>> RecordedChannel::before(Instant at)
+{
+    if (const auto newest = held(); newest && newest->at < at)
+        return newest;
+    for (Instant until = at - Instant(1);;) {
+        const auto row = blockAt(until);
+        if (!row)
+            return refusal(row.error());
+        if (!*row || (*row)->piece.from + (*row)->piece.length < m_limits.since)
+            return std::nullopt;
+        const auto block = read(**row);
+        if (!block)
+            return refusal(block.error());
+        if (*block) {
+            const std::vector<Sample> &samples = (*block)->samples;
+            const Sample found = *std::prev(std::ranges::lower_bound(samples, at, {}, &Sample::at));
+            return found.at < m_limits.since ? std::nullopt : std::optional(found);
+        }
+        until = (*row)->piece.from - Instant(1);
+    }
+}
+
+Result<std::optional<Sample>> RecordedChannel::after(Instant at)
+{
+    std::optional<Sample> found;
+    return forEach({at + Instant(1), Instant::max()},
+                   [&found](const Sample &sample, const auto &) {
+                       found = sample;
+                       return false;
+                   })
+        .map([&found] { return found; });
 }
 
 // `next`: the first sample behind that time, in the block or in the one after it.

@@ -34,6 +34,11 @@ public:
     // counted with the column beside it.
     Result<Look> look(const TimeSpan &span, std::size_t count);
     Result<std::optional<Sample>> at(Instant at);
+    // What its samples of the span have been; nothing: there is none.
+    Result<std::optional<Summary>> summary(const TimeSpan &span);
+    // The newest sample before that time, and the first one behind it, whatever gaps lie between.
+    Result<std::optional<Sample>> before(Instant at);
+    Result<std::optional<Sample>> after(Instant at);
     Result<std::optional<History::Statistics>> statistics(const TimeSpan &span);
     // Each sample of the span, oldest first, read piece by piece.
     Result<void> forEach(const TimeSpan &span, const With &with);
@@ -50,6 +55,16 @@ private:
     {
         qint64 id = 0;
         RecordedPiece piece;
+    };
+    using Unpacked = std::shared_ptr<const RecordedBlock>; // null: it is damaged, or was left out meanwhile
+
+    // The block that was looked at last: who looks at one moment after the other mostly needs it again.
+    struct AtHand
+    {
+        Block row;
+        Unpacked block; // not null
+
+        Instant end() const { return row.piece.from + row.piece.length; }
     };
     struct Limits
     {
@@ -72,9 +87,8 @@ private:
                                  const TimeSpan &span) const;
     Stored<void> addBlocks(RecordingColumns &columns, Instant from, Instant to);
     Stored<void> addSamples(RecordingColumns &columns, const Block &row);
-    using Unpacked = std::shared_ptr<const RecordedBlock>; // null: it is damaged, or was left out meanwhile
-
     Stored<Unpacked> read(const Block &row);
+    Stored<const AtHand *> blockWith(Instant at); // null: there is none, or it is damaged
     Unpacked keep(qint64 id, RecordedBlock block);
     Stored<std::vector<Block>> blocksWithGaps(const TimeSpan &span) const;
     Stored<std::vector<Block>> blocksAfter(Instant from, qint64 id, Instant to, int most) const;
@@ -89,7 +103,8 @@ private:
     Limits m_limits;
     std::optional<Sample> m_first;
     std::optional<Sample> m_last; // that is in a block
-    std::set<qint64> m_damaged;   // ids of blocks
+    std::optional<AtHand> m_atHand;
+    std::set<qint64> m_damaged; // ids of blocks
     std::map<qint64, Unpacked> m_unpacked;
     std::deque<qint64> m_unpackedOrder; // which was unpacked first
 };

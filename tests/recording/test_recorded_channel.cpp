@@ -188,5 +188,43 @@ TEST_F(LongRecordingTest, AWideColumnIsRightButForAHalfAtItsEdges)
     }
 }
 
+TEST(RecordedChannelSteps, FindsTheSamplesBesideATimeWhateverGapsLieBetween)
+{
+    RecordingFile file;
+    auto writer = file.begin();
+    writer->add(positions(noon, 1'000, [](auto i) { return i; }));
+    writer->add(RecordedInterruption{"1.0"_ring, noon + 1s});
+    writer->add(positions(noon + 1h, 1'000, [](auto i) { return 5'000 + i; }));
+    writer->end();
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = RecordingFile::channel(reader, Channel::position);
+    EXPECT_EQ(channel.before(noon + 30min).value(), (Sample{noon + 999ms, 999}));
+    EXPECT_EQ(channel.before(noon + 700ms).value(), (Sample{noon + 699ms, 699}));
+    EXPECT_EQ(channel.before(noon).value(), std::nullopt);
+    EXPECT_EQ(channel.after(noon + 30min).value(), (Sample{noon + 1h, 5'000}));
+    EXPECT_EQ(channel.after(noon + 700ms).value(), (Sample{noon + 701ms, 701}));
+    EXPECT_EQ(channel.after(noon + 2h).value(), std::nullopt);
+}
+
+TEST(RecordedChannelSteps, SaysWhatTheSamplesOfASpanHaveBeenWhateverBlockIsAtHand)
+{
+    RecordingFile file;
+    auto writer = file.begin();
+    writer->add(positions(noon, 3'000, [](auto i) { return i; }));
+    writer->end();
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = RecordingFile::channel(reader, Channel::position);
+    const TimeSpan span{noon + 100ms, noon + 104ms};
+    const auto cold = channel.summary(span).value();
+    ASSERT_TRUE(cold);
+    EXPECT_EQ(cold->extent, (Extent{100, 103}));
+    EXPECT_EQ(cold->ever & ~cold->always, 0b11U);
+    EXPECT_EQ(channel.at(noon + 50ms).value()->value, 50);
+    EXPECT_EQ(channel.summary(span).value(), cold);
+    EXPECT_EQ(channel.summary({noon + 1h, noon + 2h}).value(), std::nullopt);
+    EXPECT_EQ(channel.at(noon + 2'500ms).value()->value, 2'500) << "of another block";
+    EXPECT_EQ(channel.at(noon + 50ms).value()->value, 50);
+}
+
 } // namespace
 } // namespace codewheel

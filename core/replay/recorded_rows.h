@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/traffic.h"
+#include "catalog/device_description.h"
+
+#include <functional>
+#include <span>
+
+namespace codewheel {
+
+// The recorded traffic of a bus, with what it means: which a recording does not have, since it depends on the
+// language. Made by its kind of bus, row by row.
+class RecordedRows
+{
+public:
+    using DeviceAt = std::function<const DeviceDescription *(Place place)>; // null: it is not known
+
+    virtual ~RecordedRows() = default;
+    virtual std::span<const TrafficColumn> columns() const = 0;
+    virtual TrafficRow explained(TrafficRow row, const DeviceAt &device) = 0;
+    virtual void restart() = 0; // what comes does not follow what came
+};
+
+// `hasWords`: what passes on the bus is words.
+std::unique_ptr<RecordedRows> recordedRows(bool hasWords);
+
+} // namespace codewheel

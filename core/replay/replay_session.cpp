@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "replay/replay_session.h"
+
+#include "drivers/make_driver.h"
+#include "replay/replay_bus.h"
+#include "words/k3_cam_word.h"
+
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+// It shows its cams, and nothing else can be done with it.
+Capabilities shownOnly(const DeviceDescription &device)
+{
+    Capabilities can;
+    can.cams = device.capabilities.cams;
+    can.readingHidesPosition = false;
+    return can;
+}
+
+Reading unexplained(Word in)
+{
+    Reading reading;
+    reading.state = EncoderState::unknown;
+    reading.in = in;
+    return reading;
+}
+
+} // namespace
+
+ReplayEncoderSession::ReplayEncoderSession(const ReplayBus &bus, Place place, DeviceDescription device)
+    : m_bus(bus)
+    , m_place(place)
+    , m_device(std::move(device))
+    , m_can(shownOnly(m_device))
+{}
+
+std::optional<Known> ReplayEncoderSession::known(Parameter parameter) const
+{
+    const auto value = valueOf(m_known, parameter);
+    return value ? std::optional(Known{parameter, *value, Evidence::told, m_knownSince}) : std::nullopt;
+}
+
+std::vector<Known> ReplayEncoderSession::allKnown() const
+{
+    std::vector<Known> all;
+    for (const ParameterValue &value : m_known)
+        all.push_back({value.parameter, value.value, Evidence::told, m_knownSince});
+    return all;
+}
+
+Result<std::vector<Step>> ReplayEncoderSession::planned(const std::vector<Job> &) const
+{
+    return tl::unexpected(onlyRecorded());
+}
+
+Result<JobId> ReplayEncoderSession::start(const Job &, Pace)
+{
+    return tl::unexpected(onlyRecorded());
+}
+
+QDateTime ReplayEncoderSession::dateTime(Instant at) const
+{
+    return m_bus.dateTime(at);
+}
+
+void ReplayEncoderSession::show(const RecordedEncoder::Moment &moment, Instant at,
+                                const RecordedEncoder::Described &described)
+{
+    const ParameterValues before = std::exchange(m_known, described.device.known);
+    m_knownSince = described.since;
+    if (m_known != before)
+        Q_EMIT knownChanged();
+    const Reading was = std::exchange(m_reading, readingOf(moment, at));
+    setFreshness(Freshness::ofRecording(moment.isKnown() ? std::optional(at) : std::nullopt));
+    if (m_reading != was)
+        Q_EMIT latestChanged();
+}
+
+// What a driver would say of the words alone; its position depends on what it had seen before, so the
+// recorded one counts.
+Reading ReplayEncoderSession::readingOf(const RecordedEncoder::Moment &moment, Instant at) const
+{
+    const auto &in = moment.of(Channel::in);
+    const auto &out = moment.of(Channel::out);
+    Reading reading =
+        in ? ofWords(static_cast<Word>(*in), static_cast<Word>(out.value_or(0)), at) : Reading();
+    reading.at = at;
+    reading.position = moment.of(Channel::position);
+    reading.velocity.reset();
+    reading.stepsPerSecond.reset();
+    reading.cams.reset();
+    if (const auto &speed = moment.of(Channel::speed))
+        reading.stepsPerSecond = static_cast<double>(*speed) / speedUnits;
+    if (const auto &cams = moment.of(Channel::cams))
+        reading.cams = {static_cast<std::uint8_t>(*cams),
+                        in ? k3::camPositionPart(static_cast<Word>(*in)) : 0};
+    if (!in && (reading.position || reading.cams))
+        reading.state = EncoderState::operation;
+    if (reading.cams)
+        reading.mode = Mode::cam;
+    else if (reading.position && m_device.quirks.hasModes)
+        reading.mode = Mode::position;
+    return reading;
+}
+
+Reading ReplayEncoderSession::ofWords(Word in, Word out, Instant at) const
+{
+    const auto driver = makeDriver(m_device);
+    if (driver == nullptr)
+        return unexplained(in);
+    driver->setKnown(allKnown());
+    driver->cycle(in, out, at);
+    return driver->reading();
+}
+
+} // namespace codewheel
