@@ -41,12 +41,6 @@ constexpr const char *settings[] = {
     "PRAGMA hard_heap_limit = 536870912",
 };
 
-QString newName()
-{
-    static std::atomic<quint64> counter = 0;
-    return QStringLiteral("codewheel-%1").arg(++counter);
-}
-
 DatabaseError foreignFile(const QString &reason)
 {
     return {DatabaseError::Kind::foreign, reason};
@@ -55,18 +49,6 @@ DatabaseError foreignFile(const QString &reason)
 int primaryCode(const QSqlError &error)
 {
     return error.nativeErrorCode().toInt() & 0xFF; // without the extended part
-}
-
-// Retries until no other program holds the file.
-template <typename Try>
-Stored<void> whenFree(const QString &file, const QSqlQuery &query, Try isDone)
-{
-    if (isDone())
-        return {};
-    for (BusyWait busy(file); primaryCode(query.lastError()) == sqliteBusy && busy.goesOn();)
-        if (isDone())
-            return {};
-    return tl::unexpected(Database::errorOf(query.lastError()));
 }
 
 // As a URI, since characters in a file name could otherwise have a special meaning there.
@@ -84,36 +66,27 @@ QString uriOf(const DatabasePlace &place, const char *mode)
 
 DatabasePlace DatabasePlace::memory()
 {
-    return {newName(), true};
+    static std::atomic<quint64> counter = 0;
+    return {QStringLiteral("codewheel-%1").arg(++counter), true};
 }
 
 Database::Database(Database &&other) noexcept
-    : m_file(std::exchange(other.m_file, {}))
+    : SqlConnection(std::move(other))
+    , m_file(std::exchange(other.m_file, {}))
     , m_open(std::move(other.m_open))
-    , m_connection(std::exchange(other.m_connection, {}))
 {}
 
 Database &Database::operator=(Database &&other) noexcept
 {
+    SqlConnection::operator=(std::move(other));
     std::swap(m_file, other.m_file);
     std::swap(m_open, other.m_open);
-    std::swap(m_connection, other.m_connection);
     return *this;
 }
 
 Database::~Database()
 {
     close();
-}
-
-void Database::close()
-{
-    const QString name = m_connection.connectionName();
-    if (name.isEmpty())
-        return;
-    m_connection.close();
-    m_connection = {};
-    QSqlDatabase::removeDatabase(name);
 }
 
 DatabaseError Database::damaged()
@@ -200,7 +173,7 @@ Stored<Database> Database::connect(const DatabasePlace &place, Access access)
 
     Database database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), newName()),
                       place.inMemory ? QString() : place.name);
-    QSqlDatabase &connection = database.m_connection;
+    QSqlDatabase &connection = database.connection();
     if (!connection.isValid())
         return tl::unexpected(DatabaseError{
             DatabaseError::Kind::other, Journal::tr("Qt's driver for SQLite is missing on this computer.")});
@@ -330,31 +303,14 @@ Stored<QStringList> Database::objects() const
     return found;
 }
 
-QSqlQuery Database::query(const QString &sql) const
+Stored<void> Database::attempt(const QSqlQuery &query, const std::function<bool()> &isDone) const
 {
-    QSqlQuery query(m_connection);
-    query.setForwardOnly(true);
-    (void)whenFree(m_file, query, [&] { return query.prepare(sql); }); // running it reports why
-    return query;
-}
-
-Stored<void> Database::run(QSqlQuery &query) const
-{
-    return whenFree(m_file, query, [&] { return query.exec(); });
-}
-
-Stored<void> Database::execute(const QString &sql) const
-{
-    QSqlQuery query(m_connection);
-    return whenFree(m_file, query, [&] { return query.exec(sql); });
-}
-
-Stored<qint64> Database::number(const QString &sql) const
-{
-    QSqlQuery query(m_connection);
-    return whenFree(m_file, query, [&] { return query.exec(sql); }).map([&] {
-        return query.next() ? query.value(0).toLongLong() : 0;
-    });
+    if (isDone())
+        return {};
+    for (BusyWait busy(m_file); primaryCode(query.lastError()) == sqliteBusy && busy.goesOn();)
+        if (isDone())
+            return {};
+    return tl::unexpected(errorOf(query.lastError()));
 }
 
 QString putAside(const QString &path)

@@ -2,35 +2,13 @@
 #pragma once
 
 #include "journal/open_file.h"
+#include "journal/sql_connection.h"
 
-#include <QSqlDatabase>
-#include <QString>
 #include <QStringList>
 
-#include <tl/expected.hpp>
 #include <vector>
 
-class QSqlError;
-class QSqlQuery;
-
 namespace codewheel {
-
-// Why a database cannot be used. The reason is a sentence in the user's language.
-struct DatabaseError
-{
-    enum class Kind : std::uint8_t {
-        broken,  // a damaged database
-        newer,   // made by a newer version of this program
-        foreign, // not a database, or another program's
-        locked,  // another program holds it, and does nothing
-        other,   // not writable, disk full, ...
-    };
-
-    Kind kind = Kind::other;
-    QString reason;
-};
-template <typename T>
-using Stored = tl::expected<T, DatabaseError>;
 
 // Where a database is: a file, or the memory of this program for as long as somebody has it open.
 struct DatabasePlace
@@ -61,13 +39,13 @@ struct DatabaseSchema
     bool survivesPowerLoss = false;
 };
 
-// One connection to a SQLite database; only the thread that opened it uses it. Several programs may have the
-// same file open, and wait for each other (BusyWait).
+// One connection to a SQLite database. Several programs may have the same file open, and wait for each other
+// (BusyWait).
 //
 // It uses a rollback journal. With a write-ahead log (WAL), all programs share a file mapped into their
 // memory, and if the disk is so full that a hole in it cannot be filled, they are killed by SIGBUS; without
 // one, a full disk is an error that can be reported.
-class Database
+class Database final : public SqlConnection
 {
 public:
     // Creates the file and its folders if they do not exist.
@@ -78,30 +56,10 @@ public:
 
     Database(Database &&other) noexcept;
     Database &operator=(Database &&other) noexcept;
-    ~Database();
-
-    // Ready to be run, and read row by row, once.
-    QSqlQuery query(const QString &sql) const;
-    Stored<void> run(QSqlQuery &query) const;
-    Stored<void> execute(const QString &sql) const;
-    // The first value of the first row; 0 if there is none.
-    Stored<qint64> number(const QString &sql) const;
-
-    // BEGIN IMMEDIATE ... COMMIT around `what`; ROLLBACK if it fails.
-    template <typename What>
-    Stored<void> inTransaction(What what) const
-    {
-        if (auto begun = execute(QStringLiteral("BEGIN IMMEDIATE")); !begun)
-            return begun;
-        Stored<void> done = what();
-        if (done)
-            done = execute(QStringLiteral("COMMIT"));
-        if (!done)
-            (void)execute(QStringLiteral("ROLLBACK"));
-        return done;
-    }
+    ~Database() override;
 
     static DatabaseError errorOf(const QSqlError &error);
+    DatabaseError reasonOf(const QSqlError &error) const override { return errorOf(error); }
     static DatabaseError damaged();
     static DatabaseError locked();
     // Whether Qt's driver is there.
@@ -109,9 +67,12 @@ public:
 
 private:
     Database(const QSqlDatabase &connection, QString file)
-        : m_file(std::move(file))
-        , m_connection(connection)
+        : SqlConnection(connection)
+        , m_file(std::move(file))
     {}
+    QString beginning() const override { return QStringLiteral("BEGIN IMMEDIATE"); }
+    // Until no other program holds the file.
+    Stored<void> attempt(const QSqlQuery &query, const std::function<bool()> &isDone) const override;
     enum class Access { write, read };
     static Stored<Database> connect(const DatabasePlace &place, Access access);
     Stored<void> set() const;
@@ -121,11 +82,9 @@ private:
     Stored<void> raise(const DatabaseSchema &schema) const;
     Stored<QStringList> objects() const;
     void leaveWriteAheadLog() const;
-    void close();
 
     QString m_file;  // empty: in memory
     OpenFile m_open; // until the connection is closed
-    QSqlDatabase m_connection;
 };
 
 // Puts a damaged file (and what belongs to it) aside under another name, which is returned; empty: it could
