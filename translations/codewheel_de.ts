@@ -2867,6 +2867,26 @@
         <source>This is a recording: nothing is sent.</source>
         <translation>Dies ist eine Aufzeichnung: Es wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>The address of the server is wrong. %1</source>
+        <translation>Die Adresse des Servers ist falsch. %1</translation>
+    </message>
+    <message>
+        <source>A password must not be in the address of a server. Put it into ~/.pgpass, into the file that PGPASSFILE names, or into PGPASSWORD.</source>
+        <translation>In die Adresse eines Servers gehört kein Passwort. Es steht in ~/.pgpass, in der Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
+    </message>
+    <message>
+        <source>A recording on a server can be kept to its last hours, but not to a size.</source>
+        <translation>Eine Aufzeichnung auf einem Server lässt sich auf ihre letzten Stunden begrenzen, aber nicht auf eine Größe.</translation>
+    </message>
+    <message>
+        <source>%1 does not take the recording: %2 What is recorded waits on this computer, and follows (MB that wait: %3).</source>
+        <translation>%1 nimmt die Aufzeichnung nicht an: %2 Was aufgezeichnet wird, wartet auf diesem Rechner und folgt (wartende MB: %3).</translation>
+    </message>
+    <message>
+        <source>Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and follows with the next recording to this server.</source>
+        <translation>Die Aufzeichnung ist nicht vollständig in %1: %2 Der Rest (MB: %3) wartet in %4 und folgt mit der nächsten Aufzeichnung auf diesen Server.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -17432,6 +17452,133 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Server</name>
+    <message>
+        <source>Qt&apos;s driver for PostgreSQL is missing on this computer. Install the package libqt6sql6-psql.</source>
+        <translation>Auf diesem Rechner fehlt der PostgreSQL-Treiber von Qt. Abhilfe: das Paket libqt6sql6-psql installieren.</translation>
+    </message>
+    <message>
+        <source>there is no recording in it.</source>
+        <translation>dort ist keine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>there are several recordings in it. Add ?recording=NAME; the newest are: %1.</source>
+        <translation>dort sind mehrere Aufzeichnungen. ?recording=NAME anhängen; die neuesten sind: %1.</translation>
+    </message>
+    <message>
+        <source>the server is too old: PostgreSQL 9.5 or newer is needed.</source>
+        <translation>der Server ist zu alt: Nötig ist PostgreSQL 9.5 oder neuer.</translation>
+    </message>
+    <message>
+        <source>its encoding is %1. Make a database with the encoding UTF8.</source>
+        <translation>die Zeichenkodierung ist %1. Abhilfe: eine Datenbank mit der Kodierung UTF8 anlegen.</translation>
+    </message>
+    <message>
+        <source>there is no recording %1 in it.</source>
+        <translation>dort ist keine Aufzeichnung %1.</translation>
+    </message>
+    <message>
+        <source>nothing of the recording has arrived as yet.</source>
+        <translation>von der Aufzeichnung ist noch nichts angekommen.</translation>
+    </message>
+    <message>
+        <source>the recording was made by a newer Codewheel.</source>
+        <translation>die Aufzeichnung stammt von einem neueren Codewheel.</translation>
+    </message>
+    <message>
+        <source>its user may not make a schema there. The owner of the database allows it with GRANT CREATE ON DATABASE.</source>
+        <translation>der Benutzer darf dort kein Schema anlegen. Der Eigentümer der Datenbank erlaubt es mit GRANT CREATE ON DATABASE.</translation>
+    </message>
+    <message>
+        <source>no computer of the name %1 is known.</source>
+        <translation>ein Rechner mit dem Namen %1 ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>the server is just starting or stopping.</source>
+        <translation>der Server startet oder endet gerade.</translation>
+    </message>
+    <message>
+        <source>the server has no connection free.</source>
+        <translation>der Server hat keine Verbindung mehr frei.</translation>
+    </message>
+    <message>
+        <source>it asks for a password, and there is none. Put it into ~/.pgpass, into the file that PGPASSFILE names, or into PGPASSWORD.</source>
+        <translation>der Server verlangt ein Passwort, und es ist keines da. Es gehört in ~/.pgpass, in die Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
+    </message>
+    <message>
+        <source>user or password is wrong. The password is in ~/.pgpass, in the file that PGPASSFILE names, or in PGPASSWORD.</source>
+        <translation>Benutzer oder Passwort ist falsch. Das Passwort steht in ~/.pgpass, in der Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
+    </message>
+    <message>
+        <source>the server does not let this user of this computer in (pg_hba.conf).</source>
+        <translation>der Server lässt diesen Benutzer von diesem Rechner aus nicht zu (pg_hba.conf).</translation>
+    </message>
+    <message>
+        <source>the server has no database %1.</source>
+        <translation>der Server hat keine Datenbank %1.</translation>
+    </message>
+    <message>
+        <source>the server has no such user.</source>
+        <translation>der Server hat keinen solchen Benutzer.</translation>
+    </message>
+    <message>
+        <source>no server answers there. Is it running, and is the port right?</source>
+        <translation>dort antwortet kein Server. Läuft er, und stimmt der Port?</translation>
+    </message>
+    <message>
+        <source>its computer does not answer.</source>
+        <translation>der Rechner des Servers antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>the connection was lost.</source>
+        <translation>die Verbindung ist abgebrochen.</translation>
+    </message>
+    <message>
+        <source>its user may not do that there: %1</source>
+        <translation>der Benutzer darf das dort nicht: %1</translation>
+    </message>
+    <message>
+        <source>the server only lets it be read.</source>
+        <translation>der Server erlaubt nur das Lesen.</translation>
+    </message>
+    <message>
+        <source>the disk of the server is full.</source>
+        <translation>der Datenträger des Servers ist voll.</translation>
+    </message>
+    <message>
+        <source>a table of the recording is missing.</source>
+        <translation>eine Tabelle der Aufzeichnung fehlt.</translation>
+    </message>
+    <message>
+        <source>The port is a number from 1 to 65535.</source>
+        <translation>Der Port ist eine Zahl von 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>The name of a recording has small letters, digits and underlines.</source>
+        <translation>Der Name einer Aufzeichnung besteht aus kleinen Buchstaben, Ziffern und Unterstrichen.</translation>
+    </message>
+    <message>
+        <source>Behind the question mark may stand sslmode, sslrootcert, connect_timeout and recording, each with a value, and &amp; between them.</source>
+        <translation>Hinter dem Fragezeichen dürfen sslmode, sslrootcert, connect_timeout und recording stehen, jeweils mit einem Wert und mit &amp; dazwischen.</translation>
+    </message>
+    <message>
+        <source>The value of %1 may have letters, digits and _ . / + -.</source>
+        <translation>Der Wert von %1 darf Buchstaben, Ziffern und _ . / + - enthalten.</translation>
+    </message>
+    <message>
+        <source>It begins with postgresql://.</source>
+        <translation>Sie beginnt mit postgresql://.</translation>
+    </message>
+    <message>
+        <source>The name of the database is missing: postgresql://HOST/DATABASE.</source>
+        <translation>Der Name der Datenbank fehlt: postgresql://HOST/DATENBANK.</translation>
+    </message>
+    <message>
+        <source>sending it takes longer.</source>
+        <translation>das Senden dauert länger.</translation>
     </message>
 </context>
 </TS>

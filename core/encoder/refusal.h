@@ -67,6 +67,9 @@ enum class RefusalId : std::uint8_t {
     lineAddressTaken,      // address, text of what answers there
     lineAddressNotAlone,   // address, text of another encoder of the line
     recordingExists,       // file
+    serverAddressWrong,    // sentence about what is wrong
+    passwordInAddress,     //
+    noSizeOnServer,        //
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -136,6 +139,8 @@ enum class RefusalId : std::uint8_t {
     recordingGone,  // file
     damagedBlocks,  // file, blocks of samples
     diskAlmostFull, // file, free MB, MB that are to stay free
+    serverAway,     // address, reason, MB that wait
+    notAllSent,     // address, reason, MB that wait, folder
     portNotFound,   // port
     portInUse,      // port
     portNoRights,   // port, group that may use it, command that adds the user to it

@@ -138,6 +138,15 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::recordingExists, "recordingExists",
                QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over "
                                             "another file: choose another name, or remove that file.")},
+    RefusalRow{RefusalId::serverAddressWrong, "serverAddressWrong",
+               QT_TRANSLATE_NOOP("Refusal", "The address of the server is wrong. %1")},
+    RefusalRow{RefusalId::passwordInAddress, "passwordInAddress",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "A password must not be in the address of a server. Put it into ~/.pgpass, "
+                                 "into the file that PGPASSFILE names, or into PGPASSWORD.")},
+    RefusalRow{RefusalId::noSizeOnServer, "noSizeOnServer",
+               QT_TRANSLATE_NOOP("Refusal", "A recording on a server can be kept to its last hours, but not "
+                                            "to a size.")},
     // notSupported
     RefusalRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",
@@ -404,6 +413,13 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay "
                                  "free. The recording waits. Make room.")},
+    RefusalRow{RefusalId::serverAway, "serverAway",
+               QT_TRANSLATE_NOOP("Refusal", "%1 does not take the recording: %2 What is recorded waits on "
+                                            "this computer, and follows (MB that wait: %3).")},
+    RefusalRow{RefusalId::notAllSent, "notAllSent",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and "
+                                 "follows with the next recording to this server.")},
     RefusalRow{
         RefusalId::portNotFound, "portNotFound",
         QT_TRANSLATE_NOOP(

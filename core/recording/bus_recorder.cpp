@@ -18,17 +18,17 @@ Result<std::unique_ptr<BusRecorder>> BusRecorder::begin(Buses &buses, const Hist
     RecordingPlan dated = plan;
     if (dated.settings.begun == Instant(0))
         dated.settings.begun = std::chrono::milliseconds(now().toMSecsSinceEpoch());
-    auto writer = RecordingWriter::begin(dated.settings);
-    if (!writer)
-        return tl::unexpected(writer.error());
-    return std::unique_ptr<BusRecorder>(new BusRecorder(buses, histories, dated, now, std::move(*writer)));
+    auto target = RecordingTarget::begin(dated.settings);
+    if (!target)
+        return tl::unexpected(target.error());
+    return std::unique_ptr<BusRecorder>(new BusRecorder(buses, histories, dated, now, std::move(*target)));
 }
 
 BusRecorder::BusRecorder(Buses &buses, const Histories &histories, const RecordingPlan &plan,
-                         const BusFeed::WallClockNow &now, std::unique_ptr<RecordingWriter> writer)
+                         const BusFeed::WallClockNow &now, std::unique_ptr<RecordingTarget> target)
     : m_histories(histories)
     , m_plan(plan)
-    , m_writer(std::move(writer))
+    , m_target(std::move(target))
     , m_state(plan.trigger ? State::waiting : State::recording)
     , m_feed(buses, now)
 {
@@ -54,7 +54,7 @@ void BusRecorder::fire()
 
 void BusRecorder::note(Instant at, const QString &text)
 {
-    m_writer->add(RecordedNote{at, text});
+    m_target->add(RecordedNote{at, text});
 }
 
 void BusRecorder::end()
@@ -64,7 +64,7 @@ void BusRecorder::end()
     for (const Place place : m_histories.places()) // those that have been silent since
         if (m_span && isWanted(place))
             addPast(place, m_span->to);
-    (void)m_writer->end();
+    (void)m_target->end();
     setState(State::ended);
 }
 
@@ -78,7 +78,7 @@ void BusRecorder::receive(const RecordingEntry &entry)
     if (m_state == State::ended)
         return;
     std::visit([this](const auto &what) { take(what); }, entry);
-    if (m_writer->status().hasEnded)
+    if (m_target->status().hasEnded)
         setState(State::ended);
 }
 
@@ -96,7 +96,7 @@ void BusRecorder::take(const RecordedValues &values)
     std::ranges::copy_if(values.values, std::back_inserter(wanted.values),
                          [this](const ShownValues &shown) { return isIn(shown.at); });
     if (!wanted.values.empty())
-        m_writer->add(std::move(wanted));
+        m_target->add(std::move(wanted));
     endIfOver(values.values.front().at);
 }
 
@@ -106,32 +106,32 @@ void BusRecorder::take(const RecordedMessage &message)
         if (const auto at = m_trigger->take(message))
             beginAt(*at);
     if (isIn(message.at) && isWanted(message.message.place))
-        m_writer->add(message);
+        m_target->add(message);
 }
 
 void BusRecorder::take(const RecordedTraffic &traffic)
 {
     if (m_plan.withTraffic && isIn(traffic.at) && isWanted(traffic.row.place))
-        m_writer->add(traffic);
+        m_target->add(traffic);
 }
 
 void BusRecorder::take(const RecordedInterruption &interruption)
 {
     if (m_state == State::recording)
-        m_writer->add(interruption);
+        m_target->add(interruption);
 }
 
 // Also tells that the time is over, if nothing else comes.
 void BusRecorder::take(const RecordedClock &clock)
 {
-    m_writer->add(clock);
+    m_target->add(clock);
     endIfOver(clock.at);
 }
 
 void BusRecorder::take(const RecordedDescription &description)
 {
     if (isWanted(description.place))
-        m_writer->add(description);
+        m_target->add(description);
 }
 
 void BusRecorder::endIfOver(Instant now)
@@ -143,7 +143,7 @@ void BusRecorder::endIfOver(Instant now)
 template <class Other>
 void BusRecorder::take(const Other &other)
 {
-    m_writer->add(other);
+    m_target->add(other);
 }
 
 void BusRecorder::beginAt(Instant at)
@@ -161,9 +161,9 @@ void BusRecorder::addMarks(Instant until)
         if (mark.at < m_span->from || mark.at >= until || !isWanted(mark.place))
             continue;
         if (const auto *message = std::get_if<Message>(&mark.what))
-            m_writer->add(RecordedMessage{mark.at, *message});
+            m_target->add(RecordedMessage{mark.at, *message});
         else
-            m_writer->add(RecordedNote{mark.at, std::get<QString>(mark.what)});
+            m_target->add(RecordedNote{mark.at, std::get<QString>(mark.what)});
     }
 }
 
@@ -173,7 +173,7 @@ void BusRecorder::addPast(Place place, Instant until)
     if (history == nullptr || !m_withPast.insert(place).second || until <= m_span->from)
         return;
     for (RecordedPast &past : pastOf(place, *history, {m_span->from, until}))
-        m_writer->add(std::move(past));
+        m_target->add(std::move(past));
 }
 
 } // namespace codewheel

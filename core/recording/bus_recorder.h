@@ -2,8 +2,8 @@
 #pragma once
 
 #include "recording/bus_feed.h"
+#include "recording/recording_target.h"
 #include "recording/recording_trigger.h"
-#include "recording/recording_writer.h"
 
 namespace codewheel {
 
@@ -28,7 +28,8 @@ class BusRecorder : public QObject
 public:
     enum class State { waiting, recording, ended };
 
-    // The file is made at once, so that what is wrong with it is known before anything happens.
+    // The file, or the recording on the server, is made at once, so that what is wrong with it is known
+    // before anything happens.
     static Result<std::unique_ptr<BusRecorder>> begin(Buses &buses, const Histories &histories,
                                                       const RecordingPlan &plan,
                                                       const BusFeed::WallClockNow &now);
@@ -37,7 +38,7 @@ public:
     const RecordingPlan &plan() const { return m_plan; }
     // What is recorded, as far as it is known; nothing: it waits, or nothing has come as yet.
     const std::optional<TimeSpan> &span() const { return m_span; }
-    RecordingStatus status() const { return m_writer->status(); }
+    RecordingStatus status() const { return m_target->status(); }
 
     void fire(); // by hand, without waiting any longer
     void note(Instant at, const QString &text);
@@ -48,7 +49,7 @@ Q_SIGNALS:
 
 private:
     BusRecorder(Buses &buses, const Histories &histories, const RecordingPlan &plan,
-                const BusFeed::WallClockNow &now, std::unique_ptr<RecordingWriter> writer);
+                const BusFeed::WallClockNow &now, std::unique_ptr<RecordingTarget> target);
 
     void receive(const RecordingEntry &entry);
     void take(const RecordedValues &values);
@@ -70,7 +71,7 @@ private:
 
     const Histories &m_histories;
     const RecordingPlan m_plan;
-    std::unique_ptr<RecordingWriter> m_writer;
+    std::unique_ptr<RecordingTarget> m_target;
     std::optional<TriggerWatch> m_trigger; // nothing: it has fired
     State m_state;
     std::optional<TimeSpan> m_span;

@@ -33,7 +33,7 @@ RecordedPiece pieceOf(const QSqlQuery &row)
 }
 
 template <class... Values>
-QSqlQuery query(const Database &database, const QString &statement, Values... values)
+QSqlQuery query(const SqlConnection &database, const QString &statement, Values... values)
 {
     QSqlQuery query = database.query(statement);
     int index = 0;
@@ -43,13 +43,13 @@ QSqlQuery query(const Database &database, const QString &statement, Values... va
 
 // Calls `with` for each row.
 template <class With>
-Stored<void> read(const Database &database, QSqlQuery query, With with)
+Stored<void> read(const SqlConnection &database, QSqlQuery query, With with)
 {
     if (auto done = database.run(query); !done)
         return done;
     while (query.next())
         with(query);
-    return query.lastError().isValid() ? Stored<void>(tl::unexpected(Database::errorOf(query.lastError())))
+    return query.lastError().isValid() ? Stored<void>(tl::unexpected(database.reasonOf(query.lastError())))
                                        : Stored<void>();
 }
 

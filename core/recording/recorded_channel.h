@@ -2,7 +2,7 @@
 #pragma once
 
 #include "encoder/refusal.h"
-#include "journal/database.h"
+#include "journal/sql_connection.h"
 #include "recording/recording_columns.h"
 
 #include <deque>
@@ -73,7 +73,7 @@ private:
         std::optional<Instant> gapSince{};
     };
 
-    RecordedChannel(const Database &database, QString file, qint64 id, const Limits &limits)
+    RecordedChannel(const SqlConnection &database, QString file, qint64 id, const Limits &limits)
         : m_database(&database)
         , m_file(std::move(file))
         , m_id(id)
@@ -97,7 +97,7 @@ private:
     Stored<void> forEachSample(const TimeSpan &span, const With &with);
     tl::unexpected<Refusal> refusal(const DatabaseError &error) const;
 
-    const Database *m_database;
+    const SqlConnection *m_database;
     QString m_file;
     qint64 m_id;
     Limits m_limits;

@@ -2,6 +2,7 @@
 #include "recording/recording_reader.h"
 
 #include "history/track.h"
+#include "recording/postgres_database.h"
 #include "recording/recording_tables.h"
 
 #include <QFileInfo>
@@ -130,10 +131,21 @@ ChannelLimits limitsOf(const QSqlQuery &row)
 
 Result<RecordingReader> RecordingReader::open(const QString &file)
 {
+    if (ServerAddress::isMeant(file))
+        return ServerAddress::parse(file).and_then(openOnServer);
     auto database = Database::openToRead(file, recordingSchema());
     if (!database)
         return refuse(RefusalKind::link, RefusalId::databaseFailed, {file, database.error().reason});
-    return RecordingReader(file, std::move(*database));
+    return RecordingReader(file, std::make_shared<Database>(std::move(*database)));
+}
+
+Result<RecordingReader> RecordingReader::openOnServer(ServerAddress address)
+{
+    auto database = PostgresDatabase::connectToRead(address);
+    if (!database)
+        return refuse(RefusalKind::link, RefusalId::databaseFailed,
+                      {address.place(), database.error().reason});
+    return RecordingReader(address.text(), std::move(*database));
 }
 
 template <class Row>
@@ -148,7 +160,7 @@ Result<std::vector<Row>> RecordingReader::rows(const QString &statement, const s
     while (done && query.next())
         all.push_back(rowOf(query));
     if (done && query.lastError().isValid()) // in the middle of the file
-        done = tl::unexpected(Database::errorOf(query.lastError()));
+        done = tl::unexpected(m_database->reasonOf(query.lastError()));
     if (!done)
         return refuse(RefusalKind::link, RefusalId::databaseFailed, {m_file, done.error().reason});
     return all;

@@ -4,11 +4,12 @@
 #include "recording/recorded_channel.h"
 #include "recording/recording_clock.h"
 #include "recording/recording_store.h"
+#include "recording/server_address.h"
 
 namespace codewheel {
 
-// A recording as a file to look at: also one that is still being written, or whose program was killed. Reads
-// only what is asked for. Used by the thread that opened it.
+// A recording to look at, in a file or on a server: also one that is still being written, or whose program
+// was killed. Reads only what is asked for. Used by the thread that opened it.
 class RecordingReader
 {
 public:
@@ -29,6 +30,7 @@ public:
         StoredMessage message;
     };
 
+    // A file, or the address of a server (ServerAddress).
     static Result<RecordingReader> open(const QString &file);
 
     const QString &file() const { return m_file; }
@@ -46,16 +48,17 @@ public:
     Result<RecordedChannel> channel(const Device &device, Channel channel) const;
 
 private:
-    RecordingReader(QString file, Database database)
+    RecordingReader(QString file, std::shared_ptr<const SqlConnection> database)
         : m_file(std::move(file))
-        , m_database(std::make_unique<Database>(std::move(database)))
+        , m_database(std::move(database))
     {}
+    static Result<RecordingReader> openOnServer(ServerAddress address);
     template <class Row>
     Result<std::vector<Row>> rows(const QString &statement, const std::vector<QVariant> &values,
                                   Row (*rowOf)(const QSqlQuery &)) const;
 
     QString m_file;
-    std::unique_ptr<Database> m_database; // channels refer to it
+    std::shared_ptr<const SqlConnection> m_database; // channels refer to it
 };
 
 } // namespace codewheel

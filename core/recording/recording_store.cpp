@@ -10,14 +10,9 @@
 namespace codewheel {
 namespace {
 
-const QStringList pieceColumns{QStringLiteral("samples"),   QStringLiteral("lowest"),
-                               QStringLiteral("highest"),   QStringLiteral("ones_always"),
-                               QStringLiteral("ones_ever"), QStringLiteral("first"),
-                               QStringLiteral("last"),      QStringLiteral("gap")};
-
-QStringList columns(const char *names)
+QString into(const char *table)
 {
-    return QString::fromLatin1(names).split(u' ');
+    return putStatement(recordingTable(QString::fromLatin1(table)));
 }
 
 QVariant number(Instant at)
@@ -60,14 +55,7 @@ void addPiece(std::vector<QVariant> &values, const RecordedPiece &piece)
 
 Stored<void> RecordingStore::create(const QString &file, const RecordingHead &head)
 {
-    auto database = Database::open(DatabasePlace::file(file), recordingSchema());
-    if (!database)
-        return tl::unexpected(database.error());
-    RecordingStore store(std::move(*database));
-    return store.run(
-        putStatement(QStringLiteral("recording"), columns("id version program begun zone since until"), 1),
-        {1, qint64{std::ssize(recordingSchema().versions)}, text(head.program), number(head.begun),
-         text(head.zone), number(head.since), number(head.until)});
+    return open(file).and_then([&](RecordingStore store) { return store.begin(head); });
 }
 
 Stored<RecordingStore> RecordingStore::open(const QString &file)
@@ -75,15 +63,22 @@ Stored<RecordingStore> RecordingStore::open(const QString &file)
     auto database = Database::open(DatabasePlace::file(file), recordingSchema());
     if (!database)
         return tl::unexpected(database.error());
-    return RecordingStore(std::move(*database));
+    return RecordingStore(std::make_shared<Database>(std::move(*database)));
+}
+
+Stored<void> RecordingStore::begin(const RecordingHead &head)
+{
+    return run(into("recording"),
+               {1, qint64{std::ssize(recordingSchema().versions)}, text(head.program), number(head.begun),
+                text(head.zone), number(head.since), number(head.until), QVariant()});
 }
 
 Stored<void> RecordingStore::run(const QString &statement, const Values &values)
 {
-    QSqlQuery query = m_database.query(statement);
+    QSqlQuery query = m_database->query(statement);
     for (int i = 0; i < static_cast<int>(values.size()); ++i)
         query.bindValue(i, values[static_cast<std::size_t>(i)]);
-    return m_database.run(query);
+    return m_database->run(query);
 }
 
 template <class Rows, class ValuesOf>
@@ -91,12 +86,12 @@ Stored<void> RecordingStore::put(const QString &statement, const Rows &rows, Val
 {
     if (rows.empty())
         return {};
-    QSqlQuery query = m_database.query(statement);
+    QSqlQuery query = m_database->query(statement);
     for (const auto &row : rows) {
         int index = 0;
         for (const QVariant &value : valuesOf(row))
             query.bindValue(index++, value);
-        if (auto done = m_database.run(query); !done)
+        if (auto done = m_database->run(query); !done)
             return done;
     }
     return {};
@@ -104,7 +99,7 @@ Stored<void> RecordingStore::put(const QString &statement, const Rows &rows, Val
 
 Stored<void> RecordingStore::write(const RecordingChanges &changes)
 {
-    return m_database.inTransaction([&] {
+    return m_database->inTransaction([&] {
         return writeDevices(changes)
             .and_then([&] { return writeBlocks(changes); })
             .and_then([&] { return writeEvents(changes); })
@@ -118,37 +113,32 @@ Stored<void> RecordingStore::write(const RecordingChanges &changes)
 
 Stored<void> RecordingStore::writeDevices(const RecordingChanges &changes)
 {
-    return put(putStatement(QStringLiteral("bus"), columns("number name"), 1), changes.buses,
+    return put(into("bus"), changes.buses,
                [](const RecordedBus &bus) {
                    return Values{bus.bus.number, text(bus.name)};
                })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("device"), columns("id place until"), 1), changes.devices,
-                       [](const auto &row) {
-                           return Values{row.first, row.second.place.key(), number(row.second.until)};
-                       });
+            return put(into("device"), changes.devices, [](const auto &row) {
+                return Values{row.first, row.second.place.key(), number(row.second.until)};
+            });
         })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("description"), columns("device since json"), 2),
-                       changes.descriptions, [](const auto &row) {
-                           return Values{row.first, number(row.second.since),
-                                         text(QString::fromUtf8(row.second.json))};
-                       });
+            return put(into("description"), changes.descriptions, [](const auto &row) {
+                return Values{row.first, number(row.second.since), text(QString::fromUtf8(row.second.json))};
+            });
         })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("channel"), columns("id device kind gap_since"), 1),
-                       changes.channels, [](const auto &row) {
-                           const ChannelRow &channel = row.second;
-                           return Values{channel.id, channel.device, channelKey(channel.channel),
-                                         channel.gapSince ? number(*channel.gapSince) : QVariant()};
-                       });
+            return put(into("channel"), changes.channels, [](const auto &row) {
+                const ChannelRow &channel = row.second;
+                return Values{channel.id, channel.device, channelKey(channel.channel),
+                              channel.gapSince ? number(*channel.gapSince) : QVariant()};
+            });
         });
 }
 
 Stored<void> RecordingStore::writeBlocks(const RecordingChanges &changes)
 {
-    return put(putStatement(QStringLiteral("block"), columns("channel start data length") + pieceColumns, 3),
-               changes.blocks,
+    return put(into("block"), changes.blocks,
                [](const auto &row) {
                    const BlockRow &block = row.second;
                    Values values{block.channel, number(block.piece.from), block.id,
@@ -157,27 +147,22 @@ Stored<void> RecordingStore::writeBlocks(const RecordingChanges &changes)
                    return values;
                })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("samples"), columns("id data"), 1), changes.blocks,
-                       [](const auto &row) {
-                           return Values{row.first, row.second.data};
-                       });
+            return put(into("samples"), changes.blocks, [](const auto &row) {
+                return Values{row.first, row.second.data};
+            });
         })
         .and_then([&] {
-            return put(
-                putStatement(QStringLiteral("summary"), columns("channel length start") + pieceColumns, 3),
-                changes.summaries, [](const SummaryRow &row) {
-                    Values values{row.channel, number(row.piece.length), number(row.piece.from)};
-                    addPiece(values, row.piece);
-                    return values;
-                });
+            return put(into("summary"), changes.summaries, [](const SummaryRow &row) {
+                Values values{row.channel, number(row.piece.length), number(row.piece.from)};
+                addPiece(values, row.piece);
+                return values;
+            });
         });
 }
 
 Stored<void> RecordingStore::writeEvents(const RecordingChanges &changes)
 {
-    return put(putStatement(QStringLiteral("message"), columns("at id severity place code arguments refusal"),
-                            2),
-               changes.messages,
+    return put(into("message"), changes.messages,
                [](const auto &row) {
                    const auto &[at, message] = row.second;
                    return Values{number(at),
@@ -189,37 +174,31 @@ Stored<void> RecordingStore::writeEvents(const RecordingChanges &changes)
                                  nullIfEmpty(message.refusal)};
                })
         .and_then([&] {
-            return put(
-                putStatement(QStringLiteral("traffic"),
-                             columns("at id bus place kind cycle word_out word_in bytes automatic typed"), 2),
-                changes.traffic, [](const auto &entry) {
-                    const TrafficRow &row = entry.second.row;
-                    return Values{number(entry.second.at),
-                                  entry.first,
-                                  entry.second.bus.number,
-                                  keyOrNull(row.place),
-                                  kindOrNull(row.kind),
-                                  static_cast<qint64>(row.cycle),
-                                  row.out,
-                                  row.in,
-                                  row.bytes,
-                                  int{row.isAutomatic},
-                                  int{row.isTyped}};
-                });
+            return put(into("traffic"), changes.traffic, [](const auto &entry) {
+                const TrafficRow &row = entry.second.row;
+                return Values{number(entry.second.at),
+                              entry.first,
+                              entry.second.bus.number,
+                              keyOrNull(row.place),
+                              kindOrNull(row.kind),
+                              static_cast<qint64>(row.cycle),
+                              row.out,
+                              row.in,
+                              row.bytes,
+                              int{row.isAutomatic},
+                              int{row.isTyped}};
+            });
         })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("loss"), columns("at id bus amount"), 2), changes.losses,
-                       [](const auto &row) {
-                           const RecordedLoss &loss = row.second;
-                           return Values{number(loss.at), row.first, loss.bus.number,
-                                         static_cast<qint64>(loss.count)};
-                       });
+            return put(into("loss"), changes.losses, [](const auto &row) {
+                const RecordedLoss &loss = row.second;
+                return Values{number(loss.at), row.first, loss.bus.number, static_cast<qint64>(loss.count)};
+            });
         })
         .and_then([&] {
-            return put(putStatement(QStringLiteral("clock"), columns("at wall"), 1), changes.clocks,
-                       [](const RecordedClock &clock) {
-                           return Values{number(clock.at), number(clock.wall)};
-                       });
+            return put(into("clock"), changes.clocks, [](const RecordedClock &clock) {
+                return Values{number(clock.at), number(clock.wall)};
+            });
         });
 }
 
@@ -228,8 +207,7 @@ Stored<void> RecordingStore::writeNotes(const RecordingChanges &changes)
     for (const RecordedNote &note : changes.notes) {
         const auto done = note.text.isEmpty()
                               ? run(QStringLiteral("DELETE FROM note WHERE at = ?"), {number(note.at)})
-                              : run(putStatement(QStringLiteral("note"), columns("at text"), 1),
-                                    {number(note.at), note.text});
+                              : run(into("note"), {number(note.at), note.text});
         if (!done)
             return done;
     }
@@ -238,8 +216,8 @@ Stored<void> RecordingStore::writeNotes(const RecordingChanges &changes)
 
 Stored<std::vector<qint64>> RecordingStore::channels() const
 {
-    QSqlQuery query = m_database.query(QStringLiteral("SELECT id FROM channel"));
-    if (auto done = m_database.run(query); !done)
+    QSqlQuery query = m_database->query(QStringLiteral("SELECT id FROM channel"));
+    if (auto done = m_database->run(query); !done)
         return tl::unexpected(done.error());
     std::vector<qint64> ids;
     while (query.next())
@@ -250,7 +228,7 @@ Stored<std::vector<qint64>> RecordingStore::channels() const
 // What the clock said before is needed for what comes after.
 Stored<void> RecordingStore::forgetBefore(Instant at)
 {
-    return m_database.inTransaction([&]() -> Stored<void> {
+    return m_database->inTransaction([&]() -> Stored<void> {
         const auto all = channels();
         if (!all)
             return tl::unexpected(all.error());
@@ -275,10 +253,10 @@ Stored<void> RecordingStore::forgetBefore(Instant at)
 Stored<void> RecordingStore::forgetBefore(Instant at, qint64 channel)
 {
     QSqlQuery query =
-        m_database.query(QStringLiteral("SELECT max(start) FROM block WHERE channel = ? AND start <= ?"));
+        m_database->query(QStringLiteral("SELECT max(start) FROM block WHERE channel = ? AND start <= ?"));
     query.bindValue(0, channel);
     query.bindValue(1, number(at));
-    if (auto done = m_database.run(query); !done)
+    if (auto done = m_database->run(query); !done)
         return done;
     if (!query.next() || query.value(0).isNull())
         return {};
@@ -309,7 +287,7 @@ Stored<void> RecordingStore::end(Instant at)
 qint64 RecordingStore::usedBytes() const
 {
     const auto pragma = [this](const char *what) {
-        return m_database.number(QStringLiteral("PRAGMA ") + QLatin1String(what)).value_or(0);
+        return m_database->number(QStringLiteral("PRAGMA ") + QLatin1String(what)).value_or(0);
     };
     return (pragma("page_count") - pragma("freelist_count")) * pragma("page_size");
 }

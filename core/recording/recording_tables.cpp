@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/recording_tables.h"
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -38,11 +39,21 @@ constexpr std::array tableStatements{
     "CREATE TABLE clock (at BIGINT PRIMARY KEY, wall BIGINT NOT NULL)%3",
 };
 
+RecordingTable tableOf(const char *name, const char *columns, qsizetype keys, bool isOfMoment = true)
+{
+    return {QString::fromLatin1(name), QString::fromLatin1(columns).split(u' '), keys, isOfMoment};
+}
+
 } // namespace
 
 RecordingDialect sqliteDialect()
 {
     return {QStringLiteral("INTEGER"), QStringLiteral("BLOB"), QStringLiteral(" WITHOUT ROWID")};
+}
+
+RecordingDialect postgresDialect()
+{
+    return {QStringLiteral("BIGINT"), QStringLiteral("BYTEA"), QString()};
 }
 
 QStringList recordingTables(const RecordingDialect &dialect)
@@ -64,16 +75,50 @@ const DatabaseSchema &recordingSchema()
     return schema;
 }
 
-QString putStatement(const QString &table, const QStringList &columns, qsizetype keys)
+// Samples come before the blocks that refer to them.
+const std::vector<RecordingTable> &allRecordingTables()
+{
+    static const std::vector<RecordingTable> tables{
+        tableOf("samples", "id data", 1),
+        tableOf("block",
+                "channel start data length samples lowest highest ones_always ones_ever first last gap", 3),
+        tableOf("summary", "channel length start samples lowest highest ones_always ones_ever first last gap",
+                3),
+        tableOf("message", "at id severity place code arguments refusal", 2),
+        tableOf("traffic", "at id bus place kind cycle word_out word_in bytes automatic typed", 2),
+        tableOf("loss", "at id bus amount", 2),
+        tableOf("bus", "number name", 1, false),
+        tableOf("device", "id place until", 1, false),
+        tableOf("description", "device since json", 2, false),
+        tableOf("channel", "id device kind gap_since", 1, false),
+        tableOf("note", "at text", 1, false),
+        tableOf("clock", "at wall", 1, false),
+        tableOf("recording", "id version program begun zone since until ended", 1, false),
+    };
+    return tables;
+}
+
+const RecordingTable &recordingTable(const QString &name)
+{
+    return *std::ranges::find(allRecordingTables(), name, &RecordingTable::name);
+}
+
+QString putStatement(const RecordingTable &table)
+{
+    const QStringList places(table.columns.size(), QStringLiteral("?"));
+    return putStatement(table, {u'(' + places.join(QStringLiteral(", ")) + u')'});
+}
+
+QString putStatement(const RecordingTable &table, const QStringList &rows)
 {
     QStringList updates;
-    for (const QString &column : columns.sliced(keys))
+    for (const QString &column : table.columns.sliced(table.keys))
         updates << column + QStringLiteral(" = excluded.") + column;
-    QStringList places(columns.size(), QStringLiteral("?"));
-    const QStringList keyColumns = columns.first(keys);
-    return QStringLiteral("INSERT INTO %1 (%2) VALUES (%3) ON CONFLICT (%4) DO UPDATE SET %5")
-        .arg(table, columns.join(QStringLiteral(", ")), places.join(QStringLiteral(", ")),
-             keyColumns.join(QStringLiteral(", ")), updates.join(QStringLiteral(", ")));
+    const QString comma = QStringLiteral(", ");
+    return QStringLiteral("INSERT INTO ") + table.name + QStringLiteral(" (") + table.columns.join(comma) +
+           QStringLiteral(") VALUES ") + rows.join(comma) + QStringLiteral(" ON CONFLICT (") +
+           table.columns.first(table.keys).join(comma) + QStringLiteral(") DO UPDATE SET ") +
+           updates.join(comma);
 }
 
 } // namespace codewheel

@@ -68,7 +68,7 @@ RecordingWriter::RecordingWriter(RecordingSettings settings)
 
 RecordingWriter::~RecordingWriter()
 {
-    (void)end();
+    (void)RecordingWriter::end();
 }
 
 RecordingStatus RecordingWriter::end()

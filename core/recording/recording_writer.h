@@ -4,60 +4,29 @@
 #include "recording/recording_composer.h"
 #include "recording/recording_growth.h"
 #include "recording/recording_store.h"
+#include "recording/recording_target.h"
 
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <thread>
 
 namespace codewheel {
 
-struct RecordingSettings
-{
-    QString file;
-    QString program{}; // and its version
-    QString zone{};    // the time zone of the computer
-    Instant begun{};
-    // Once it is that long, or that large, what is oldest gives way; 0: it is not.
-    Instant keptFor{};
-    std::int64_t largestSize = 0;         // bytes
-    std::int64_t leastFree = 100'000'000; // bytes of the disk that others may need
-    std::size_t mostWaiting = 64'000'000; // bytes of memory, while the file cannot be written
-};
-
-// How a recording gets on.
-struct RecordingStatus
-{
-    Instant written{}; // everything up to then is in the file
-    std::int64_t bytes = 0;
-    std::int64_t freeBytes = 0;             // of the disk
-    std::optional<Instant> timeUntilFull{}; // the disk, or the largest size; nothing: not known, or never
-    std::uint64_t lost = 0;                 // values there was no room for
-    std::optional<Refusal>
-        problem{}; // why nothing can be written; it goes on once that is over, or has ended
-    bool hasEnded = false;
-};
-
-// Writes what comes to a file, once a second, in a thread of its own, so that whoever adds something never
-// waits. What cannot be written waits in memory; what has no room there is lost, counted, and a gap. Used by
-// window, command line and tests.
-class RecordingWriter
+// Writes what comes to a file, once a second, in a thread of its own. What cannot be written waits in memory;
+// what has no room there is lost, counted, and a gap.
+class RecordingWriter final : public RecordingTarget
 {
 public:
     static constexpr std::chrono::milliseconds gathering{1'000};
 
     // Makes the file; refused if there is one.
     static Result<std::unique_ptr<RecordingWriter>> begin(const RecordingSettings &settings);
-    ~RecordingWriter();
-    RecordingWriter(const RecordingWriter &) = delete;
-    RecordingWriter &operator=(const RecordingWriter &) = delete;
+    ~RecordingWriter() override;
 
-    void add(RecordingEntry entry);
-    // Waits until what was added before is written, or could not be.
-    void flush();
-    RecordingStatus status() const;
-    // Writes what was added, if it can be, and ends; nothing can be added from then on.
-    RecordingStatus end();
+    void add(RecordingEntry entry) override;
+    void flush() override;
+    RecordingStatus status() const override;
+    RecordingStatus end() override;
 
 private:
     struct FileIdentity

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The child of test_recording_killed.cpp: records until it is killed, and prints up to which value everything
-// was promised to be in the file.
+// The child of test_recording_killed.cpp and test_server_killed.cpp: records until it is killed, and prints
+// up to which value everything was promised to be in the file, or, as long as the server is away, to follow.
 //
 //   recording_child FILE
-#include "recording/recording_writer.h"
+//   recording_child FOLDER ADDRESS
+#include "recording/recording_target.h"
 
 #include <QCoreApplication>
 
@@ -13,8 +14,10 @@ int main(int argc, char **argv)
 {
     using namespace codewheel;
     const QCoreApplication application(argc, argv);
+    const QString path = QCoreApplication::arguments().value(1);
+    const QString server = QCoreApplication::arguments().value(2);
     const auto writer =
-        RecordingWriter::begin({.file = QCoreApplication::arguments().value(1), .leastFree = 0});
+        RecordingTarget::begin({.file = path, .server = server, .leastFree = 0, .unsentFolder = path});
     if (!writer)
         return 1;
     const Place place{firstRing, NodeId("1.0")};
@@ -30,7 +33,8 @@ int main(int argc, char **argv)
         (*writer)->add(
             RecordedMessage{std::chrono::milliseconds(value), {.place = place, .id = MessageId::busStarted}});
         (*writer)->flush();
-        if ((*writer)->status().problem)
+        const auto problem = (*writer)->status().problem;
+        if (problem && problem->id != RefusalId::serverAway)
             return 2;
         std::printf("%lld\n", static_cast<long long>(value - 1));
         std::fflush(stdout);

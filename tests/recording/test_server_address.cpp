@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "recording/server_address.h"
+
+#include <gmock/gmock.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Refusal wrong(const char *text)
+{
+    const auto address = ServerAddress::parse(QString::fromLatin1(text));
+    EXPECT_FALSE(address) << text;
+    return address ? Refusal() : address.error();
+}
+
+TEST(ServerAddress, HasUserHostPortAndDatabase)
+{
+    const auto address = ServerAddress::parse(QStringLiteral(
+        "postgresql://station%201@db.example.org:5433/test%2Fbench?sslmode=require&recording=codewheel_1"));
+    ASSERT_TRUE(address);
+    EXPECT_EQ(address->user, QStringLiteral("station 1"));
+    EXPECT_EQ(address->host, QStringLiteral("db.example.org"));
+    EXPECT_EQ(address->port, 5'433);
+    EXPECT_EQ(address->database, QStringLiteral("test/bench"));
+    EXPECT_EQ(address->options.at(QStringLiteral("sslmode")), QStringLiteral("require"));
+    EXPECT_EQ(address->recording, QStringLiteral("codewheel_1"));
+    EXPECT_EQ(address->place(), QStringLiteral("postgresql://station%201@db.example.org:5433/test%2Fbench"));
+}
+
+TEST(ServerAddress, IsWrittenAsItIsRead)
+{
+    for (const char *text :
+         {"postgresql://db/all", "postgresql://%2Frun%2Fpostgresql/all", "postgresql://me@[::1]:5432/all",
+          "postgresql:///all?connect_timeout=3&recording=a_1"})
+        EXPECT_EQ(ServerAddress::parse(QString::fromLatin1(text))->text(), QString::fromLatin1(text));
+}
+
+TEST(ServerAddress, APasswordIsRefusedAndNeverRepeated)
+{
+    for (const char *text : {"postgresql://me:secret@db/all", "postgresql://me:s@secret@db/all",
+                             "postgresql://db/all?password=secret", "postgresql://db/all?passfile=secret"}) {
+        EXPECT_EQ(wrong(text).id, RefusalId::passwordInAddress) << text;
+        EXPECT_THAT(refusalText(wrong(text)).toStdString(), HasSubstr("PGPASSFILE"));
+    }
+    for (const char *text : {"postgresql://me:sec/secret@db/all", "postgresql://me:5432?secret@db/all"})
+        EXPECT_THAT(refusalText(wrong(text)).toStdString(), Not(HasSubstr("sec")));
+}
+
+TEST(ServerAddress, WhatIsWrongIsSaid)
+{
+    for (const char *text :
+         {"http://db/all", "postgresql://db", "postgresql://db/", "postgresql://db:70000/all",
+          "postgresql://db:x/all", "postgresql://db/all?options=-c",
+          "postgresql://db/all?sslmode=a%20host=other", "postgresql://db/all?recording=A;B"})
+        EXPECT_EQ(wrong(text).id, RefusalId::serverAddressWrong) << text;
+}
+
+} // namespace
+} // namespace codewheel
