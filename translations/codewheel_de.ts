@@ -1902,6 +1902,26 @@
         <source>The serial line %1 is open at %2 Bd.</source>
         <translation>Die serielle Leitung %1 ist mit %2 Bd offen.</translation>
     </message>
+    <message>
+        <source>Recording to %1.</source>
+        <translation>Aufzeichnung nach %1.</translation>
+    </message>
+    <message>
+        <source>The recording %1 waits for its trigger.</source>
+        <translation>Die Aufzeichnung %1 wartet auf ihren Auslöser.</translation>
+    </message>
+    <message>
+        <source>The trigger fired: recording to %1.</source>
+        <translation>Der Auslöser hat angesprochen: Aufzeichnung nach %1.</translation>
+    </message>
+    <message>
+        <source>The recording %1 goes on (values lost so far: %2).</source>
+        <translation>Die Aufzeichnung %1 geht weiter (bisher verlorene Werte: %2).</translation>
+    </message>
+    <message>
+        <source>The recording has ended: %1, %2.</source>
+        <translation>Die Aufzeichnung ist beendet: %1, %2.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>
@@ -17202,6 +17222,19 @@ Worte: IN %3, OUT %4</translation>
         <source>Draws what encoders show as curves over time; sends nothing</source>
         <translation>Zeichnet, was Geber zeigen, als Kurven über der Zeit; sendet nichts</translation>
     </message>
+    <message>
+        <source>Recor&amp;d…</source>
+        <translation>&amp;Aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Records what encoders show to a file, or shows the recording that runs; sends nothing</source>
+        <translation>Zeichnet in eine Datei auf, was Geber zeigen, oder zeigt die laufende Aufzeichnung; sendet nichts</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <comment>on a button</comment>
+        <translation>Aufzeichnen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -17579,6 +17612,638 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>sending it takes longer.</source>
         <translation>das Senden dauert länger.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DurationField</name>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Einheit: %1</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EncoderChoice</name>
+    <message>
+        <source>&amp;All encoders</source>
+        <translation>&amp;Alle Geber</translation>
+    </message>
+    <message>
+        <source>Of all buses, and those that are connected later</source>
+        <translation>An allen Bussen, auch die, die später verbunden werden</translation>
+    </message>
+    <message>
+        <source>&amp;Only these:</source>
+        <translation>Nur &amp;diese:</translation>
+    </message>
+    <message>
+        <source>Only the encoders that are ticked below</source>
+        <translation>Nur die Geber, die unten angekreuzt sind</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Encoders that are ticked are recorded (Space)</source>
+        <translation>Angekreuzte Geber werden aufgezeichnet (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingDetails</name>
+    <message>
+        <source>waits for: %1</source>
+        <comment>trigger</comment>
+        <translation>wartet auf: %1</translation>
+    </message>
+    <message>
+        <source>records; no encoder shows anything as yet</source>
+        <translation>zeichnet auf; noch zeigt kein Geber etwas</translation>
+    </message>
+    <message>
+        <source>records until it is ended</source>
+        <translation>zeichnet auf, bis sie beendet wird</translation>
+    </message>
+    <message>
+        <source>records until %1</source>
+        <translation>zeichnet auf bis %1</translation>
+    </message>
+    <message>
+        <source>all encoders</source>
+        <translation>alle Geber</translation>
+    </message>
+    <message>
+        <source>%1, with requests and answers</source>
+        <comment>encoders</comment>
+        <translation>%1, mit Anfragen und Antworten</translation>
+    </message>
+    <message>
+        <source>%1, without requests and answers</source>
+        <comment>encoders</comment>
+        <translation>%1, ohne Anfragen und Antworten</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <comment>size</comment>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>only the last %1</source>
+        <comment>duration</comment>
+        <translation>nur die letzten %1</translation>
+    </message>
+    <message>
+        <source>not known as yet</source>
+        <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>largest size in %1, then the oldest gives way</source>
+        <translation>größter Umfang in %1, dann weicht das Älteste</translation>
+    </message>
+    <message>
+        <source>never: the oldest gives way before</source>
+        <translation>nie: Vorher weicht das Älteste</translation>
+    </message>
+    <message>
+        <source>disk full in %1</source>
+        <translation>Datenträger voll in %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What happens now: comes into the recording, and into the trend (Return)</source>
+        <translation>Was jetzt geschieht: kommt in die Aufzeichnung und in den Trend (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>&amp;Add note</source>
+        <translation>&amp;Notiz setzen</translation>
+    </message>
+    <message>
+        <source>Puts the note at this moment (Return)</source>
+        <translation>Setzt die Notiz an diesen Zeitpunkt (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>What happens now</source>
+        <translation>Was jetzt geschieht</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>Free on the disk</source>
+        <translation>Frei auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>Lost values</source>
+        <translation>Verlorene Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Record now</source>
+        <translation>&amp;Jetzt aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins without waiting any longer for the trigger</source>
+        <translation>Beginnt, ohne länger auf den Auslöser zu warten</translation>
+    </message>
+    <message>
+        <source>&amp;End recording</source>
+        <translation>Aufzeichnung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>Writes what has come, and closes the file</source>
+        <translation>Schreibt, was gekommen ist, und schließt die Datei</translation>
+    </message>
+    <message>
+        <source>The recording goes on (Esc)</source>
+        <translation>Die Aufzeichnung geht weiter (Esc)</translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <comment>date and time, duration</comment>
+        <translation>%1, seit %2</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 stay free</source>
+        <comment>sizes</comment>
+        <translation>%1, davon bleiben %2 frei</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>This recording runs already. End it before you begin another one.</source>
+        <translation>Diese Aufzeichnung läuft schon. Vor dem Beginn einer anderen ist sie zu beenden.</translation>
+    </message>
+    <message>
+        <source>%1 What comes meanwhile is kept in memory, as far as there is room, and written once that is over.</source>
+        <translation>%1 Was inzwischen kommt, wird im Speicher gehalten, soweit Platz ist, und danach geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingDialog</name>
+    <message>
+        <source> MB</source>
+        <comment>megabytes</comment>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>&amp;Requests, answers and words as they pass</source>
+        <translation>Anf&amp;ragen, Antworten und Worte, wie sie durchgehen</translation>
+    </message>
+    <message>
+        <source>What the trace and the terminal show; on a serial line it needs the most room</source>
+        <translation>Was Handshake-Protokoll und Terminal zeigen; an einer seriellen Leitung braucht das am meisten Platz</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>What was shown before that is recorded too, as far as the trend keeps it</source>
+        <translation>Auch was vorher gezeigt wurde, wird aufgezeichnet, soweit der Trend es aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Endet</translation>
+    </message>
+    <message>
+        <source>By hand, or after a time</source>
+        <translation>Von Hand oder nach einer Zeit</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>From the beginning, or from the trigger</source>
+        <translation>Vom Beginn oder vom Auslöser an</translation>
+    </message>
+    <message>
+        <source>Only the &amp;last</source>
+        <translation>Nur die &amp;letzten</translation>
+    </message>
+    <message>
+        <source>What is older gives way to what comes</source>
+        <translation>Was älter ist, weicht dem, was kommt</translation>
+    </message>
+    <message>
+        <source>Only the last</source>
+        <translation>Nur die letzten</translation>
+    </message>
+    <message>
+        <source>How far back the recording goes</source>
+        <translation>Wie weit die Aufzeichnung zurückreicht</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>&amp;Höchstens</translation>
+    </message>
+    <message>
+        <source>Once it is that large, the oldest gives way to what comes</source>
+        <translation>Ist sie so groß, weicht das Älteste dem, was kommt</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Größter Umfang</translation>
+    </message>
+    <message>
+        <source>How large the file becomes</source>
+        <translation>Wie groß die Datei wird</translation>
+    </message>
+    <message>
+        <source>Leave free</source>
+        <translation>Frei lassen</translation>
+    </message>
+    <message>
+        <source>So much of the disk is left to others; the recording waits where there is less</source>
+        <translation>So viel vom Datenträger bleibt anderen; ist weniger frei, wartet die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>when it is ended by hand</source>
+        <translation>wenn sie von Hand beendet wird</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Date&amp;i</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>&amp;Begins</source>
+        <translation>&amp;Beginnt</translation>
+    </message>
+    <message>
+        <source>B&amp;efore</source>
+        <translation>Da&amp;vor</translation>
+    </message>
+    <message>
+        <source>E&amp;nds</source>
+        <translation>&amp;Endet</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve free</source>
+        <translation>&amp;Frei lassen</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Makes the file, and begins or waits for the trigger; sends nothing</source>
+        <translation>Legt die Datei an und beginnt oder wartet auf den Auslöser; sendet nichts</translation>
+    </message>
+    <message>
+        <source>Records nothing (Esc)</source>
+        <translation>Zeichnet nichts auf (Esc)</translation>
+    </message>
+    <message>
+        <source>Tick the encoders that are to be recorded, or choose all.</source>
+        <translation>Die Geber ankreuzen, die aufgezeichnet werden sollen, oder alle wählen.</translation>
+    </message>
+    <message>
+        <source>No encoder is there that could begin the recording: connect one first, or let it begin at once.</source>
+        <translation>Es ist kein Geber da, der die Aufzeichnung auslösen könnte: erst einen verbinden oder sofort beginnen lassen.</translation>
+    </message>
+    <message>
+        <source>Say how long it is to record.</source>
+        <translation>Angeben, wie lange aufgezeichnet werden soll.</translation>
+    </message>
+    <message>
+        <source>Say how far back it is to go.</source>
+        <translation>Angeben, wie weit sie zurückreichen soll.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingFileField</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The file of the recording; it must not be there yet</source>
+        <translation>Die Datei der Aufzeichnung; es darf sie noch nicht geben</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>Asks for folder and name of the file</source>
+        <translation>Fragt nach Ordner und Name der Datei</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <comment>file name</comment>
+        <translation>aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Eine Datei angeben.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing may be saved in the folder %1.</source>
+        <translation>Im Ordner %1 darf nichts gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Datei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.cwrec)</source>
+        <translation>Aufzeichnungen (*.cwrec)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingInWindow</name>
+    <message>
+        <source>The recording has ended: %1, %2.</source>
+        <translation>Die Aufzeichnung ist beendet: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Quit Codewheel</source>
+        <translation>Codewheel beenden</translation>
+    </message>
+    <message>
+        <source>A recording waits for its trigger.</source>
+        <translation>Eine Aufzeichnung wartet auf ihren Auslöser.</translation>
+    </message>
+    <message>
+        <source>A recording runs.</source>
+        <translation>Eine Aufzeichnung läuft.</translation>
+    </message>
+    <message>
+        <source>It goes to %1. What has come so far is written there before the program ends.</source>
+        <translation>Sie geht nach %1. Was bisher gekommen ist, wird dort geschrieben, bevor das Programm endet.</translation>
+    </message>
+    <message>
+        <source>&amp;End it and quit</source>
+        <translation>&amp;Aufzeichnung und Programm beenden</translation>
+    </message>
+    <message>
+        <source>Ends the recording, then goes on quitting</source>
+        <translation>Beendet die Aufzeichnung, dann das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Go on recording</source>
+        <translation>&amp;Weiter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>The window stays open (Esc)</source>
+        <translation>Das Fenster bleibt offen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingIndicator</name>
+    <message>
+        <source>%1
+Shows more about the recording</source>
+        <comment>file, or what is wrong</comment>
+        <translation>%1
+Zeigt mehr über die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording held up</source>
+        <translation>Aufzeichnung stockt</translation>
+    </message>
+    <message>
+        <source>Waits for its trigger</source>
+        <translation>Wartet auf Auslöser</translation>
+    </message>
+    <message>
+        <source>Records %1, %2</source>
+        <comment>time, size</comment>
+        <translation>Zeichnet auf: %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingTexts</name>
+    <message>
+        <source>At the present rate %1 need about %2: the disk does not get full.</source>
+        <translation>Geht es so weiter, brauchen %1 etwa %2: Der Datenträger wird nicht voll.</translation>
+    </message>
+    <message>
+        <source>At the present rate, about %1 an hour, it has its largest size after %2; from then on the oldest gives way.</source>
+        <translation>Geht es so weiter, etwa %1 in der Stunde, ist nach %2 der größte Umfang erreicht; von da an weicht das Älteste.</translation>
+    </message>
+    <message>
+        <source>At the present rate, about %1 an hour, that is enough for %2.</source>
+        <translation>Geht es so weiter, etwa %1 in der Stunde, reicht das für %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 becomes 1</source>
+        <comment>place, bit</comment>
+        <translation>%1: %2 wird 1</translation>
+    </message>
+    <message>
+        <source>%1: %2 becomes 0</source>
+        <comment>place, bit</comment>
+        <translation>%1: %2 wird 0</translation>
+    </message>
+    <message>
+        <source>%1: %2 rises to %3</source>
+        <comment>place, value, number with unit</comment>
+        <translation>%1: %2 steigt auf %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 falls below %3</source>
+        <comment>place, value, number with unit</comment>
+        <translation>%1: %2 fällt unter %3</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>eine Störung</translation>
+    </message>
+    <message>
+        <source>a message of attention, or a fault</source>
+        <translation>eine Meldung „Achtung“ oder eine Störung</translation>
+    </message>
+    <message>
+        <source>a message</source>
+        <translation>eine Meldung</translation>
+    </message>
+    <message>
+        <source>Free on this disk: %1.</source>
+        <translation>Frei auf diesem Datenträger: %1.</translation>
+    </message>
+    <message>
+        <source>That is less than is to stay free: nothing would be written.</source>
+        <translation>Das ist weniger, als frei bleiben soll: Nichts würde geschrieben.</translation>
+    </message>
+    <message>
+        <source>How long it is enough is not known until encoders have shown something.</source>
+        <translation>Wie lange das reicht, ist erst bekannt, wenn Geber etwas gezeigt haben.</translation>
+    </message>
+    <message>
+        <source>Nothing changes at present, so next to nothing is needed.</source>
+        <translation>Zurzeit ändert sich nichts, also wird so gut wie nichts gebraucht.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TriggerFields</name>
+    <message>
+        <source>Begins</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>At once, or once something happens</source>
+        <translation>Sofort oder sobald etwas geschieht</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Where it has to happen</source>
+        <translation>Wo es geschehen muss</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>The word the bit is in, or the cams</source>
+        <translation>Das Wort, in dem das Bit ist, oder die Nocken</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>The number of the bit, or of the cam</source>
+        <translation>Die Nummer des Bits oder der Nocke</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>What the bit becomes</source>
+        <translation>Was das Bit wird</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>What has a threshold</source>
+        <translation>Wovon die Schwelle ist</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>From which side the threshold is passed</source>
+        <translation>Von welcher Seite die Schwelle überschritten wird</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>What is beyond it already has to come back first</source>
+        <translation>Was schon jenseits davon ist, muss erst zurückkommen</translation>
+    </message>
+    <message>
+        <source>Unit of the threshold</source>
+        <translation>Einheit der Schwelle</translation>
+    </message>
+    <message>
+        <source>Units are offered as in the trend</source>
+        <translation>Zur Wahl stehen die Einheiten des Trends</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>when a bit or a cam changes</source>
+        <translation>wenn ein Bit oder eine Nocke wechselt</translation>
+    </message>
+    <message>
+        <source>when a value passes a threshold</source>
+        <translation>wenn ein Wert eine Schwelle überschreitet</translation>
+    </message>
+    <message>
+        <source>at a fault</source>
+        <translation>bei einer Störung</translation>
+    </message>
+    <message>
+        <source>at a message of attention or a fault</source>
+        <translation>bei Achtung oder einer Störung</translation>
+    </message>
+    <message>
+        <source>at any message</source>
+        <translation>bei jeder Meldung</translation>
+    </message>
+    <message>
+        <source>becomes 1</source>
+        <translation>wird 1</translation>
+    </message>
+    <message>
+        <source>becomes 0</source>
+        <translation>wird 0</translation>
+    </message>
+    <message>
+        <source>rises to</source>
+        <translation>steigt auf</translation>
+    </message>
+    <message>
+        <source>falls below</source>
+        <translation>fällt unter</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>cam</source>
+        <translation>Nocke</translation>
     </message>
 </context>
 </TS>

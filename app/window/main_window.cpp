@@ -13,6 +13,7 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/recording_in_window.h"
 #include "app/window/start.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
@@ -352,9 +353,10 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_plant != nullptr && !m_mayClose) {
         event->ignore();
-        if (!m_files->mayClose())
+        if (!m_files->mayClose() || !m_recording->mayEnd())
             return;
         m_leaving->ask(Leaving::Why::quit, m_buses->open(), [this] {
+            m_plant->recording().end();
             m_mayClose = true;
             QTimer::singleShot(0, this, &QWidget::close);
         });

@@ -45,6 +45,7 @@ class ProjectDocument;
 class ProjectFiles;
 class ProjectPage;
 class ProjectRecovery;
+class RecordingInWindow;
 class ReportExport;
 class SequenceView;
 class Start;
@@ -180,6 +181,7 @@ private:
     ProjectFiles *m_files;
     FaultNotice *m_faults = nullptr;
     ReportExport *m_report = nullptr;
+    RecordingInWindow *m_recording = nullptr;
     StructureEditor *m_editor = nullptr;
     ProjectPage *m_projectPage = nullptr;
     Panels m_panels{*this};

@@ -9,6 +9,7 @@
 #include "app/window/plant.h"
 #include "app/window/printing.h"
 #include "app/window/project_files.h"
+#include "app/window/recording_in_window.h"
 #include "app/window/report_export.h"
 #include "app/window/start.h"
 #include "app/window/transfer_pages.h"
@@ -159,6 +160,8 @@ void MainWindow::connectProject()
                      {.bus = [this](BusId bus) { return m_plant->nameOf(bus); },
                       .station = [this](Place place) { return m_project.device(place).station; }});
     connect(m_actions.print, &QAction::triggered, printing, &Printing::preview);
+    m_recording = new RecordingInWindow(
+        {*m_plant, m_project, m_settings, *m_actions.record, *m_status, *m_trend, *m_notice}, this);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 

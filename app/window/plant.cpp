@@ -17,7 +17,15 @@ Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
 {
     connect(&m_surroundings.project, &ProjectDocument::changed, this, &Plant::followProject);
     connect(&m_sessions, &Buses::changed, this, &Plant::nameBuses);
+    connect(&m_recording, &RecordingAtWork::messaged, this,
+            [this](const Message &message) { Q_EMIT messaged(message, wallClock()); });
     followProject();
+}
+
+QDateTime Plant::wallClock() const
+{
+    const QDateTime ofBus = m_surroundings.byThread ? QDateTime() : m_sessions.now({});
+    return ofBus.isValid() ? ofBus : m_surroundings.clock();
 }
 
 Plant::~Plant()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/bus_at_work.h"
+#include "app/window/recording_at_work.h"
 #include "bus/buses.h"
 #include "history/histories.h"
 #include "transfer/last_positions.h"
@@ -28,6 +29,7 @@ public:
     Buses &buses() { return m_sessions; }
     // What their encoders have shown.
     Histories &histories() { return m_histories; }
+    RecordingAtWork &recording() { return m_recording; }
     const LastPositions &positions() const { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
     template <class Bus>
@@ -38,6 +40,9 @@ public:
                 return its;
         return nullptr;
     }
+
+    // Of the computer, or, where buses are driven by hand, theirs.
+    QDateTime wallClock() const;
 
     // Connects the training buses, which start in Operate.
     void openTraining();
@@ -66,6 +71,7 @@ private:
     Histories m_histories{m_sessions};
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;
+    RecordingAtWork m_recording{m_sessions, m_histories, [this] { return wallClock(); }}; // ends first
 };
 
 } // namespace codewheel

@@ -85,10 +85,15 @@ QLabel *StatusLine::addFigure(int rank, const QString &name, const QString &tool
 RoleLabel *StatusLine::addState()
 {
     auto *label = new RoleLabel(&m_bar);
-    m_always.emplace_back(label);
-    add(label);
+    addAlways(label);
     label->hide();
     return label;
+}
+
+void StatusLine::addAlways(QWidget *widget)
+{
+    m_always.emplace_back(widget);
+    add(widget);
 }
 
 void StatusLine::show(QLabel *figure, const QString &text)

@@ -29,6 +29,7 @@ public:
     // For the views of a bus, which delete what they got. The highest rank is left out first.
     QLabel *addFigure(int rank, const QString &name, const QString &toolTip);
     RoleLabel *addState();
+    void addAlways(QWidget *widget);                // is never left out
     void show(QLabel *figure, const QString &text); // takes no room if the text is empty
     void fit();                                     // after any of them has changed
 

@@ -82,6 +82,10 @@ void WindowActions::makeFileMenu()
         menu->addAction(lineIcon(Icon::write), tr("Pr&int…")), QKeySequence::Print,
         tr("Prints the table or the picture that has the focus, or else the commissioning report, after a "
            "preview"));
+    record = described(menu->addAction(lineIcon(Icon::record), tr("Recor&d…")), Qt::SHIFT | Qt::Key_F11,
+                       tr("Records what encoders show to a file, or shows the recording that runs; sends "
+                          "nothing"));
+    record->setIconText(tr("Record", "on a button"));
     exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace…"));
     showTrace(false);
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages…")), {},

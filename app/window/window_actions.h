@@ -62,6 +62,7 @@ public:
     QAction *projectPage;
     QAction *exportReport;
     QAction *print;
+    QAction *record;
     QAction *exportTrace;
     QAction *exportMessages;
     QAction *quit;

@@ -60,6 +60,7 @@ const QString eepromKey = QStringLiteral("eeprom/questionFromPercent");
 const QString traceRowsKey = QStringLiteral("trace/mostRows");
 const QString trendMemoryKey = QStringLiteral("trend/memory");
 const QString trendKey = QStringLiteral("window/trend");
+const QString recordingKey = QStringLiteral("window/recording");
 const QString keepingKey = QStringLiteral("recovery/seconds");
 
 } // namespace
@@ -193,6 +194,16 @@ QStringList WindowSettings::trend() const
 void WindowSettings::setTrend(const QStringList &curves)
 {
     m_settings->setValue(trendKey, curves);
+}
+
+QJsonObject WindowSettings::recording() const
+{
+    return QJsonDocument::fromJson(m_settings->value(recordingKey).toByteArray()).object();
+}
+
+void WindowSettings::setRecording(const QJsonObject &choices)
+{
+    m_settings->setValue(recordingKey, QJsonDocument(choices).toJson(QJsonDocument::Compact));
 }
 
 std::optional<Place> WindowSettings::pinnedDial() const

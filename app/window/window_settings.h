@@ -48,6 +48,9 @@ public:
     QStringList trend() const; // which curves it shows
     void setTrend(const QStringList &curves);
 
+    QJsonObject recording() const; // what was chosen for the last one
+    void setRecording(const QJsonObject &choices);
+
     std::optional<Place> pinnedDial() const; // by the user
     void setPinnedDial(std::optional<Place> place);
 

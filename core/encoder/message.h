@@ -86,6 +86,11 @@ enum class MessageId : std::uint8_t {
     lineAddressChanged,       // address before, address now
     baudRateChanged,          // baud rate before, baud rate now
     encodersFound,            // encoders, requests
+    recordingBegun,           // file
+    recordingWaits,           // file
+    recordingTriggered,       // file
+    recordingGoesOn,          // file, values lost meanwhile
+    recordingEnded,           // file, text of its size
     training,                 // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;

@@ -188,6 +188,15 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
     MessageRow{MessageId::encodersFound, "encodersFound",
                QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
+    MessageRow{MessageId::recordingBegun, "recordingBegun", QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
+    MessageRow{MessageId::recordingWaits, "recordingWaits",
+               QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
+    MessageRow{MessageId::recordingTriggered, "recordingTriggered",
+               QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
+    MessageRow{MessageId::recordingGoesOn, "recordingGoesOn",
+               QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
+    MessageRow{MessageId::recordingEnded, "recordingEnded",
+               QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
     MessageRow{MessageId::training, "training", "%1"},
 };
 

@@ -97,6 +97,7 @@ void Histories::note(Instant at, const QString &text)
         Q_EMIT marksChanged();
     else
         insert({at, {}, text});
+    Q_EMIT noted(at, text);
 }
 
 void Histories::insert(const Mark &mark)

@@ -55,6 +55,7 @@ Q_SIGNALS:
     void archiveTroubled(const codewheel::Refusal &why);
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
     void marksChanged();
+    void noted(codewheel::Instant at, const QString &text); // by note()
     void droppedChanged();
 
 private:

@@ -49,6 +49,7 @@ enum class Icon : std::uint8_t {
     preset,
     question,
     read,
+    record,
     refresh,
     remove,
     ring,

@@ -33,6 +33,11 @@ QString TrendPage::effect() const
     return tr("Nothing is sent here.");
 }
 
+void TrendPage::addButtonFor(QAction &action)
+{
+    m_tools->addAction(&action);
+}
+
 void TrendPage::showTrack(const Track &track)
 {
     if (!m_tracks.add(track))

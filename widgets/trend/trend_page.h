@@ -44,6 +44,8 @@ public:
 
     TrendTracks &tracks() { return m_tracks; }
     TrendView &view() { return *m_view; }
+    // A button for something that is done elsewhere.
+    void addButtonFor(QAction &action);
     // Shows this curve beside those that are there.
     void showTrack(const Track &track);
     // Now all of it, also what otherwise waits until the cursors rest or some frames have passed.
