@@ -8,6 +8,11 @@
         <comment>reason, 20 s ago</comment>
         <translation>%1 Stand: %2.</translation>
     </message>
+    <message>
+        <source>%1 Shown is how it was on %2.</source>
+        <comment>reason, date and time</comment>
+        <translation>%1 Gezeigt ist der Stand vom %2.</translation>
+    </message>
 </context>
 <context>
     <name>BitText</name>
@@ -2907,6 +2912,10 @@
         <source>Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and follows with the next recording to this server.</source>
         <translation>Die Aufzeichnung ist nicht vollständig in %1: %2 Der Rest (MB: %3) wartet in %4 und folgt mit der nächsten Aufzeichnung auf diesen Server.</translation>
     </message>
+    <message>
+        <source>Nothing is recorded in %1 as yet.</source>
+        <translation>In %1 ist noch nichts aufgezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3491,6 +3500,10 @@
     <message>
         <source>Standard output cannot be written: %1.</source>
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>A project to open: *.codewheel, or a recording: *.cwrec</source>
+        <translation>Ein Projekt zum Öffnen: *.codewheel, oder eine Aufzeichnung: *.cwrec</translation>
     </message>
 </context>
 <context>
@@ -7739,6 +7752,14 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>%1 cannot be dropped here. Projects, cams, sequences and device descriptions can.</source>
         <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
     </message>
+    <message>
+        <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences, device descriptions and recordings can.</source>
+        <translation>%1 ist eine Datei von Codewheel, lässt sich aber nicht durch Ablegen öffnen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be dropped here. Projects, cams, sequences, device descriptions and recordings can.</source>
+        <translation>%1 lässt sich hier nicht ablegen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Eeprom</name>
@@ -10679,6 +10700,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Trend</source>
         <translation>Trend</translation>
     </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.cwrec);;All files (*)</source>
+        <translation>Aufzeichnungen (*.cwrec);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -11603,6 +11632,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>Click, or Enter: hides the registers</source>
         <translation>Klick oder Eingabe: klappt die Register zu</translation>
     </message>
+    <message>
+        <source>recorded</source>
+        <comment>value</comment>
+        <translation>aufgezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterPanel</name>
@@ -11746,6 +11780,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Sets the value manually; nothing is sent. An empty field clears it.</source>
         <translation>Trägt den Wert von Hand als bekannt ein; gesendet wird nichts. Ein leeres Feld nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>This is a recording: nothing is read or written.</source>
+        <translation>Dies ist eine Aufzeichnung: Es wird nichts gelesen oder geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -14941,6 +14979,11 @@ Worte: IN %3, OUT %4</translation>
             <numerusform>%1 und %n weitere</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1: recording</source>
+        <comment>bus</comment>
+        <translation>%1: Aufzeichnung</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StepList</name>
@@ -17235,6 +17278,22 @@ Worte: IN %3, OUT %4</translation>
         <comment>on a button</comment>
         <translation>Aufzeichnen</translation>
     </message>
+    <message>
+        <source>Shows a recording in monitor, dial and trace as if it were a bus; sends nothing</source>
+        <translation>Zeigt eine Aufzeichnung in Monitor, Scheibe und Protokoll, als wäre sie ein Bus; sendet nichts</translation>
+    </message>
+    <message>
+        <source>C&amp;lose recording</source>
+        <translation>Aufzeichnung sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Closes the recording that is chosen in the bus structure</source>
+        <translation>Schließt die Aufzeichnung, die im Busaufbau gewählt ist</translation>
+    </message>
+    <message>
+        <source>Open recordin&amp;g…</source>
+        <translation>Aufz&amp;eichnung öffnen…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WizardPage</name>
@@ -17407,6 +17466,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Toggles a bit of OUT</source>
         <translation>Schaltet ein Bit von OUT um</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -18244,6 +18307,116 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>cam</source>
         <translation>Nocke</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplayBar</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Aufzeichnung: %1</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>To the beginning of the recording</source>
+        <translation>Zum Anfang der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation>Schritt zurück</translation>
+    </message>
+    <message>
+        <source>To the previous sample of the chosen encoder</source>
+        <translation>Zum vorigen Messwert des gewählten Gebers</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Plays the recording backward</source>
+        <translation>Spielt die Aufzeichnung rückwärts ab</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stands still</source>
+        <translation>Bleibt stehen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the recording forward</source>
+        <translation>Spielt die Aufzeichnung vorwärts ab</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>To the next sample of the chosen encoder</source>
+        <translation>Zum nächsten Messwert des gewählten Gebers</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>To the end of the recording</source>
+        <translation>Zum Ende der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the recording</source>
+        <translation>Schließt die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played (Ctrl+Alt+Up: faster, Ctrl+Alt+Down: slower)</source>
+        <translation>Wie schnell die Aufzeichnung abgespielt wird (Strg+Alt+Auf: schneller, Strg+Alt+Ab: langsamer)</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Gezeigte Zeit</translation>
+    </message>
+    <message>
+        <source>When what is shown was recorded</source>
+        <translation>Wann das Gezeigte aufgezeichnet wurde</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplaySlider</name>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Stelle der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Drag it to another moment of the recording. Left and Right: a hundredth of it; Page Up and Page Down: a tenth; Home and End</source>
+        <translation>An eine andere Stelle der Aufzeichnung ziehen. Links und Rechts: ein Hundertstel davon; Bild auf und Bild ab: ein Zehntel; Pos1 und Ende</translation>
     </message>
 </context>
 </TS>

@@ -26,9 +26,10 @@ void describe(QCommandLineParser &parser)
         "codewheel", "Sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QCoreApplication::translate("codewheel", "A project to open: *.codewheel"),
-                                 QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        QCoreApplication::translate("codewheel", "A project to open: *.codewheel, or a recording: *.cwrec"),
+        QStringLiteral("[FILE]"));
 }
 
 bool asksForText(int argc, char **argv)

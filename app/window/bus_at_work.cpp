@@ -39,6 +39,11 @@ bool BusAtWork::isTraining() const
     return busKind(kind())->trainingBus() == m_id;
 }
 
+QString BusAtWork::nameOfNew() const
+{
+    return busKind(kind())->nameOfNew();
+}
+
 void BusAtWork::tellMessagesOf(EncoderBus &bus)
 {
     connect(&bus, &EncoderBus::messaged, this,

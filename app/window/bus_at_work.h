@@ -41,7 +41,8 @@ public:
     const Catalog &catalog() const { return m_surroundings.catalog; }
     ProjectDocument &project() const { return m_surroundings.project; }
     virtual QString kind() const = 0;    // as in projects: "interbus"
-    bool isTraining() const;             // such a bus always exists
+    virtual bool isTraining() const;     // such a bus always exists
+    virtual QString nameOfNew() const;   // while no project gives it a name
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
     virtual void openTraining() {} // connects a training bus, in Operate

@@ -49,7 +49,7 @@ public:
 
     // Its pages, for the panels of its kind and for panel::training.
     virtual std::vector<std::pair<const Panel *, QWidget *>> pages() const = 0;
-    // The page that compares it with the project.
+    // The page that compares it with the project; null: no project plans such a bus.
     virtual QWidget *comparison() const = 0;
     virtual bool tellsState() const { return false; } // at the start of the status line
     virtual QMenu *menu() const { return nullptr; }   // of its row in the bus structure; null: none

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/dropped_files.h"
 
+#include "journal/open_file.h"
 #include "project/file_access.h"
 
 #include <QDropEvent>
@@ -29,11 +30,22 @@ bool holds(const QByteArray &text, const char *pattern)
     return QRegularExpression(QString::fromLatin1(pattern)).match(QString::fromUtf8(text)).hasMatch();
 }
 
+// Any other one is refused when it is opened. One that this program has open must not be opened here.
+bool isDatabase(const QString &path)
+{
+    static constexpr QByteArrayView mark("SQLite format 3");
+    const auto beginning = OpenFile::beginning(OpenFile::turn(), path, mark.size());
+    const bool isNamedSo = QFileInfo(path).suffix() == QStringLiteral("cwrec");
+    return isNamedSo || (beginning && *beginning == mark);
+}
+
 } // namespace
 
 // Looks only at its marks: whoever opens it says what is wrong with the rest, and where.
 FileKind fileKind(const QString &path)
 {
+    if (isDatabase(path))
+        return FileKind::recording;
     const auto text = readWholeFile(path, largestDropped);
     if (!text)
         return FileKind::notReadable;
@@ -89,10 +101,11 @@ void DroppedFiles::take(const QStringList &paths)
         Q_EMIT refused(tr("%1 cannot be read.").arg(name));
     else if (kind == FileKind::ofProgram)
         Q_EMIT refused(tr("%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, "
-                          "cams, sequences and device descriptions can.")
+                          "cams, sequences, device descriptions and recordings can.")
                            .arg(name));
     else if (kind == FileKind::other)
-        Q_EMIT refused(tr("%1 cannot be dropped here. Projects, cams, sequences and device descriptions can.")
+        Q_EMIT refused(tr("%1 cannot be dropped here. Projects, cams, sequences, device descriptions and "
+                          "recordings can.")
                            .arg(name));
     else
         Q_EMIT dropped(kind, paths.front());

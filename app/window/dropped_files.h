@@ -9,7 +9,16 @@ class QWidget;
 namespace codewheel {
 
 // The kind of a file by its content, whatever its name.
-enum class FileKind : std::uint8_t { project, cams, sequence, device, ofProgram, other, notReadable };
+enum class FileKind : std::uint8_t {
+    project,
+    cams,
+    sequence,
+    device,
+    recording,
+    ofProgram,
+    other,
+    notReadable
+};
 FileKind fileKind(const QString &path);
 
 // Files dropped onto the window: determines what they are. The window decides what to do with them.

@@ -122,6 +122,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectViews();
     connectProject();
     connectBuses();
+    connectRecordings();
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
     m_dial->restore(m_settings.pinnedDial());
@@ -230,7 +231,7 @@ void MainWindow::showFrame()
 {
     if (m_plant == nullptr)
         return;
-    m_buses->pump();
+    m_plant->pump();
     for (const auto &[bus, views] : m_views)
         views->showFrame();
     m_faults->showFrame();
@@ -330,7 +331,7 @@ void MainWindow::showStructureEditor()
 
 void MainWindow::showComparison()
 {
-    if (BusViews *views = viewsOf(m_chosenBus)) {
+    if (BusViews *views = viewsOf(m_chosenBus); views != nullptr && views->comparison() != nullptr) {
         m_pages->setCurrentWidget(views->comparison());
         views->comparison()->setFocus();
     }

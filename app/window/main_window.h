@@ -95,6 +95,7 @@ public:
     void showProjectPage();
     void showTrend();
     void showInTrend(const Track &track);
+    bool openRecording(const QString &path); // false: it says why not
     ProjectFiles &files() { return *m_files; }
     Start &start() { return *m_start; } // only after attach()
     void askForRecovery(ProjectRecovery &recovery);
@@ -121,7 +122,8 @@ private:
     void connectActions();
     void connectViewActions();
     void connectViews();
-    void connectBuses(); // main_window_buses.cpp
+    void connectBuses();      // main_window_buses.cpp
+    void connectRecordings(); // main_window_recordings.cpp
     void addViews(BusAtWork &bus, BusViews &views);
     void addBus(BusAtWork *bus);
     void removeBus(BusAtWork *bus);

@@ -153,16 +153,24 @@ void MainWindow::showBusState()
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();
     const bool isOperating = isOpen && chosen->isOperating();
-    m_actions.watch->setEnabled(isOpen);
-    m_actions.operate->setEnabled(isOpen);
+    const bool isReplay = isOpen && chosen->isReplay();
+    m_actions.watch->setEnabled(isOpen && !isReplay);
+    m_actions.operate->setEnabled(isOpen && !isReplay);
+    m_actions.openRecording->setEnabled(isAttached);
+    m_actions.closeRecording->setEnabled(isReplay);
     m_actions.watch->setChecked(!isOperating);
     m_actions.operate->setChecked(isOperating);
-    m_actions.start->setEnabled(isOpen && !chosen->isRunning());
-    m_actions.stop->setEnabled(isOpen && chosen->isRunning());
+    m_actions.start->setEnabled(isOpen && !isReplay && !chosen->isRunning());
+    m_actions.stop->setEnabled(isOpen && !isReplay && chosen->isRunning());
     const BusViews *views = viewsOf(m_chosenBus);
     const bool tellsState = views == nullptr || views->tellsState();
-    m_status->setMode(isOperating, tellsState ? QString() : m_plant->nameOf(m_chosenBus));
-    const auto open = isAttached ? m_buses->open() : std::vector<EncoderBus *>();
+    if (isReplay)
+        m_status->setRecorded(m_plant->nameOf(m_chosenBus));
+    else
+        m_status->setMode(isOperating, tellsState ? QString() : m_plant->nameOf(m_chosenBus));
+    if (views != nullptr && views->comparison() == nullptr)
+        m_actions.compare->setEnabled(false);
+    const auto open = isAttached ? m_buses->connected() : std::vector<EncoderBus *>();
     QStringList names;
     QStringList effects;
     for (const EncoderBus *bus : open) {

@@ -198,8 +198,12 @@ void MainWindow::chooseBus(BusId bus)
         return;
     const BusViews *before = viewsOf(std::exchange(m_chosenBus, bus));
     if (const BusViews *views = viewsOf(bus)) {
-        if (before != nullptr && m_pages->currentWidget() == before->comparison())
-            m_pages->setCurrentWidget(views->comparison());
+        if (before != nullptr && m_pages->currentWidget() == before->comparison()) {
+            if (views->comparison() != nullptr)
+                m_pages->setCurrentWidget(views->comparison());
+            else
+                showMonitors();
+        }
         for (const auto &[panel, page] : views->pages())
             m_panels.showPage(*panel, page);
     }

@@ -193,6 +193,9 @@ void MainWindow::openDropped(FileKind kind, const QString &path)
     case FileKind::device:
         m_droppedDevice->offer(path);
         return;
+    case FileKind::recording:
+        openRecording(path);
+        return;
     case FileKind::ofProgram:
     case FileKind::other:
     case FileKind::notReadable:

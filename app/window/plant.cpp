@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/plant.h"
 
+#include "app/window/recordings.h"
 #include "app/window/window_kinds.h"
 #include "encoder/bus_names.h"
 #include "project/bus_kind.h"
@@ -14,6 +15,7 @@ namespace codewheel {
 Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
     : QObject(parent)
     , m_surroundings(std::move(surroundings))
+    , m_recordings(new Recordings(*this, m_surroundings))
 {
     connect(&m_surroundings.project, &ProjectDocument::changed, this, &Plant::followProject);
     connect(&m_sessions, &Buses::changed, this, &Plant::nameBuses);
@@ -58,7 +60,7 @@ void Plant::callBuses()
     };
     for (const auto &bus : m_buses) {
         const auto last = before.find(bus->id());
-        const QString name = last == before.end() ? busKind(bus->kind())->nameOfNew() : last->second;
+        const QString name = last == before.end() ? bus->nameOfNew() : last->second;
         if (!m_called.contains(bus->id()))
             m_called[bus->id()] = freeName(name, isTaken);
     }
@@ -79,6 +81,12 @@ std::vector<const LedgerKeeper *> Plant::ledgers() const
     return ledgers;
 }
 
+void Plant::pump()
+{
+    m_recordings->passTime();
+    m_sessions.pump();
+}
+
 void Plant::openTraining()
 {
     for (const auto &bus : m_buses)
@@ -96,7 +104,7 @@ void Plant::start()
 // A bus without a link in this program stays planned.
 void Plant::make(const QString &kind, BusId id)
 {
-    if (const WindowKind *its = windowKind(kind))
+    if (const WindowKind *its = windowKind(kind); its != nullptr && its->make != nullptr)
         add(its->make(id, m_surroundings));
 }
 
@@ -114,6 +122,7 @@ void Plant::add(std::unique_ptr<BusAtWork> bus)
     const auto behind =
         std::ranges::upper_bound(m_buses, its->id(), {}, [](const auto &other) { return other->id(); });
     m_buses.insert(behind, std::move(bus));
+    nameBuses();
     Q_EMIT added(its);
 }
 
@@ -135,6 +144,7 @@ void Plant::removeUnneeded()
             m_called.erase(bus->id());
             std::erase_if(m_buses, [bus](const auto &its) { return its.get() == bus; });
         }
+    nameBuses();
 }
 
 void Plant::followProject()
@@ -149,7 +159,8 @@ void Plant::followProject()
     nameBuses();
 }
 
-// If there are several buses of a kind, their places are shown with the names of the buses.
+// If there are several buses of a kind, their places are shown with the names of the buses; those of a
+// recording always are.
 void Plant::nameBuses()
 {
     callBuses();
@@ -162,6 +173,9 @@ void Plant::nameBuses()
             withPlaces.push_back(all.back());
     }
     std::pair names(namesOfSeveral(withPlaces), namesOf(all));
+    for (const auto &bus : m_buses)
+        if (bus->bus() != nullptr && bus->bus()->isReplay())
+            names.first[bus->id()] = nameOf(bus->id());
     if (std::exchange(m_names, names) == names)
         return;
     setBusNames(std::move(names.first), std::move(names.second));

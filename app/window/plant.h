@@ -11,6 +11,8 @@
 
 namespace codewheel {
 
+class Recordings;
+
 // The buses of the program: the training ring and the training line, and those that the project plans. An
 // open bus that is no longer planned stays until it is closed.
 class Plant : public QObject
@@ -41,6 +43,13 @@ public:
         return nullptr;
     }
 
+    Recordings &recordings() { return *m_recordings; }
+    // One that no project plans; it stays until it is closed.
+    void add(std::unique_ptr<BusAtWork> bus);
+    void removeUnneeded();
+
+    // Takes a frame of all buses.
+    void pump();
     // Of the computer, or, where buses are driven by hand, theirs.
     QDateTime wallClock() const;
 
@@ -56,12 +65,10 @@ Q_SIGNALS:
 
 private:
     void make(const QString &kind, BusId id);
-    void add(std::unique_ptr<BusAtWork> bus);
     void followProject();
     void callBuses();
     void nameBuses();
     bool isNeeded(const BusAtWork &bus) const;
-    void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;
     using Names = std::map<BusId, QString>;
@@ -71,6 +78,7 @@ private:
     Histories m_histories{m_sessions};
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;
+    Recordings *const m_recordings;
     RecordingAtWork m_recording{m_sessions, m_histories, [this] { return wallClock(); }}; // ends first
 };
 

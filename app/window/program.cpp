@@ -125,7 +125,9 @@ void Program::keepLastFile()
 
 void Program::openProject()
 {
-    if (!m_file.isEmpty())
+    if (!m_file.isEmpty() && fileKind(m_file) == FileKind::recording)
+        m_window->openRecording(m_file);
+    else if (!m_file.isEmpty())
         m_window->files().open(m_file);
     m_window->compare();
     m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);

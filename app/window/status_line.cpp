@@ -113,6 +113,11 @@ void StatusLine::setMode(bool isOperating, const QString &bus)
                      bus.isEmpty() ? mode : QStringLiteral("%1: %2").arg(bus, mode));
 }
 
+void StatusLine::setRecorded(const QString &bus)
+{
+    m_mode->setState(Role::inactive, tr("%1: recording", "bus").arg(bus));
+}
+
 void StatusLine::setOtherFaults(const QStringList &faults)
 {
     if (std::exchange(m_faultsTold, faults) == faults)

@@ -35,6 +35,7 @@ public:
 
     void setState(Role role, const QString &text); // of the bus that has a master
     // For the chosen bus; with its name if the state beside it is that of another one.
+    void setRecorded(const QString &bus); // instead of its mode
     void setMode(bool isOperating, const QString &bus = {});
     // Faults of buses not shown in the line: "Ring 2: BUS FAIL".
     void setOtherFaults(const QStringList &faults);

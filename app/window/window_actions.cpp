@@ -32,6 +32,11 @@ QAction *choice(QActionGroup *group, const QString &text, const QVariant &data, 
     return action;
 }
 
+QString nothingSent()
+{
+    return refusalText({RefusalKind::notSupported, RefusalId::onlyRecorded, {}});
+}
+
 QString offlineText()
 {
     return WindowActions::tr("Not connected: nothing can be sent.");
@@ -68,6 +73,11 @@ void WindowActions::makeFileMenu()
                             tr("Opens a project"));
     recentFiles = menu->addMenu(tr("&Recent files"));
     recentFiles->setToolTipsVisible(true);
+    openRecording = described(
+        menu->addAction(lineIcon(Icon::open), tr("Open recordin&g…")), Qt::CTRL | Qt::ALT | Qt::Key_O,
+        tr("Shows a recording in monitor, dial and trace as if it were a bus; sends nothing"));
+    closeRecording = described(menu->addAction(tr("C&lose recording")), Qt::CTRL | Qt::ALT | Qt::Key_W,
+                               tr("Closes the recording that is chosen in the bus structure"));
     saveProject = described(menu->addAction(lineIcon(Icon::save), tr("&Save")), QKeySequence::Save,
                             tr("Saves the project"));
     saveProjectAs = described(menu->addAction(tr("Save &as…")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
@@ -211,12 +221,14 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
     };
     const bool isThere = encoder.isThere();
     const bool isOnlyPlanned = isThere && encoder.session() == nullptr;
+    const bool isRecorded = !isOnlyPlanned && isThere && encoder.session()->freshness().isOfRecording();
     const bool canBeSetUp = !isThere || encoder.can().writes;
     described(wizard, wizard->shortcut(),
-              !canBeSetUp     ? why(RefusalId::writingNotSupported)
+              isRecorded      ? nothingSent()
+              : !canBeSetUp   ? why(RefusalId::writingNotSupported)
               : isOnlyPlanned ? offlineText()
                               : tr("Sets up the chosen encoder step by step"));
-    wizard->setEnabled(!isOnlyPlanned);
+    wizard->setEnabled(!isOnlyPlanned && !isRecorded);
     described(showInTrend, showInTrend->shortcut(),
               encoder.session() != nullptr
                   ? tr("Adds the position of the chosen encoder to the trend, and shows that")
@@ -225,6 +237,7 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
     const bool hasCams = isThere && encoder.can().cams;
     described(cams, cams->shortcut(),
               !isThere        ? tr("No encoder is chosen.")
+              : isRecorded    ? nothingSent()
               : !hasCams      ? why(RefusalId::camsNotSupported)
               : isOnlyPlanned ? tr("Edits the cam programs planned for the chosen encoder")
                               : tr("Edits, reads and writes the cam programs of the chosen encoder"));
@@ -233,10 +246,12 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
 
 void WindowActions::showWords(const ShownEncoder &encoder, const WordChannel *words, bool isOpen)
 {
-    const bool hasOut = words != nullptr && words->outWords() > 0;
+    const bool isRecorded = words != nullptr && words->freshness().isOfRecording();
+    const bool hasOut = words != nullptr && words->outWords() > 0 && !isRecorded;
     const bool lacksOut = encoder.isThere() && encoder.device().outWords == 0;
     described(zeroOut, zeroOut->shortcut(),
-              hasOut              ? tr("Sends 00000000 to the chosen device: normal running")
+              isRecorded          ? nothingSent()
+              : hasOut            ? tr("Sends 00000000 to the chosen device: normal running")
               : lacksOut          ? refusalText({RefusalKind::notSupported,
                                                  RefusalId::sendingNotSupported,
                                                  {encoder.device().fullName()}})

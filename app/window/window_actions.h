@@ -57,6 +57,8 @@ public:
     QAction *newProject;
     QAction *openProject;
     QMenu *recentFiles;
+    QAction *openRecording;
+    QAction *closeRecording;
     QAction *saveProject;
     QAction *saveProjectAs;
     QAction *projectPage;

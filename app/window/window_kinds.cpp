@@ -4,6 +4,8 @@
 #include "app/window/line_at_work.h"
 #include "app/window/line_ports.h"
 #include "app/window/line_views.h"
+#include "app/window/replay_at_work.h"
+#include "app/window/replay_views.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_views.h"
 #include "project/line_plan.h"
@@ -32,7 +34,8 @@ std::vector<WindowKind> &kinds()
     static std::vector<WindowKind> all{
         {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels},
         {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels,
-         &adapterRows, &keysOfLines}};
+         &adapterRows, &keysOfLines},
+        {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }
 

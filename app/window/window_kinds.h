@@ -12,6 +12,7 @@ namespace codewheel {
 struct WindowKind
 {
     QString bus; // key of its BusKind
+    // Null: projects do not plan such a bus (Recordings).
     std::unique_ptr<BusAtWork> (*make)(BusId id, const BusAtWork::Surroundings &surroundings);
     // Null: its buses are only shown in the bus structure and in the panels of a device.
     BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;

@@ -22,7 +22,7 @@ QDateTime WordChannel::dateTime(Instant at) const
 
 void WordChannel::stage(Word word)
 {
-    if (m_staged == word)
+    if (m_staged == word || m_freshness.isOfRecording())
         return;
     m_staged = word;
     Q_EMIT stagedChanged();

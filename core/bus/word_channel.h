@@ -54,7 +54,7 @@ public:
 
     std::optional<Word> staged() const { return m_staged; } // empty: as on the bus
     Word shownOut() const { return m_staged.value_or(out()); }
-    void stage(Word word);
+    void stage(Word word); // no effect on a word of a recording
     void unstage();
     // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and return value) in
     // Watch, while the bus is stopped, while a job holds the word, and for a device without OUT; the staged

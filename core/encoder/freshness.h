@@ -54,6 +54,7 @@ public:
     Reason reason() const { return m_reason; }
     bool isLive() const { return m_state == State::live; }
     bool isOld() const { return m_state == State::old; }
+    bool isOfRecording() const { return m_reason == Reason::recorded || m_reason == Reason::notRecorded; }
     Instant seen() const { return m_seen; } // on the clock of the bus; meaningless if unknown
 
     // Whether both are shown alike: the time may differ.

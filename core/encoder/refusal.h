@@ -70,6 +70,7 @@ enum class RefusalId : std::uint8_t {
     serverAddressWrong,    // sentence about what is wrong
     passwordInAddress,     //
     noSizeOnServer,        //
+    recordingEmpty,        // file
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name

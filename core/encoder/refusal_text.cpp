@@ -147,6 +147,8 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::noSizeOnServer, "noSizeOnServer",
                QT_TRANSLATE_NOOP("Refusal", "A recording on a server can be kept to its last hours, but not "
                                             "to a size.")},
+    RefusalRow{RefusalId::recordingEmpty, "recordingEmpty",
+               QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
     // notSupported
     RefusalRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay/playback.h"
 
-#include <QDateTime>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -22,6 +22,7 @@ Result<std::unique_ptr<Playback>> Playback::open(const QString &file)
 // A recording may have samples of before it began.
 Result<void> Playback::read()
 {
+    m_lookedAt = QFileInfo(m_reader.file()).lastModified();
     const auto head = m_reader.head();
     const auto clock = m_reader.clock();
     const auto buses = m_reader.buses();

@@ -3,6 +3,7 @@
 
 #include "replay/recorded_encoder.h"
 
+#include <QDateTime>
 #include <QObject>
 
 namespace codewheel {
@@ -22,6 +23,8 @@ public:
     const QString &file() const { return m_reader.file(); }
     const RecordingReader &reader() const { return m_reader; }
     const RecordingHead &head() const { return m_head; } // when it was looked at last
+    // When the file was written to last, as of then.
+    const QDateTime &lookedAt() const { return m_lookedAt; }
     const std::vector<RecordedBus> &buses() const { return m_buses; }
     std::vector<RecordedEncoder> &encoders() { return m_encoders; }
     // From the first moment to the last one, which can be shown both.
@@ -66,6 +69,7 @@ private:
     RecordingReader m_reader;
     RecordingHead m_head;
     WallClock m_clock;
+    QDateTime m_lookedAt; // by the clock of the file's disk
     std::vector<RecordedBus> m_buses;
     std::vector<RecordedEncoder> m_encoders;
     TimeSpan m_span;

@@ -10,11 +10,9 @@
 namespace codewheel {
 namespace {
 
-// It shows its cams, and nothing else can be done with it.
-Capabilities shownOnly(const DeviceDescription &device)
+Capabilities nothing()
 {
     Capabilities can;
-    can.cams = device.capabilities.cams;
     can.readingHidesPosition = false;
     return can;
 }
@@ -33,11 +31,13 @@ ReplayEncoderSession::ReplayEncoderSession(const ReplayBus &bus, Place place, De
     : m_bus(bus)
     , m_place(place)
     , m_device(std::move(device))
-    , m_can(shownOnly(m_device))
+    , m_can(nothing())
 {}
 
 std::optional<Known> ReplayEncoderSession::known(Parameter parameter) const
 {
+    if (const auto told = m_told.find(parameter); told != m_told.end())
+        return Known{parameter, told->second, Evidence::told, m_reading.at};
     const auto value = valueOf(m_known, parameter);
     return value ? std::optional(Known{parameter, *value, Evidence::told, m_knownSince}) : std::nullopt;
 }
@@ -45,9 +45,19 @@ std::optional<Known> ReplayEncoderSession::known(Parameter parameter) const
 std::vector<Known> ReplayEncoderSession::allKnown() const
 {
     std::vector<Known> all;
-    for (const ParameterValue &value : m_known)
-        all.push_back({value.parameter, value.value, Evidence::told, m_knownSince});
+    for (const Parameter parameter : allParameters())
+        if (const auto one = known(parameter))
+            all.push_back(*one);
     return all;
+}
+
+void ReplayEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        m_told[parameter] = *value;
+    else
+        m_told.erase(parameter);
+    Q_EMIT knownChanged();
 }
 
 Result<std::vector<Step>> ReplayEncoderSession::planned(const std::vector<Job> &) const

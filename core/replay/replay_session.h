@@ -4,6 +4,8 @@
 #include "catalog/device_description.h"
 #include "replay/recorded_encoder.h"
 
+#include <map>
+
 namespace codewheel {
 
 class ReplayBus;
@@ -22,8 +24,8 @@ public:
     const Capabilities &can() const override { return m_can; }
     const Reading &latest() const override { return m_reading; }
     std::optional<Known> known(Parameter parameter) const override;
-    std::optional<KnownCams> cams(unsigned) const override { return {}; } // not recorded
-    void tell(Parameter, std::optional<std::int64_t>) override {}
+    std::optional<KnownCams> cams(unsigned) const override { return {}; }       // not recorded
+    void tell(Parameter parameter, std::optional<std::int64_t> value) override; // so that it can be shown
 
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     Result<JobId> start(const Job &job, Pace pace) override;
@@ -47,6 +49,7 @@ private:
     const Capabilities m_can;
     Reading m_reading;
     ParameterValues m_known;
+    std::map<Parameter, std::int64_t> m_told; // by the user, who looks at it now
     Instant m_knownSince{};
 };
 

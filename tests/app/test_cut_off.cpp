@@ -3,6 +3,7 @@
 #include "app/screenshots/manual_pictures.h"
 #include "language.h"
 #include "tests/app/window_test.h"
+#include "tests/replay/replay_recording.h"
 #include "tests/support/cut_off.h"
 #include "widgets/look/appearance.h"
 
@@ -80,6 +81,18 @@ TEST_P(NothingIsCutOff, OnAnyPage)
           lineActions().settings, lineActions().search, actions().projectPage}) {
         action->trigger();
         look(*window().centralWidget(), action->text());
+    }
+}
+
+TEST_P(NothingIsCutOff, WithARecording)
+{
+    const test::ReplayRecording recording;
+    ASSERT_TRUE(window().openRecording(recording.path));
+    advance(99);
+    look(*window().centralWidget(), QStringLiteral("Recording"));
+    for (auto *panel : window().findChildren<QDockWidget *>()) {
+        panel->raise();
+        look(*panel, panel->windowTitle());
     }
 }
 

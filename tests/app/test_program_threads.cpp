@@ -4,6 +4,7 @@
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/program.h"
+#include "app/window/recordings.h"
 #include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "project/bus_kind.h"
@@ -11,8 +12,10 @@
 #include "project/project_file.h"
 #include "ring/ring_session.h"
 #include "tests/app/window_test.h"
+#include "tests/replay/replay_recording.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/replay/replay_bar.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
 
@@ -115,6 +118,26 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
     EXPECT_EQ(wanted->value(fraba, Parameter::steps), std::nullopt) << "undo goes on as well";
     EXPECT_TRUE(waitFor([&] { return bus().latest().cycle > cycle; }));
     EXPECT_EQ(program.window()->findChild<MonitorArea *>()->cards().size(), 1u);
+    Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
+    ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
+    QLocale::setDefault(before);
+}
+
+TEST_F(RunningProgram, AnotherLanguageKeepsTheRecordingsThatAreOpenAndPlaysOn)
+{
+    const QLocale before;
+    const test::ReplayRecording recording;
+    ASSERT_TRUE(program.window()->openRecording(recording.path));
+    const auto playback = program.plant()->recordings().all().front().playback;
+    playback->play(Playback::Direction::forward);
+    Q_EMIT program.window()->languageChosen(QStringLiteral("de"));
+    ASSERT_TRUE(waitFor([this] {
+        return program.window()->findChild<ReplayBar *>() != nullptr &&
+               QLocale().language() == QLocale::German;
+    }));
+    EXPECT_EQ(program.window()->findChild<ReplayBar *>()->accessibleName(), QStringLiteral("Aufzeichnung"));
+    const Instant position = playback->position();
+    EXPECT_TRUE(waitFor([&] { return playback->position() > position; })) << "by its clock";
     Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
     ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
     QLocale::setDefault(before);

@@ -138,15 +138,18 @@ void RodDial::draw()
     m_readStatus->setVisible(reading.state == EncoderState::error && m_encoder->can().reads);
     m_age->follow(*m_encoder);
     RodState state = stateOf(reading);
-    if (m_encoder->freshness().isOld())
+    if (m_encoder->freshness().isOfRecording() || m_encoder->freshness().isOld())
         makeOld(state);
     m_rod->setState(state);
 }
 
 void RodDial::makeOld(RodState &state) const
 {
-    const StateNote note = noteOfAge(*m_encoder);
-    state.stepsPerSecond.reset();
+    const bool isRecorded = m_encoder->freshness().isOfRecording();
+    const StateNote note =
+        isRecorded ? noteOfRecording(*m_encoder, {state.note, state.role}) : noteOfAge(*m_encoder);
+    if (!isRecorded)
+        state.stepsPerSecond.reset();
     state.isLastKnown = true;
     state.age = ageText(*m_encoder);
     state.note = note.sentence;

@@ -44,6 +44,15 @@ void makeOld(DialState &state, const EncoderSession &encoder)
     state.role = note.role;
 }
 
+void makeRecorded(DialState &state, const EncoderSession &encoder)
+{
+    const StateNote note = noteOfRecording(encoder, {state.note, state.role});
+    state.isLastKnown = true;
+    state.age = ageText(encoder);
+    state.note = note.sentence;
+    state.role = note.role;
+}
+
 } // namespace
 
 ShaftDial::ShaftDial(QWidget *parent)
@@ -121,7 +130,9 @@ void ShaftDial::draw()
         return;
     m_age->follow(*m_encoder);
     DialState state = stateOf(m_encoder->latest());
-    if (m_encoder->freshness().isOld())
+    if (m_encoder->freshness().isOfRecording())
+        makeRecorded(state, *m_encoder);
+    else if (m_encoder->freshness().isOld())
         makeOld(state, *m_encoder);
     m_disc->setState(state);
 }

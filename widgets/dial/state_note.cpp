@@ -76,6 +76,14 @@ StateNote noteOfAge(const EncoderSession &encoder)
             isFault ? Role::fault : Role::inactive};
 }
 
+StateNote noteOfRecording(const EncoderSession &encoder, const StateNote &then)
+{
+    const QString what = freshnessText(encoder.freshness().reason());
+    if (then.sentence.isEmpty() || !encoder.freshness().isOld())
+        return {what, Role::inactive};
+    return {QStringLiteral("%1 %2").arg(what, then.sentence), then.role};
+}
+
 QString whyNoPosition(const EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();

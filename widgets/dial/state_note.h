@@ -19,6 +19,8 @@ struct StateNote
 };
 StateNote noteOfState(const DeviceDescription &device, const Reading &reading);
 StateNote noteOfAge(const EncoderSession &encoder);
+// Of a recording: what it says besides that, if anything.
+StateNote noteOfRecording(const EncoderSession &encoder, const StateNote &then);
 
 // Why an encoder shows no position, and what to do about it; empty where it shows one.
 QString whyNoPosition(const EncoderSession &encoder);

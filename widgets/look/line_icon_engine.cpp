@@ -18,14 +18,16 @@ namespace {
 
 // In the order of Icon.
 constexpr std::array fileNames{
-    "add",      "alarm-stop", "attention",  "back",   "battery",  "cams",        "cancel",      "compare",
-    "computer", "copy",       "details",    "down",   "drive",    "encoder",     "export-data", "fault",
-    "file",     "filter",     "folder",     "home",   "inactive", "information", "list",        "master",
-    "messages", "monitor",    "new-folder", "next",   "ok",       "open",        "operate",     "parameters",
-    "paste",    "pin",        "power",      "preset", "question", "read",        "record",      "refresh",
-    "remove",   "ring",       "running",    "save",   "search",   "sequence",    "set-bit",     "shaft",
-    "start",    "step",       "stop",       "trace",  "training", "trend",       "turn-left",   "turn-right",
-    "up",       "watch",      "wizard",     "write",
+    "add",         "alarm-stop", "attention", "back",       "battery",    "cams",       "cancel",
+    "compare",     "computer",   "copy",      "details",    "down",       "drive",      "encoder",
+    "export-data", "fault",      "file",      "filter",     "folder",     "home",       "inactive",
+    "information", "list",       "master",    "messages",   "monitor",    "new-folder", "next",
+    "ok",          "open",       "operate",   "parameters", "paste",      "pause",      "pin",
+    "play-back",   "power",      "preset",    "question",   "read",       "record",     "refresh",
+    "remove",      "ring",       "running",   "save",       "search",     "sequence",   "set-bit",
+    "shaft",       "start",      "step",      "step-back",  "stop",       "to-begin",   "to-end",
+    "trace",       "training",   "trend",     "turn-left",  "turn-right", "up",         "watch",
+    "wizard",      "write",
 };
 static_assert(fileNames.size() == iconCount);
 

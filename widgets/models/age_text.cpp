@@ -17,12 +17,18 @@ struct AgeText
     Q_DECLARE_TR_FUNCTIONS(AgeText)
 };
 
+// What a recording shows is of a date, however long ago that is.
+QString whenText(const NotLive &old)
+{
+    return old.reason == Freshness::Reason::recorded ? recordedText(old.seen)
+                                                     : agoText(old.seen, QDateTime::currentDateTime());
+}
+
 template <typename Shown>
 QString ageOf(const Shown &shown)
 {
     const Freshness &freshness = shown.freshness();
-    return freshness.isOld() ? agoText(shown.dateTime(freshness.seen()), QDateTime::currentDateTime())
-                             : QString();
+    return freshness.isOld() ? whenText({freshness.reason(), shown.dateTime(freshness.seen())}) : QString();
 }
 
 } // namespace
@@ -47,9 +53,11 @@ QString ageSentence(const EncoderSession &encoder)
 QString ageSentence(const NotLive &old)
 {
     const QString why = freshnessText(old.reason);
-    return old.seen.isValid() ? AgeText::tr("%1 Shown is how it was %2.", "reason, 20 s ago")
-                                    .arg(why, agoText(old.seen, QDateTime::currentDateTime()))
-                              : why;
+    if (old.reason == Freshness::Reason::recorded)
+        return AgeText::tr("%1 Shown is how it was on %2.", "reason, date and time").arg(why, whenText(old));
+    return old.seen.isValid()
+               ? AgeText::tr("%1 Shown is how it was %2.", "reason, 20 s ago").arg(why, whenText(old))
+               : why;
 }
 
 } // namespace codewheel

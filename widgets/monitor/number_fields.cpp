@@ -16,6 +16,7 @@ namespace codewheel {
 namespace {
 
 const QString widestNumber = QStringLiteral("-2147483648");
+const QString notThere = QStringLiteral("–");
 const QString widestHex = QStringLiteral("0x020000FF");
 
 // The largest number of so many bits.
@@ -69,6 +70,14 @@ void NumberFields::setOld(bool old)
 {
     if (std::exchange(m_old, old) != old)
         showAge();
+}
+
+void NumberFields::setKnown(bool known)
+{
+    if (std::exchange(m_isKnown, known) == known)
+        return;
+    restore();
+    showNumbers();
 }
 
 // Captions keep their colour, which has a role of its own.
@@ -146,13 +155,18 @@ int NumberFields::numberBits() const
 void NumberFields::showNumbers()
 {
     if (m_display.decimal)
-        m_decimal->showText(decimalText(m_word, numberBits()));
+        m_decimal->showText(known(decimalText(m_word, numberBits())));
     if (m_display.signedDecimal)
-        m_signed->showText(signedText(m_word, numberBits()));
+        m_signed->showText(known(signedText(m_word, numberBits())));
     if (m_display.gray)
-        m_gray->showText(grayText(m_word, numberBits()));
+        m_gray->showText(known(grayText(m_word, numberBits())));
     if (m_display.binary)
-        m_binary->showText(binaryText(m_word, m_form.bits));
+        m_binary->showText(known(binaryText(m_word, m_form.bits)));
+}
+
+QString NumberFields::known(const QString &number) const
+{
+    return m_isKnown ? number : notThere;
 }
 
 void NumberFields::hexTyped(const QString &text)
@@ -167,13 +181,13 @@ void NumberFields::hexTyped(const QString &text)
 void NumberFields::hexLeft()
 {
     if (!m_hex->hasProblem())
-        m_hex->showText(hexWord(m_word));
+        m_hex->showText(known(hexWord(m_word)));
 }
 
 void NumberFields::restore()
 {
     setProblem({});
-    m_hex->showText(hexWord(m_word));
+    m_hex->showText(known(hexWord(m_word)));
 }
 
 void NumberFields::setProblem(const QString &sentence)

@@ -26,7 +26,8 @@ public:
     void setWord(Word word);
     void setDisplay(const MonitorDisplay &display);
     void setOld(bool old); // an old word is grey
-    void restore();        // hexadecimal shows the word again, whatever was typed
+    void setKnown(bool known);
+    void restore(); // hexadecimal shows the word again, whatever was typed
     WordField *hexadecimal() const { return m_hex; }
     QWidget *more() const { return m_more; } // hidden if it shows none; for the caller to place
 
@@ -46,6 +47,7 @@ private:
     void hexLeft();
     void setProblem(const QString &sentence);
     void showNumbers();
+    QString known(const QString &number) const;
     int numberBits() const;
 
     WordForm m_form;
@@ -59,6 +61,7 @@ private:
     MonitorDisplay m_display;
     Word m_word = 0;
     bool m_old = false;
+    bool m_isKnown = true;
 };
 
 } // namespace codewheel

@@ -373,6 +373,7 @@ void WordCard::showWords(bool withEdges)
     for (WordLine *line : m_lines) {
         m_bits->setWord(row, line->shown(), line->onBus(), withEdges ? line->edges() : 0, m_now);
         m_bits->setOld(row, line->isOld());
+        m_bits->setKnown(row, line->isKnown());
         line->showWord();
         ++row;
     }

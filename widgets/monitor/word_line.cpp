@@ -92,7 +92,14 @@ bool WordLine::isOld() const
     if (m_channel == nullptr)
         return true;
     const Freshness &freshness = m_channel->freshness();
+    if (freshness.isOfRecording())
+        return true;
     return freshness.isOld() && (!isOut() || freshness.reason() == Freshness::Reason::disconnected);
+}
+
+bool WordLine::isKnown() const
+{
+    return m_channel == nullptr || m_channel->freshness().reason() != Freshness::Reason::notRecorded;
 }
 
 QString WordLine::bitText(int bit) const
@@ -123,11 +130,16 @@ void WordLine::showWord()
         return;
     m_numbers->setWord(shown());
     m_numbers->setOld(isOld());
+    m_numbers->setKnown(isKnown());
+    if (m_sender != nullptr)
+        m_sender->showWhetherSent();
     m_meaning->setText(explain());
 }
 
 QString WordLine::explain() const
 {
+    if (!isKnown())
+        return freshnessText(Freshness::Reason::notRecorded);
     if (m_description == nullptr)
         return tr("Not explained: there is no description of this device.");
     k3::ExplainContext context;
@@ -138,7 +150,7 @@ QString WordLine::explain() const
         context.coding = m_encoder->latest().coding;
     }
     const QString text = explanationText(*m_description, explainWord(*m_description, shown(), context));
-    if (isOut())
+    if (isOut() && !m_channel->freshness().isOfRecording())
         return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
     if (!isOld())
         return text;

@@ -35,7 +35,14 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
 void WordSender::setBlocked(bool blocked)
 {
     m_blocked = blocked;
-    m_write->setEnabled(!blocked);
+    showWhetherSent();
+}
+
+void WordSender::showWhetherSent()
+{
+    const bool isRecorded = m_channel && m_channel->freshness().isOfRecording();
+    m_write->setEnabled(!m_blocked && !isRecorded);
+    m_atOnce->setEnabled(!isRecorded);
 }
 
 void WordSender::write()

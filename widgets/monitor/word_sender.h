@@ -32,6 +32,7 @@ public:
     void discard();
     void edited(); // the user has staged a whole word: it is sent if "At once" is on
     void showStaged();
+    void showWhetherSent(); // nothing is sent to a recording
     QCheckBox *atOnce() const { return m_atOnce; }
 
 Q_SIGNALS:

@@ -104,6 +104,8 @@ QString WordView::bitName(WordBit bit) const
 QString WordView::bitDescription(WordBit bit) const
 {
     const auto &bitText = at(bit.word).line.bitText;
+    if (!at(bit.word).isKnown)
+        return tr("Not recorded");
     QString meaning = bitText ? bitText(bit.bit) : QString();
     if (!isStaged(bit))
         return meaning;
@@ -224,6 +226,12 @@ void WordView::setOld(int word, bool old)
         updateCells(word, ~Word{0});
 }
 
+void WordView::setKnown(int word, bool known)
+{
+    if (std::exchange(at(word).isKnown, known) != known)
+        updateCells(word, ~Word{0});
+}
+
 BitCell WordView::lookOf(WordBit bit) const
 {
     return {.set = isSet(bit),
@@ -247,7 +255,7 @@ void WordView::paintEvent(QPaintEvent *event)
         if (const QRect number = m_layout.number(bit); exposed.intersects(number))
             painter.drawText(number, Qt::AlignHCenter | Qt::AlignTop, QString::number(bit));
         for (int word = 0; word < words(); ++word)
-            if (const QRect cell = m_layout.cell({word, bit}); exposed.intersects(cell))
+            if (const QRect cell = m_layout.cell({word, bit}); at(word).isKnown && exposed.intersects(cell))
                 painter.drawPixmap(cell.topLeft(), m_pictures.picture(lookOf({word, bit}), cell.size(),
                                                                       devicePixelRatioF(), palette()));
     }

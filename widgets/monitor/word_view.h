@@ -39,6 +39,7 @@ public:
 
     // Old bits are grey.
     void setOld(int word, bool old);
+    void setKnown(int word, bool known); // the bits of one that is not known are not drawn
     bool isOld(int word) const { return at(word).isOld; }
     // In rows of 8 bits, whatever the width.
     void setMatrix(bool matrix);
@@ -95,6 +96,7 @@ private:
         Word staged = 0;
         ChangeMarks marks{};
         bool isOld = false;
+        bool isKnown = true;
     };
 
     const Shown &at(int word) const { return m_words[static_cast<std::size_t>(word)]; }

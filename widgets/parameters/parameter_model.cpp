@@ -2,6 +2,7 @@
 #include "widgets/parameters/parameter_model.h"
 
 #include "catalog/value_text.h"
+#include "encoder/freshness_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
@@ -160,6 +161,8 @@ Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
     if (!index.isValid() || index.column() != wantedColumn)
         return flags;
     const ParameterRow &row = rowAt(index.row());
+    if (m_encoder.session() != nullptr && m_encoder.session()->freshness().isOfRecording())
+        return flags;
     const bool canBeTold = row.isTold() && m_encoder.session() != nullptr; // whose known value it becomes
     if (!row.isReadOnly() || canBeTold)
         flags |= Qt::ItemIsEditable;
@@ -280,6 +283,9 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const
 {
+    if (column == knownColumn && m_encoder.session() != nullptr &&
+        m_encoder.session()->freshness().isOfRecording()) // which does not say how it came to be known
+        return row.known ? tr("recorded", "value") : freshnessBrief(Freshness::Reason::notRecorded);
     if (column == knownColumn && row.known) {
         const QTime time = m_encoder.session()->dateTime(row.known->at).time();
         return tr("%1 %2", "how known, time: read 14:02")

@@ -228,9 +228,12 @@ void ParameterPanel::connectSession(EncoderSession &session)
 void ParameterPanel::showWhatIsPossible()
 {
     const Capabilities &can = m_encoder.can();
-    const bool isConnected = session() != nullptr;
-    const QString offline = tr("Not connected: nothing can be read or written. What is wanted is kept in the "
-                               "project.");
+    const bool isRecorded = session() != nullptr && session()->freshness().isOfRecording();
+    const bool isConnected = session() != nullptr && !isRecorded;
+    const QString offline =
+        isRecorded ? tr("This is a recording: nothing is read or written.")
+                   : tr("Not connected: nothing can be read or written. What is wanted is kept in the "
+                        "project.");
     const QString note =
         !isConnected ? offline
         : !can.reads

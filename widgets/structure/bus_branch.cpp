@@ -9,7 +9,7 @@ namespace codewheel {
 
 QString BusBranch::modeNow() const
 {
-    if (connected == nullptr || !connected->isOpen())
+    if (connected == nullptr || !connected->isOpen() || connected->isReplay())
         return {};
     return connected->isOperating() ? QCoreApplication::translate("codewheel::BusBranch", "Operate")
                                     : QCoreApplication::translate("codewheel::BusBranch", "Watch");

@@ -117,6 +117,7 @@ void TraceView::watchEncoders()
 {
     for (EncoderBus *bus : m_buses.open()) {
         connect(bus, &EncoderBus::trafficPassed, this, &TraceView::add, Qt::UniqueConnection);
+        connect(bus, &EncoderBus::trafficRestarted, this, &TraceView::beginAnew, Qt::UniqueConnection);
         for (const Place place : bus->places())
             if (const EncoderSession *encoder = bus->encoder(place); encoder && encoder->device().hasWords())
                 collect(*encoder);
@@ -162,6 +163,14 @@ void TraceView::add(const TrafficRow &row)
         rows->add(row);
         rows->showWaiting();
     }
+}
+
+void TraceView::beginAnew()
+{
+    const auto *bus = qobject_cast<EncoderBus *>(sender());
+    for (const auto &[place, collected] : m_collected)
+        if (bus != nullptr && place.bus == bus->id() && collected.rows)
+            collected.rows->clear();
 }
 
 void TraceView::setEncoder(EncoderSession *encoder, std::optional<Place> offline)

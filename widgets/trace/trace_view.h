@@ -62,6 +62,7 @@ private:
     void watchEncoders();
     void collect(const EncoderSession &encoder);
     void add(const TrafficRow &row);
+    void beginAnew(); // of the bus that says so
     void makeTable();
     void makeTools();
     void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);

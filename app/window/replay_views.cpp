@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/replay_views.h"
+
+#include "app/window/replay_at_work.h"
+#include "app/window/window_actions.h"
+#include "widgets/help/help_topic.h"
+#include "widgets/replay/replay_bar.h"
+
+#include <QMenu>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+ReplayViews::ReplayViews(ReplayAtWork &bus, const WindowParts &parts, QObject *parent)
+    : BusViews(parent)
+    , m_bus(bus)
+    , m_parts(parts)
+    , m_bar(own(new ReplayBar(*bus.session().playback(), parts.pages.parentWidget())))
+    , m_menu(own(new QMenu(&parts.pages)))
+{
+    parts.notices.insertWidget(0, m_bar);
+    m_bar->hide();
+    setHelpTopic(*m_bar, "replay.md");
+    m_menu->addAction(parts.actions.closeRecording);
+    connect(m_bar, &ReplayBar::closeRequested, parts.actions.closeRecording, &QAction::trigger);
+}
+
+QMenu *ReplayViews::menu() const
+{
+    return m_menu;
+}
+
+// Steps go through the samples of the chosen encoder.
+void ReplayViews::setChosen(std::optional<Place> place)
+{
+    m_bar->setEncoder(place ? std::optional(m_bus.session().inRecording(*place)) : std::nullopt);
+}
+
+void ReplayViews::open()
+{
+    m_bar->setFocus();
+}
+
+void ReplayViews::showCurrent()
+{
+    m_bar->setVisible(isMeant());
+}
+
+} // namespace codewheel
