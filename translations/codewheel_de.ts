@@ -6770,6 +6770,211 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>%1: nothing answers there. The encoders that are planned on it stay in the project.</source>
         <translation>%1: Dort antwortet niemand. Die Geber, die dort geplant sind, bleiben im Projekt.</translation>
     </message>
+    <message>
+        <source>Nobody has said which encoders the bus &quot;%1&quot; has: it is left out. Name their places, or give a project that has them. codewheel-cli scan finds them.</source>
+        <translation>Welche Geber der Bus „%1“ hat, ist nicht angegeben: Er bleibt weg. Ihre Plätze angeben oder ein Projekt, das sie hat. codewheel-cli scan findet sie.</translation>
+    </message>
+    <message>
+        <source>There is no encoder to record. Name a PLACE.</source>
+        <translation>Es gibt keinen Geber zum Aufzeichnen. Einen PLACE angeben.</translation>
+    </message>
+    <message>
+        <source>The encoder at %1 shows no position: the trigger cannot come before it does. If its make is not known, --device names it.</source>
+        <translation>Der Geber an %1 zeigt keine Position: Solange kann der Trigger nicht kommen. Ist sein Hersteller unbekannt, nennt ihn --device.</translation>
+    </message>
+    <message>
+        <source>Recording into %1: %2.</source>
+        <translation>Aufgezeichnet wird in %1: %2.</translation>
+    </message>
+    <message>
+        <source>It begins with %1.</source>
+        <translation>Beginn mit %1.</translation>
+    </message>
+    <message>
+        <source>It takes %1.</source>
+        <translation>Dauer: %1.</translation>
+    </message>
+    <message>
+        <source>Ctrl+C ends it.</source>
+        <translation>Strg+C beendet die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The trigger has not come. Nothing was recorded, and there is no file %1.</source>
+        <translation>Der Trigger ist nicht gekommen. Nichts wurde aufgezeichnet, und die Datei %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>No encoder has shown anything. Nothing was recorded, and there is no file %1.</source>
+        <translation>Kein Geber hat etwas gezeigt. Nichts wurde aufgezeichnet, und die Datei %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Not everything is in %1: it could not be written until the end.</source>
+        <translation>In %1 steht nicht alles: Sie ließ sich nicht bis zum Ende schreiben.</translation>
+    </message>
+    <message>
+        <source>record what encoders show, at once or when something happens</source>
+        <translation>aufzeichnen, was Geber zeigen, sofort oder wenn etwas geschieht</translation>
+    </message>
+    <message>
+        <source>Records into a file what the encoders show, every cycle and every answer, with messages, words and
+requests: of the encoders at PLACE, or of all that are known. Writes nothing to any encoder; those on a
+serial line are polled, as by monitor.
+
+A real bus is recorded as time passes. The training bus has virtual time, and is recorded at once where it
+is known how long. Whatever happens to the program, all up to the last second is in the file. It is made
+anew: a recording is never written over. codewheel-cli export tells what is in it, and makes a table of it.</source>
+        <translation>Zeichnet in eine Datei auf, was die Geber zeigen, jeden Zyklus und jede Antwort, mit Meldungen, Worten und
+Anfragen: von den Gebern an PLACE oder von allen bekannten. Schreibt in keinen Geber; die an einer
+seriellen Leitung werden abgefragt wie mit monitor.
+
+Ein echter Bus wird aufgezeichnet, während die Zeit vergeht. Der Übungsbus hat virtuelle Zeit; steht die
+Dauer fest, ist die Aufzeichnung sofort fertig. Was dem Programm auch geschieht: Alles bis zur letzten
+Sekunde steht in der Datei. Sie wird neu angelegt, eine Aufzeichnung nie überschrieben. codewheel-cli export
+sagt, was in ihr steht, und macht eine Tabelle daraus.</translation>
+    </message>
+    <message>
+        <source>The trigger has come. It is recorded now.</source>
+        <translation>Der Trigger ist gekommen. Jetzt wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The recording is written again.</source>
+        <translation>Die Aufzeichnung wird wieder geschrieben.</translation>
+    </message>
+    <message>
+        <source>Values are lost from now on: more wait to be written than there is memory for. The recording has a gap in their place.</source>
+        <translation>Ab jetzt gehen Werte verloren: Auf das Schreiben warten mehr, als Speicher da ist. An ihrer Stelle hat die Aufzeichnung eine Lücke.</translation>
+    </message>
+    <message>
+        <source>The recording goes on, with a gap until the link is back.</source>
+        <translation>Die Aufzeichnung geht weiter, mit einer Lücke, bis die Verbindung wieder da ist.</translation>
+    </message>
+    <message>
+        <source>The link to the bus &quot;%1&quot; is back.</source>
+        <translation>Die Verbindung zum Bus „%1“ ist wieder da.</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger: %1</source>
+        <translation>Warten auf den Trigger: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <translation>Aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>limit reached in %1</source>
+        <translation>Grenze erreicht in %1</translation>
+    </message>
+    <message>
+        <source>disk full in %1</source>
+        <translation>Platte voll in %1</translation>
+    </message>
+    <message>
+        <source>lost values: %1</source>
+        <translation>verlorene Werte: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; waits for a bit or a value of a bus. Name one of its encoders.</source>
+        <translation>„%1“ wartet auf ein Bit oder einen Wert eines Busses. Einen seiner Geber angeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; waits for a value that no encoder has. There are position, speed, in, out and cams.</source>
+        <translation>„%1“ wartet auf einen Wert, den kein Geber hat. Es gibt position, speed, in, out und cams.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; waits for a bit that does not exist. in and out have the bits 0 to 31, cams has 0 to 7.</source>
+        <translation>„%1“ wartet auf ein Bit, das es nicht gibt. in und out haben die Bits 0 bis 31, cams hat 0 bis 7.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no number to compare with. A position is a whole number of steps; a speed is in steps per second, with up to three decimals behind a point.</source>
+        <translation>„%1“ hat keine Zahl zum Vergleichen. Eine Position ist eine ganze Zahl von Schritten; eine Geschwindigkeit steht in Schritten je Sekunde, mit bis zu drei Stellen nach einem Punkt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a trigger. Write a bit as 1.0/in.25 (becomes 1) or 1.0/in.25=0, a threshold in quotation marks as &quot;1.0/position&gt;1000&quot;, or a message as fault or 1.0/fault.</source>
+        <translation>„%1“ ist kein Trigger. Ein Bit als 1.0/in.25 (wird 1) oder 1.0/in.25=0 schreiben, eine Schwelle in Anführungszeichen als &quot;1.0/position&gt;1000&quot;, eine Meldung als fault oder 1.0/fault.</translation>
+    </message>
+    <message>
+        <source>The encoder at %1 has no %2.</source>
+        <translation>Der Geber an %1 hat kein %2.</translation>
+    </message>
+    <message>
+        <source>Name the file of the recording: -o FILE, usually with a name that ends in .cwrec.</source>
+        <translation>Die Datei der Aufzeichnung angeben: -o FILE, üblich ist ein Name mit der Endung .cwrec.</translation>
+    </message>
+    <message>
+        <source>the file to make, usually named .cwrec; there must be none of that name</source>
+        <translation>die Datei, die angelegt wird, meist mit .cwrec am Ende; es darf sie noch nicht geben</translation>
+    </message>
+    <message>
+        <source>how long to record; without: until Ctrl+C</source>
+        <translation>wie lange aufgezeichnet wird; sonst bis Strg+C</translation>
+    </message>
+    <message>
+        <source>wait for a bit (1.0/in.25, 1.0/in.25=0), a threshold in quotation marks (&quot;1.0/position&gt;1000&quot;, &quot;1.0/speed&lt;-50&quot;) or a message (fault, 1.0/attention)</source>
+        <translation>auf ein Bit warten (1.0/in.25, 1.0/in.25=0), auf eine Schwelle in Anführungszeichen (&quot;1.0/position&gt;1000&quot;, &quot;1.0/speed&lt;-50&quot;) oder auf eine Meldung (fault, 1.0/attention)</translation>
+    </message>
+    <message>
+        <source>also record what was before the trigger (0)</source>
+        <translation>auch aufzeichnen, was vor dem Trigger war (0)</translation>
+    </message>
+    <message>
+        <source>how long to record after the trigger; without: until Ctrl+C</source>
+        <translation>wie lange nach dem Trigger aufgezeichnet wird; sonst bis Strg+C</translation>
+    </message>
+    <message>
+        <source>keep the last hours only; what is older gives way</source>
+        <translation>nur die letzten Stunden behalten; was älter ist, weicht</translation>
+    </message>
+    <message>
+        <source>the largest size of the file; then what is oldest gives way</source>
+        <translation>größter Umfang der Datei; danach weicht das Älteste</translation>
+    </message>
+    <message>
+        <source>wait while the disk has less room for others (100)</source>
+        <translation>warten, solange für andere weniger Platz auf der Platte frei ist (100)</translation>
+    </message>
+    <message>
+        <source>only values and messages, without words and requests as they pass</source>
+        <translation>nur Werte und Meldungen, ohne die Worte und Anfragen, wie sie vorbeikommen</translation>
+    </message>
+    <message>
+        <source>It ended at %1.</source>
+        <translation>Sie endete um %1.</translation>
+    </message>
+    <message>
+        <source>It has not ended: it is still being written, or its program was killed. What came until %1 is there.</source>
+        <translation>Sie hat kein Ende: Sie wird noch geschrieben, oder ihr Programm wurde abgebrochen. Was bis %1 kam, ist da.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Messages: %1. Notes: %2. Lost values: %3.</source>
+        <translation>Meldungen: %1. Notizen: %2. Verlorene Werte: %3.</translation>
+    </message>
+    <message>
+        <source>It is limited: what was before %1 is not there any more.</source>
+        <translation>Sie ist begrenzt: Was vor %1 war, ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>%1: %2. No encoder has shown anything.</source>
+        <translation>%1: %2. Kein Geber hat etwas gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 from %4 to %5.</source>
+        <translation>%1: %2, %3 von %4 bis %5.</translation>
+    </message>
+    <message>
+        <source>The clock of the computer was set meanwhile, times: %1. The times of the samples pass evenly all the same.</source>
+        <translation>Die Uhr des Rechners wurde währenddessen gestellt, Anzahl: %1. Die Zeiten der Werte vergehen trotzdem gleichmäßig.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -18417,6 +18622,21 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>Drag it to another moment of the recording. Left and Right: a hundredth of it; Page Up and Page Down: a tenth; Home and End</source>
         <translation>An eine andere Stelle der Aufzeichnung ziehen. Links und Rechts: ein Hundertstel davon; Bild auf und Bild ab: ein Zehntel; Pos1 und Ende</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Give --for or --trigger, not both. How long to record after the trigger is told by --after.</source>
+        <translation>--for oder --trigger angeben, nicht beides. Wie lange nach dem Trigger aufgezeichnet wird, sagt --after.</translation>
+    </message>
+    <message>
+        <source>%1 counts from a trigger: give --trigger too. Without one, --for tells how long to record.</source>
+        <translation>%1 zählt ab einem Trigger: auch --trigger angeben. Ohne Trigger sagt --for, wie lange aufgezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>--device tells what the encoder at a PLACE is. Name the PLACE.</source>
+        <translation>--device sagt, was der Geber an einem PLACE ist. Den PLACE angeben.</translation>
     </message>
 </context>
 </TS>

@@ -78,6 +78,9 @@ public:
     // How much time passes between two looks at it.
     virtual Instant lookInterval() const { return std::chrono::milliseconds(10); }
     bool advance(Instant duration); // false: its link is gone
+    // From now on the bus works by itself, at full speed beside all others; pump() takes what came. False: it
+    // cannot, such as one in virtual time, and goes on with advance().
+    virtual bool startThread() { return false; }
     bool isConnected() const;
     Complaint linkLost() const; // why it is gone
     // About a job that was refused, and about the link if that is gone.

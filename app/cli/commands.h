@@ -24,6 +24,7 @@ extern const Subcommand replaceCommand;
 extern const Subcommand restoreCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
+extern const Subcommand recordCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;
 

@@ -261,6 +261,18 @@ Checked<EncoderSession *> encoderAt(const Call &call, const QString &typed)
     return encoderMeant(call, typed, false);
 }
 
+Checked<std::set<Place>> encodersAt(const Call &call)
+{
+    std::set<Place> places;
+    for (const QString &typed : call.arguments.rest) {
+        const auto encoder = encoderMeant(call, typed, true);
+        if (!encoder)
+            return tl::unexpected(encoder.error());
+        places.insert((*encoder)->place());
+    }
+    return places;
+}
+
 Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed)
 {
     if (call.catalog.find(typed) != nullptr)

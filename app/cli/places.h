@@ -9,6 +9,8 @@
 
 #include <QtGlobal>
 
+#include <set>
+
 namespace codewheel {
 
 // --device of the commands that work on a PLACE.
@@ -34,7 +36,9 @@ void addBus(QJsonObject &json, const BusAccess &bus); // "bus" and "busName"
 // The encoder at the PLACE the call names, to the point that it shows its position. With --device it is named
 // first, for this call.
 Checked<EncoderSession *> encoderAt(const Call &call);
-// The same for `typed`, whatever --device says.
+// The same for each of the arguments of the call.
+Checked<std::set<Place>> encodersAt(const Call &call);
+// The one at `typed`, whatever --device says.
 Checked<EncoderSession *> encoderAt(const Call &call, const QString &typed);
 
 // For a command on one encoder: carried out on the one that encoderAt() finds; its answer gives place and

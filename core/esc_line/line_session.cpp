@@ -147,6 +147,11 @@ void LineSession::close()
     showLatest();
 }
 
+void LineSession::startThread(SleepWatch::Slept slept)
+{
+    d->engine.startThread({.slept = std::move(slept)});
+}
+
 void LineSession::advance(Instant duration)
 {
     d->endRetired();

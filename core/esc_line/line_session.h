@@ -41,6 +41,8 @@ public:
                       SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     void close() override;
 
+    // By hand until now, from now on by a thread.
+    void startThread(SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     void advance(Instant duration) override;
     void pump() override;
 

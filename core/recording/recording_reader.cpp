@@ -102,6 +102,14 @@ RecordedClock clockOf(const QSqlQuery &row)
     return {timeOf(row, 0), timeOf(row, 1)};
 }
 
+RecordingReader::Counts countsOf(const QSqlQuery &row)
+{
+    return {.messages = row.value(0).toLongLong(),
+            .notes = row.value(1).toLongLong(),
+            .lost = static_cast<std::uint64_t>(std::max(row.value(2).toLongLong(), 0LL)),
+            .hasTraffic = row.value(3).toInt() != 0};
+}
+
 struct DeviceAndChannel
 {
     qint64 device;
@@ -233,6 +241,15 @@ Result<std::vector<RecordedTraffic>> RecordingReader::traffic(const TimeSpan &sp
 Result<std::vector<RecordedLoss>> RecordingReader::losses() const
 {
     return rows(QStringLiteral("SELECT at, bus, amount FROM loss ORDER BY at, id"), {}, lossOf);
+}
+
+Result<RecordingReader::Counts> RecordingReader::counts() const
+{
+    return rows(QStringLiteral("SELECT (SELECT COUNT(*) FROM message), (SELECT COUNT(*) FROM note), "
+                               "(SELECT SUM(amount) FROM loss), "
+                               "CASE WHEN EXISTS (SELECT 1 FROM traffic) THEN 1 ELSE 0 END"),
+                {}, countsOf)
+        .map([](const std::vector<Counts> &counts) { return counts.front(); });
 }
 
 Result<WallClock> RecordingReader::clock() const

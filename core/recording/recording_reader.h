@@ -30,6 +30,14 @@ public:
         StoredMessage message;
     };
 
+    struct Counts
+    {
+        qint64 messages = 0;
+        qint64 notes = 0;
+        std::uint64_t lost = 0; // values
+        bool hasTraffic = false;
+    };
+
     // A file, or the address of a server (ServerAddress).
     static Result<RecordingReader> open(const QString &file);
 
@@ -43,6 +51,7 @@ public:
     Result<std::vector<RecordedNote>> notes(const TimeSpan &span, int most) const;
     Result<std::vector<RecordedTraffic>> traffic(const TimeSpan &span, int most) const;
     Result<std::vector<RecordedLoss>> losses() const;
+    Result<Counts> counts() const;
     Result<WallClock> clock() const;
     // Refused if the device has none of these.
     Result<RecordedChannel> channel(const Device &device, Channel channel) const;

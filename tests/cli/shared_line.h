@@ -24,10 +24,13 @@ public:
     EscRegisters registers(std::uint8_t address);
     void mute(std::uint8_t address);
 
-    // The adapter is unplugged right after a request with this beginning was sent: "05GD".
-    void unplugAfter(const QByteArray &request)
+    // The adapter is unplugged right after a request with this beginning was sent so many times: "05GD".
+    void unplugAfter(const QByteArray &request, int times = 1)
     {
-        m_cut = {request, [](SimulatedLine &line) { line.setUnplugged(true); }};
+        m_cut = {request, [left = times](SimulatedLine &line) mutable {
+                     if (--left == 0)
+                         line.setUnplugged(true);
+                 }};
     }
     // From then on all encoders are silent; they still hear and act.
     void muteAfter(const QByteArray &request)

@@ -174,6 +174,28 @@ QString savedLines(const QTemporaryDir &folder, const QString &left, const QStri
     return file;
 }
 
+// Each at its full speed, beside the other.
+TEST(CliLineProgram, TwoLinesAreRecordedAtOnce)
+{
+    const Port left = served();
+    const Port right = served();
+    const QTemporaryDir folder;
+    const QString project = savedLines(folder, left.link().sliced(4), right.link().sliced(4));
+    const CliRun run = Call(QStringLiteral("record --for 2 --json -o %1 --project %2")
+                                .arg(folder.filePath(QStringLiteral("lines.cwrec")), project),
+                            QStringLiteral("project"))
+                           .end();
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const QJsonArray encoders = run.json()[u"encoders"].toArray();
+    ASSERT_EQ(encoders.size(), 2);
+    EXPECT_EQ(encoders[0][u"key"], QStringLiteral("esc:03"));
+    EXPECT_EQ(encoders[1][u"key"], QStringLiteral("4/esc:03"));
+    for (const QJsonValue encoder : encoders)
+        EXPECT_GT(QDateTime::fromString(encoder[u"from"].toString(), Qt::ISODateWithMs)
+                      .msecsTo(QDateTime::fromString(encoder[u"to"].toString(), Qt::ISODateWithMs)),
+                  1'000);
+}
+
 TEST(CliLineProgram, APortIsThatOfTheProjectByAnyOfItsNames)
 {
     const Port port = peer();

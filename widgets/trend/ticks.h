@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "history/rough_duration.h"
 #include "history/sample.h"
 
 #include <QString>
 
 #include <vector>
-
-class QLocale;
 
 namespace codewheel {
 
@@ -33,8 +32,6 @@ QString dayText(Instant at, const QLocale &locale);
 QString spanDayText(const TimeSpan &span, const QLocale &locale); // its day, or its days
 // "+1.250 s", "35.2 min": with the unit that suits its size.
 QString durationText(Instant duration, const QLocale &locale);
-// As one says it: "40 s", "12 min", "1 h 48 min", "3 d 4 h".
-QString roughDurationText(Instant duration, const QLocale &locale);
 // With as many decimals as tell values `resolution` apart.
 QString valueText(double value, double resolution, const QLocale &locale);
 

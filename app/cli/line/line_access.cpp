@@ -132,6 +132,14 @@ Checked<void> LineAccess::open()
     return tl::unexpected(aboutOpening(opened.error(), m_link.alsoOf));
 }
 
+bool LineAccess::startThread()
+{
+    if (m_session->isSimulated())
+        return false;
+    m_session->startThread();
+    return true;
+}
+
 std::optional<NodeId> LineAccess::placeTyped(const QString &text) const
 {
     const auto address = addressTyped(text);

@@ -66,6 +66,7 @@ public:
     QJsonObject remarksJson(const Reading &reading) const override;
     void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
     Checked<void> checkScan(const Call &call) const override;
+    bool startThread() override;
     Checked<Answer> scan(const Call &call) override;
     bool hasFoundNobody() const override { return m_found.empty(); }
     void keepFound(const Call &call, Project &project) const override;

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/places.h"
+#include "cli/recording/passing_time.h"
+#include "cli/recording/record_news.h"
+#include "cli/recording/record_trigger.h"
+#include "cli/recording/record_wish.h"
+#include "cli/recording/recording_facts.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "history/histories.h"
+#include "history/rough_duration.h"
+#include "recording/trigger_text.h"
+
+#include <QFile>
+#include <QLocale>
+
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *recordExamples[] = {
+    "record 1.0 2.0 -o shaft.cwrec --for 60",
+    "record -o night.cwrec --last 24 --link project --project crane.codewheel",
+    "record 2.0 -o jump.cwrec --trigger \"2.0/position>1000000\" --before 10 --after 30"};
+
+// After the time is over, until every encoder has told what it showed until then.
+constexpr Instant longestSettling = std::chrono::seconds(2);
+constexpr Instant betweenWrites = std::chrono::seconds(1); // in virtual time
+
+// Lets each show its position. A serial line knows only the encoders that somebody names.
+Checked<std::set<Place>> allEncoders(const Call &call)
+{
+    if (call.project != nullptr)
+        if (const auto there = contactAll(call, devicesOfLink(call, *call.project)); !there)
+            return tl::unexpected(there.error());
+    std::set<Place> places;
+    for (BusAccess *link : call.links) {
+        const std::size_t before = places.size();
+        for (const Place place : link->bus().places())
+            if (link->bus().isOpen() && link->bus().encoder(place) != nullptr)
+                places.insert(place);
+        if (places.size() == before)
+            call.terminal.complain(
+                sentence(CommandLine::tr("Nobody has said which encoders the bus \"%1\" has: it is left out. "
+                                         "Name their places, or give a project that has them. "
+                                         "codewheel-cli scan finds them."),
+                         {link->name()}));
+    }
+    if (places.empty())
+        return badInput(QStringLiteral("nothingToRecord"),
+                        CommandLine::tr("There is no encoder to record. Name a PLACE."));
+    return places;
+}
+
+// It may come later: the coding may become known, the mode may change.
+void noteWhatIsNotShown(const Call &call, const RecordingTrigger &trigger)
+{
+    const auto *threshold = std::get_if<ThresholdTrigger>(&trigger);
+    if (threshold != nullptr && !call.buses.encoder(threshold->place)->showsPosition())
+        call.terminal.complain(
+            sentence(CommandLine::tr("The encoder at %1 shows no position: the trigger cannot come before it "
+                                     "does. If its make is not known, --device names it."),
+                     {threshold->place.shown()}));
+}
+
+Checked<RecordWish> completeWish(const Call &call)
+{
+    auto wish = RecordWish::of(call.arguments);
+    if (!wish)
+        return wish;
+    if (const auto text = call.arguments.value("--trigger")) {
+        const auto trigger = triggerMeant(call, *text);
+        if (!trigger)
+            return tl::unexpected(trigger.error());
+        wish->plan.trigger = *trigger;
+    }
+    const bool isOfAll = call.arguments.rest.isEmpty();
+    const auto places = isOfAll ? allEncoders(call) : encodersAt(call);
+    if (!places)
+        return tl::unexpected(places.error());
+    wish->encoders = *places;
+    if (!isOfAll)
+        wish->plan.places = *places;
+    if (wish->plan.trigger)
+        noteWhatIsNotShown(call, *wish->plan.trigger);
+    return wish;
+}
+
+QString beginText(const RecordWish &wish)
+{
+    const RecordingPlan &plan = wish.plan;
+    const auto seconds = [](Instant duration) { return roughDurationText(duration, QLocale()); };
+    QString text = sentence(CommandLine::tr("Recording into %1: %2."),
+                            {plan.settings.file, listed(wish.encoders, &Place::shown)}) +
+                   u'\n';
+    if (plan.trigger)
+        text += sentence(CommandLine::tr("It begins with %1."), {triggerKey(*plan.trigger)}) + u' ';
+    if (wish.plan.extent.after)
+        text += sentence(CommandLine::tr("It takes %1."), {seconds(*wish.plan.extent.after)}) + u' ';
+    return text + CommandLine::tr("Ctrl+C ends it.") + u'\n';
+}
+
+// Until the time is over, the recording has ended for another reason, or a signal comes.
+void recordUntilEnd(const RecordWish &wish, const Call &call, PassingTime &time, BusRecorder &recorder,
+                    StopSignals &stop)
+{
+    RecordNews news(call, recorder);
+    Instant written{};
+    while (recorder.state() != BusRecorder::State::ended && !stop.came()) {
+        time.goOn(stop);
+        news.look(time.passed());
+        if (time.isVirtual() && time.passed() - written >= betweenWrites) { // it may be a minute each second
+            written = time.passed();
+            recorder.flush();
+        }
+        if (wish.duration && time.passed() > *wish.duration + longestSettling) // nobody shows anything
+            break;
+    }
+    recorder.end();
+    news.look(time.passed());
+}
+
+Complaint aboutNothing(const RecordWish &wish)
+{
+    const QString text =
+        wish.plan.trigger
+            ? CommandLine::tr("The trigger has not come. Nothing was recorded, and there is no file %1.")
+            : CommandLine::tr(
+                  "No encoder has shown anything. Nothing was recorded, and there is no file %1.");
+    return {ExitCode::refused,
+            wish.plan.trigger ? QStringLiteral("notTriggered") : QStringLiteral("nothingShown"),
+            sentence(text, {wish.plan.settings.file}),
+            {wish.plan.settings.file}};
+}
+
+// What is wrong with the file has been told when it began.
+std::optional<Complaint> whyIncomplete(const Call &call, const BusRecorder &recorder)
+{
+    if (const auto problem = recorder.status().problem)
+        return Complaint{
+            ExitCode::refused, refusalKey(problem->id),
+            sentence(CommandLine::tr("Not everything is in %1: it could not be written until the "
+                                     "end."),
+                     {recorder.plan().settings.file}),
+            problem->arguments};
+    for (const BusAccess *bus : call.links)
+        if (bus->bus().isOpen() && !bus->isConnected())
+            return bus->linkLost();
+    return std::nullopt;
+}
+
+Answer recordedAnswer(const Call &call, const RecordWish &wish, const BusRecorder &recorder)
+{
+    const QString &file = wish.plan.settings.file;
+    auto why = whyIncomplete(call, recorder);
+    if (!recorder.span() && !why) {
+        QFile::remove(file); // it has nothing, and would be in the way of the next attempt
+        return {.complaint = aboutNothing(wish)};
+    }
+    const auto facts = RecordingReader::open(file).and_then(
+        [](const RecordingReader &reader) { return RecordingFacts::of(reader); });
+    if (!facts)
+        return {.complaint = why ? why : complaintAbout(facts.error())};
+    Answer answer{.text = facts->text(), .json = facts->json(), .complaint = why};
+    if (wish.plan.trigger) {
+        answer.json.insert(QStringLiteral("trigger"), triggerKey(*wish.plan.trigger));
+        answer.json.insert(QStringLiteral("hasTriggered"), recorder.span().has_value());
+    }
+    return answer;
+}
+
+Checked<Answer> runRecord(const Call &call)
+{
+    const auto wish = completeWish(call);
+    if (!wish)
+        return tl::unexpected(wish.error());
+    Buses buses;
+    for (const BusAccess *link : call.links)
+        buses.add(link->bus());
+    Histories histories(buses);
+    if (wish->plan.extent.before == Instant(0))
+        histories.setLimit(0); // memory is for what is before
+    StopSignals stop;          // before there is a thread that could get them
+    PassingTime time(call, wish->plan.extent.after ? PassingTime::Pace::asFastAsPossible
+                                                   : PassingTime::Pace::byTheClock);
+    const auto recorder = BusRecorder::begin(buses, histories, wish->plan, [&time] { return time.now(); });
+    if (!recorder)
+        return tl::unexpected(complaintAbout(recorder.error()));
+    if (!call.arguments.has("--json"))
+        call.terminal.print(beginText(*wish));
+    recordUntilEnd(*wish, call, time, **recorder, stop);
+    return recordedAnswer(call, *wish, **recorder);
+}
+
+} // namespace
+
+const Subcommand recordCommand{
+    .name = "record",
+    .usage = "[PLACE...] -o FILE [--for SECONDS | --trigger TRIGGER [--before SECONDS] [--after SECONDS]] "
+             "[--last HOURS] [--max-size MB] [--keep-free MB] [--no-traffic]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "record what encoders show, at once or when something happens"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Records into a file what the encoders show, every cycle and every answer, with messages, words "
+        "and\nrequests: of the encoders at PLACE, or of all that are known. Writes nothing to any encoder; "
+        "those on a\nserial line are polled, as by monitor.\n\n"
+        "A real bus is recorded as time passes. The training bus has virtual time, and is recorded at once "
+        "where it\nis known how long. Whatever happens to the program, all up to the last second is in the "
+        "file. It is made\nanew: a recording is never written over. codewheel-cli export tells what is in "
+        "it, and makes a table of it."),
+    .examples = recordExamples,
+    .options = recordOptions,
+    .minimumArguments = 0,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = runRecord,
+};
+
+} // namespace codewheel
