@@ -54,12 +54,28 @@ Recordings::Recordings(Plant &plant, BusAtWork::Surroundings surroundings)
     m_sinceLook.start();
 }
 
+// From there on all are.
 BusId Recordings::freeId() const
 {
     BusId id{firstNumber};
-    while (m_plant.find(id) != nullptr)
-        ++id.number;
+    for (const BusAtWork *bus : m_plant.all())
+        if (bus->id().number >= id.number)
+            id.number = bus->id().number + 1;
     return id;
+}
+
+void Recordings::showInTrend(const Open &open)
+{
+    Playback &playback = *open.playback;
+    RecordingArchive *archive = open.archive.get();
+    const auto follow = [&playback, archive] { archive->setPlayed(playback.position()); };
+    connect(&playback, &Playback::positionChanged, archive, follow);
+    connect(archive, &Archive::asked, &playback, [&playback](Instant moment) {
+        playback.pause();
+        playback.jumpTo(std::clamp(moment, playback.span().from, playback.span().to));
+    });
+    follow();
+    m_plant.histories().add(*archive);
 }
 
 Result<BusId> Recordings::open(const QString &file)
@@ -75,14 +91,22 @@ Result<BusId> Recordings::open(const QString &file)
     const std::vector<RecordedBus> buses = busesOf(*opened.playback);
     if (buses.empty())
         return refuse(RefusalKind::badInput, RefusalId::recordingEmpty, {file});
+    RecordingArchive::BusesHere here;
+    for (BusId id = freeId(); const RecordedBus &bus : buses)
+        here[bus.bus] = {id.number++};
+    auto archive = RecordingArchive::open(opened.playback->file(), here);
+    if (!archive)
+        return tl::unexpected(archive.error());
+    opened.archive = std::move(*archive);
     for (const RecordedBus &bus : buses) {
-        const BusId id = freeId();
+        const BusId id = here.at(bus.bus);
         opened.buses.emplace_back(bus.bus, id);
         m_plant.add(std::make_unique<ReplayAtWork>(
             m_surroundings,
             std::make_unique<ReplayBus>(opened.playback, bus.bus, id, nameOf(file, bus, buses.size() > 1),
                                         m_surroundings.catalog)));
     }
+    showInTrend(opened);
     m_open.push_back(std::move(opened));
     Q_EMIT changed();
     return m_open.back().buses.front().second;
@@ -122,8 +146,10 @@ void Recordings::lookAgain()
     m_sinceLook.start();
     for (const Open &open : m_open)
         if (!open.playback->head().hasEnded &&
-            QFileInfo(open.file).lastModified() > open.playback->lookedAt())
+            QFileInfo(open.file).lastModified() > open.playback->lookedAt()) {
             open.playback->lookAgain();
+            open.archive->lookAgain();
+        }
 }
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/replay_at_work.h"
+#include "recording/recording_archive.h"
 
 #include <QElapsedTimer>
 
@@ -23,6 +24,7 @@ public:
         QString file;
         std::shared_ptr<Playback> playback;
         std::vector<std::pair<BusId, BusId>> buses{}; // recorded, and as it is shown
+        std::shared_ptr<RecordingArchive> archive{};  // for the trend
 
         // Of the place in the recording; empty: its bus is none of these.
         std::optional<Place> shown(Place recorded) const;
@@ -45,6 +47,7 @@ Q_SIGNALS:
 
 private:
     BusId freeId() const;
+    void showInTrend(const Open &open);
     void lookAgain();
 
     Plant &m_plant;

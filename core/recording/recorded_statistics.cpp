@@ -38,6 +38,12 @@ std::optional<History::Statistics> RecordedStatistics::of(const RecordedKey &key
     return {};
 }
 
+void RecordedStatistics::forget()
+{
+    const std::lock_guard lock(m_mutex);
+    m_questions.clear();
+}
+
 std::optional<std::pair<RecordedKey, TimeSpan>> RecordedStatistics::next(const std::stop_token &stop)
 {
     std::unique_lock lock(m_mutex);

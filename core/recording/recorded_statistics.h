@@ -24,6 +24,7 @@ public:
 
     // Nothing: they are not known as yet, or nothing is known of the span.
     std::optional<History::Statistics> of(const RecordedKey &key, const TimeSpan &span);
+    void forget(); // there is more in the file
 
 Q_SIGNALS:
     void ready();

@@ -22,18 +22,35 @@ Result<std::unique_ptr<RecordingArchive>> RecordingArchive::open(const QString &
     if (!reader)
         return tl::unexpected(reader.error());
     std::unique_ptr<RecordingArchive> archive(new RecordingArchive(std::move(*reader), buses));
-    if (auto done = archive->read(); !done)
-        return tl::unexpected(done.error());
+    auto histories = archive->readHistories();
+    auto marks = archive->readMarks();
+    if (!histories || !marks)
+        return tl::unexpected(histories ? marks.error() : histories.error());
+    archive->m_histories = std::move(*histories);
+    archive->m_marks = std::move(*marks);
     return archive;
 }
 
-Result<void> RecordingArchive::read()
+void RecordingArchive::lookAgain()
+{
+    auto histories = readHistories();
+    auto marks = readMarks();
+    if (!histories || !marks)
+        return;
+    m_histories.swap(*histories); // those of before are there until nobody shows them any more
+    m_marks = std::move(*marks);
+    m_statistics.forget();
+    Q_EMIT changed();
+}
+
+Result<RecordingArchive::ByPlace> RecordingArchive::readHistories() const
 {
     const auto devices = m_reader.devices();
     if (!devices)
         return tl::unexpected(devices.error());
+    ByPlace all;
     for (const RecordingReader::Device &device : *devices) {
-        auto &histories = m_histories[placeHere(device.place)];
+        auto &histories = all[placeHere(device.place)];
         for (const Channel kind : device.channels) {
             auto channel = m_reader.channel(device, kind);
             if (!channel)
@@ -41,27 +58,29 @@ Result<void> RecordingArchive::read()
             histories.try_emplace(kind, std::move(*channel), RecordedKey{device.id, kind}, *this);
         }
     }
-    return readMarks({Instant(0), Instant::max()});
+    return all;
 }
 
 // A message without a place is of the program that recorded it.
-Result<void> RecordingArchive::readMarks(const TimeSpan &span)
+Result<std::vector<Mark>> RecordingArchive::readMarks() const
 {
-    const auto messages = m_reader.messages(span, mostMarks);
-    const auto notes = m_reader.notes(span, mostMarks);
+    constexpr TimeSpan always{Instant(0), Instant::max()};
+    const auto messages = m_reader.messages(always, mostMarks);
+    const auto notes = m_reader.notes(always, mostMarks);
     if (!messages || !notes)
         return tl::unexpected(messages ? notes.error() : messages.error());
+    std::vector<Mark> marks;
     for (const RecordingReader::StoredAt &stored : *messages) {
         auto message = messageOf(stored.message);
         if (!message || !message->place)
             continue;
         message->place = placeHere(*message->place);
-        m_marks.push_back({stored.at, message->place, *message});
+        marks.push_back({stored.at, message->place, *message});
     }
     for (const RecordedNote &note : *notes)
-        m_marks.push_back({note.at, {}, note.text});
-    std::ranges::stable_sort(m_marks, {}, &Mark::at);
-    return {};
+        marks.push_back({note.at, {}, note.text});
+    std::ranges::stable_sort(marks, {}, &Mark::at);
+    return marks;
 }
 
 Place RecordingArchive::placeHere(Place recorded) const

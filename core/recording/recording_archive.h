@@ -21,6 +21,8 @@ public:
 
     const RecordingReader &reader() const { return m_reader; }
     Place placeHere(Place recorded) const;
+    // Of a recording that is still being written: what came since. What cannot be read now stays as it was.
+    void lookAgain();
 
     std::vector<Place> places() const override;
     const History *of(Place place, Channel channel) const override;
@@ -37,12 +39,14 @@ public:
 
 private:
     RecordingArchive(RecordingReader reader, BusesHere buses);
-    Result<void> read();
-    Result<void> readMarks(const TimeSpan &span);
+    using ByPlace = std::map<Place, std::map<Channel, RecordedHistory>>;
+
+    Result<ByPlace> readHistories() const;
+    Result<std::vector<Mark>> readMarks() const;
 
     RecordingReader m_reader;
     BusesHere m_buses;
-    std::map<Place, std::map<Channel, RecordedHistory>> m_histories;
+    ByPlace m_histories;
     std::vector<Mark> m_marks; // as recorded
     std::optional<Instant> m_played;
     mutable std::optional<Refusal> m_told;
