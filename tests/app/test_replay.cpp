@@ -11,6 +11,7 @@
 #include "widgets/replay/replay_bar.h"
 #include "widgets/replay/replay_slider.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/trend/trend_page.h"
 
 #include <QAction>
 #include <QApplication>
@@ -273,6 +274,30 @@ TEST_F(ReplayInWindow, StaysWhenTheProjectIsReplaced)
     shown->project().setProject({}, {});
     advance(33);
     EXPECT_TRUE(structure().has(recordedHoist));
+}
+
+TEST_F(ReplayInWindow, TheTrendShowsAllOfItAndFollowsTheMoment)
+{
+    openRecording();
+    actions().trend->trigger();
+    auto &trend = *window().findChild<TrendPage *>();
+    trend.showTrack({recordedHoist, Channel::position, {}});
+    trend.view().showAll();
+    ASSERT_EQ(trend.view().scene().lanes.size(), 1U);
+    const History &curve = *trend.view().scene().lanes[0].curves[0].history;
+    EXPECT_EQ(curve.span()->from, noon);
+    EXPECT_EQ(curve.at(noon + 1s)->value, 1'100);
+    trend.view().setCursor(0, noon + 1'500ms);
+    auto *moment = trend.findChild<QToolButton *>(QStringLiteral("showMoment"));
+    ASSERT_TRUE(moment->isVisible());
+    QTest::mouseClick(moment, Qt::LeftButton);
+    advance(33);
+    EXPECT_EQ(playback().position(), noon + 1'500ms);
+    EXPECT_EQ(shown->buses().encoder(recordedHoist)->latest().position, 1'150);
+    EXPECT_EQ(trend.view().scene().played, std::optional(Instant(noon + 1'500ms)));
+    actions().closeRecording->trigger();
+    EXPECT_TRUE(trend.tracks().shown().empty());
+    EXPECT_TRUE(shown->plant().histories().archives().empty());
 }
 
 } // namespace

@@ -136,7 +136,7 @@ TEST_F(ServerRecordings, CanBeReadAsAFileCan)
     ASSERT_EQ(samples.size(), 5'000U);
     EXPECT_EQ(samples.back(), (Sample{noon + 4'999ms, 3 * 4'999}));
     EXPECT_EQ(channel.at(noon + 1s).value(), (Sample{noon + 1s, 3'000}));
-    EXPECT_EQ(channel.look(*channel.span(), 10)->at(9)->last, 3 * 4'999);
+    EXPECT_EQ(channel.look(*channel.span(), 10)->columns.at(9)->last, 3 * 4'999);
     EXPECT_EQ(channel.statistics(*channel.span())->value().extent.greatest, 3 * 4'999);
     EXPECT_FALSE(channel.damage());
     target->add(positions(noon + 5s, 10, [](std::size_t) { return 1; }));
