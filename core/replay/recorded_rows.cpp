@@ -13,13 +13,14 @@ class WordRows final : public RecordedRows
 {
 public:
     std::span<const TrafficColumn> columns() const override { return ringTrafficColumns; }
-    TrafficRow explained(TrafficRow row, const DeviceAt &device) override
+    TrafficRow explained(TrafficRow row, const EncoderAt &encoder) override
     {
-        const DeviceDescription *its = row.place ? device(*row.place) : nullptr;
+        const EncoderSession *its = row.place ? encoder(*row.place) : nullptr;
         if (its == nullptr)
             return row;
-        RingTraffic &traffic = m_traffic.try_emplace(*row.place, *its).first->second;
-        const Exchange exchange{row.cycle, row.at, row.out, row.in, {}, {}};
+        RingTraffic &traffic = m_traffic.try_emplace(*row.place, its->device()).first->second;
+        const Reading &reading = its->latest();
+        const Exchange exchange{row.cycle, row.at, row.out, row.in, reading.mode, reading.coding};
         row.meaning = traffic.row(*row.place, exchange).meaning;
         return row;
     }
@@ -33,7 +34,7 @@ class ByteRows final : public RecordedRows
 {
 public:
     std::span<const TrafficColumn> columns() const override { return lineTrafficColumns; }
-    TrafficRow explained(TrafficRow row, const DeviceAt &) override
+    TrafficRow explained(TrafficRow row, const EncoderAt &) override
     {
         if (row.kind)
             row.meaning = m_traffic.row({.at = row.at, .kind = *row.kind, .bytes = row.bytes}).meaning;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/traffic.h"
-#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
 
 #include <functional>
 #include <span>
@@ -14,11 +14,11 @@ namespace codewheel {
 class RecordedRows
 {
 public:
-    using DeviceAt = std::function<const DeviceDescription *(Place place)>; // null: it is not known
+    using EncoderAt = std::function<const EncoderSession *(Place place)>; // null: it is not known
 
     virtual ~RecordedRows() = default;
     virtual std::span<const TrafficColumn> columns() const = 0;
-    virtual TrafficRow explained(TrafficRow row, const DeviceAt &device) = 0;
+    virtual TrafficRow explained(TrafficRow row, const EncoderAt &encoder) = 0;
     virtual void restart() = 0; // what comes does not follow what came
 };
 

@@ -217,16 +217,13 @@ void ReplayBus::tellTrafficOf(const TimeSpan &span, std::size_t most)
     if (!rows)
         return;
     std::erase_if(*rows, [this](const RecordedTraffic &row) { return row.bus != m_recorded; });
-    const auto deviceAt = [this](Place place) -> const DeviceDescription * {
-        const EncoderSession *its = encoder(place);
-        return its != nullptr ? &its->device() : nullptr;
-    };
+    const auto its = [this](Place place) -> const EncoderSession * { return encoder(place); };
     for (std::size_t i = rows->size() - std::min(most, rows->size()); i < rows->size(); ++i) {
         TrafficRow row = (*rows)[i].row;
         row.at = (*rows)[i].at;
         if (row.place)
             row.place = placeOf(row.place->node);
-        tellTraffic(m_rows->explained(std::move(row), deviceAt));
+        tellTraffic(m_rows->explained(std::move(row), its));
     }
 }
 
