@@ -12772,11 +12772,11 @@ Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>recording</source>
-        <translation>Aufzeichnung</translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source>not recorded</source>
-        <translation>nicht aufgezeichnet</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>error</source>
@@ -12784,7 +12784,7 @@ Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>recorded</source>
-        <translation>aufgezeichnet</translation>
+        <translation>damals</translation>
     </message>
     <message>
         <source>%1  %2
@@ -18611,6 +18611,18 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>When what is shown was recorded</source>
         <translation>Wann das Gezeigte aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played (Ctrl+Alt++: faster, Ctrl+Alt+-: slower)</source>
+        <translation>Wie schnell die Aufzeichnung abgespielt wird (Strg+Alt++: schneller, Strg+Alt+-: langsamer)</translation>
+    </message>
+    <message>
+        <source>Message of then</source>
+        <translation>Meldung von damals</translation>
+    </message>
+    <message>
+        <source>What the program said when this was recorded</source>
+        <translation>Was das Programm bei der Aufzeichnung meldete</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "app/window/replay_at_work.h"
 #include "app/window/window_actions.h"
+#include "encoder/refusal_text.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/replay/replay_bar.h"
 
@@ -23,7 +24,17 @@ ReplayViews::ReplayViews(ReplayAtWork &bus, const WindowParts &parts, QObject *p
     m_bar->hide();
     setHelpTopic(*m_bar, "replay.md");
     m_menu->addAction(parts.actions.closeRecording);
+    connect(&bus.session(), &EncoderBus::messaged, this, &ReplayViews::tell);
     connect(m_bar, &ReplayBar::closeRequested, parts.actions.closeRecording, &QAction::trigger);
+}
+
+// In the bar, not among the messages of now.
+void ReplayViews::tell(const Message &message)
+{
+    QStringList parts{m_bus.session().dateTime(message.at).toLocalTime().toString(QStringLiteral("HH:mm:ss")),
+                      message.place ? message.place->toString() : QString(), messageText(message)};
+    parts.removeAll(QString());
+    m_bar->tell(parts.join(QStringLiteral("  ")));
 }
 
 QMenu *ReplayViews::menu() const

@@ -24,6 +24,7 @@ public:
 
 private:
     void showCurrent() override;
+    void tell(const Message &message);
 
     ReplayAtWork &m_bus;
     const WindowParts m_parts;

@@ -160,7 +160,7 @@ TEST_F(ReplayInWindow, IsSteppedAndSpedUpByKeys)
     EXPECT_EQ(playback().position(), noon + 10s);
     key(Qt::Key_Home);
     EXPECT_EQ(playback().position(), noon);
-    key(Qt::Key_Up);
+    key(Qt::Key_Plus);
     EXPECT_EQ(playback().factor(), 10);
     EXPECT_EQ(bar()->findChild<QComboBox *>(QStringLiteral("replaySpeed"))->currentText(),
               QStringLiteral("10×"));
@@ -252,6 +252,21 @@ TEST_F(ReplayInWindow, IsOpenedByDroppingItsFile)
     QApplication::sendEvent(&window(), &drop);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->plant().recordings().all().empty(); }));
     EXPECT_NE(bar(), nullptr);
+}
+
+TEST_F(ReplayInWindow, WhatTheProgramSaidThenStandsInTheBarUntilAJump)
+{
+    openRecording();
+    const auto *told = bar()->findChild<QLabel *>(QStringLiteral("replayMessage"));
+    EXPECT_FALSE(told->isVisible());
+    playback().jumpTo(noon + 6'400ms);
+    advance(33);
+    press(QStringLiteral("Play"));
+    advance(300);
+    EXPECT_TRUE(told->isVisible());
+    EXPECT_TRUE(told->text().contains(QStringLiteral("06  1.0  "))) << told->text().toStdString();
+    playback().jumpTo(noon);
+    EXPECT_FALSE(told->isVisible());
 }
 
 TEST_F(ReplayInWindow, NothingOfItIsKeptAsIfItHadHappenedNow)

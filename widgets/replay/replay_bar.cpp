@@ -10,6 +10,7 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 #include "widgets/look/tool.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/replay/replay_slider.h"
 
 #include <QAction>
@@ -46,6 +47,7 @@ ReplayBar::ReplayBar(Playback &playback, QWidget *parent)
     , m_slider(new ReplaySlider(playback, this))
     , m_from(named(new QLabel(this), "replayFrom"))
     , m_to(named(new QLabel(this), "replayTo"))
+    , m_told(wrappedLabel(this, "replayMessage"))
     , m_message(new InlineMessage(this))
 {
     setObjectName(QStringLiteral("replayBar"));
@@ -105,20 +107,20 @@ void ReplayBar::makeTools()
 void ReplayBar::makeSpeeds()
 {
     describe(m_speed, "replaySpeed", tr("Speed"),
-             tr("How fast the recording is played (Ctrl+Alt+Up: faster, Ctrl+Alt+Down: slower)"));
+             tr("How fast the recording is played (Ctrl+Alt++: faster, Ctrl+Alt+-: slower)"));
     for (const double speed : speeds)
         m_speed->addItem(speedText(speed), speed);
     m_speed->setCurrentIndex(usualSpeed);
     connect(m_speed, &QComboBox::currentIndexChanged, this,
             [this](int index) { m_playback.setFactor(m_speed->itemData(index).toDouble()); });
-    const auto addKey = [this](const QString &text, int key, int by) {
+    const auto addKeys = [this](const QString &text, const QList<QKeySequence> &keys, int by) {
         auto *action = new QAction(text, this);
-        action->setShortcut(Qt::CTRL | Qt::ALT | static_cast<Qt::Key>(key));
+        action->setShortcuts(keys);
         connect(action, &QAction::triggered, this, [this, by] { changeSpeed(by); });
         QWidget::addAction(action);
     };
-    addKey(tr("Faster"), Qt::Key_Up, 1);
-    addKey(tr("Slower"), Qt::Key_Down, -1);
+    addKeys(tr("Faster"), {Qt::CTRL | Qt::ALT | Qt::Key_Plus, Qt::CTRL | Qt::ALT | Qt::Key_Equal}, 1);
+    addKeys(tr("Slower"), {Qt::CTRL | Qt::ALT | Qt::Key_Minus}, -1);
 }
 
 void ReplayBar::arrange()
@@ -126,13 +128,16 @@ void ReplayBar::arrange()
     m_moment->setFont(numberFont());
     for (QLabel *end : {m_from, m_to})
         end->setFont(numberFont(TextSize::small));
+    describe(m_told, tr("Message of then"), tr("What the program said when this was recorded"));
+    m_told->setFont(textFont(TextSize::small));
+    m_told->hide();
     m_moment->setAccessibleName(tr("Time shown"));
     m_moment->setToolTip(tr("When what is shown was recorded"));
     const LayoutRoom close{grid::unit, QMargins()};
     layOutColumn(
         this,
         {layOutRow({m_what, Stretch{1}, m_moment, m_speed}, close), m_tools,
-         layOutRow({m_from, {m_slider, 1}, m_to}, close), m_message},
+         layOutRow({m_from, {m_slider, 1}, m_to}, close), m_told, m_message},
         {.spacing = grid::unit, .margins = QMargins(grid::margin, grid::unit, grid::margin, grid::unit)});
 }
 
@@ -174,7 +179,16 @@ void ReplayBar::showMoment()
     m_moment->setText(QStringLiteral("%1 %2").arg(QLocale().toString(moment.date(), QLocale::ShortFormat),
                                                   moment.time().toString(QStringLiteral("HH:mm:ss.zzz"))));
     m_slider->showMoment();
+    if (m_playback.jumps() != m_toldBefore)
+        m_told->hide();
     showProblem();
+}
+
+void ReplayBar::tell(const QString &message)
+{
+    m_toldBefore = m_playback.jumps();
+    m_told->setText(message);
+    m_told->show();
 }
 
 void ReplayBar::showProblem()

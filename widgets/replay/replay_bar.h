@@ -30,7 +30,9 @@ public:
 
     // By its place in the recording: the one whose samples are stepped through; empty: those of all.
     void setEncoder(std::optional<Place> encoder) { m_encoder = encoder; }
-    void showMoment(); // with each frame
+    void showMoment();
+    // What the program said then: shown until something else is passed, or the recording jumps.
+    void tell(const QString &message);
 
 Q_SIGNALS:
     void closeRequested();
@@ -58,6 +60,8 @@ private:
     ReplaySlider *m_slider;
     QLabel *m_from;
     QLabel *m_to;
+    QLabel *m_told;
+    int m_toldBefore = 0; // the jump
     InlineMessage *m_message;
     std::optional<Refusal> m_problem;
 };
