@@ -5,6 +5,7 @@
 #include "encoder/encoder_session.h"
 
 #include <functional>
+#include <memory>
 #include <span>
 
 namespace codewheel {

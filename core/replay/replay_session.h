@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
 #include "replay/recorded_encoder.h"
 
 #include <map>
