@@ -5,10 +5,13 @@
 #include "history/histories.h"
 #include "recording/bus_recorder.h"
 #include "recording/recorded_device.h"
+#include "recording/recording_estimate.h"
 #include "ring/ring_session.h"
 #include "simulator/simulated_line_link.h"
 #include "simulator/training_bus.h"
 #include "tests/recording/recording_file.h"
+
+#include <QFileInfo>
 
 #include <gmock/gmock.h>
 
@@ -108,6 +111,24 @@ TEST_F(BusRecorderTest, EveryCycleAndEveryAnswerOfAllBusesIsRecorded)
     const auto descriptions = reader.descriptions(reader.devices()->front()).value();
     ASSERT_FALSE(descriptions.empty());
     EXPECT_TRUE(builtIn().find(recordedDeviceFromJson(descriptions.front().json).key));
+}
+
+TEST_F(BusRecorderTest, TheRoomItNeedsIsEstimatedBefore)
+{
+    const RecordingEstimate estimate(buses, histories);
+    advance(10s);
+    const double expected = estimate.bytesPerSecond({}, true).value();
+    EXPECT_GT(expected, estimate.bytesPerSecond({}, false).value()) << "traffic needs room too";
+    EXPECT_GT(estimate.bytesPerSecond({turning}, false).value(), 1'000);
+    EXPECT_LT(estimate.bytesPerSecond({"1.0"_ring}, false).value(), 10) << "it stands";
+    EXPECT_FALSE(estimate.bytesPerSecond({"9.0"_ring}, true)) << "nothing is there";
+    const auto recorder = begin();
+    const qint64 before = QFileInfo(plan.settings.file).size();
+    advance(20s);
+    recorder->end();
+    const double actual = static_cast<double>(QFileInfo(plan.settings.file).size() - before) / 20;
+    EXPECT_GT(actual, expected / 2);
+    EXPECT_LT(actual, expected * 2);
 }
 
 TEST_F(BusRecorderTest, WhatBecomesKnownOfAnEncoderIsRecorded)
