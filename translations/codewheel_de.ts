@@ -18058,7 +18058,7 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1, for %2</source>
         <comment>date and time, duration</comment>
-        <translation>%1, seit %2</translation>
+        <translation>%1, %2 lang</translation>
     </message>
     <message>
         <source>%1, of which %2 stay free</source>
@@ -18512,6 +18512,10 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>cam</source>
         <translation>Nocke</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
     </message>
 </context>
 <context>

@@ -98,6 +98,7 @@ RecordingDetails::RecordingDetails(QWidget *parent)
     setWindowTitle(tr("Recording"));
     setHelpTopic(*this, "recording.md#while-it-runs");
     m_note->setMaxLength(longestRecordedNote);
+    m_note->setFocus();
     m_note->setPlaceholderText(tr("What happens now"));
     m_add->setAutoDefault(false);
     auto *form = new QFormLayout;
@@ -193,10 +194,9 @@ void RecordingDetails::showProblem(const std::optional<Refusal> &problem)
     if (problem) {
         const QString sentence = refusalText(*problem);
         if (!m_tellsProblem || m_message->sentence() != sentence)
-            m_message->showMessage(
-                Role::attention,
-                tr("%1 What comes meanwhile is kept in memory, as far as there is room, and written once that is over.")
-                    .arg(sentence));
+            m_message->showMessage(Role::attention, tr("%1 What comes meanwhile is kept in memory, as far as "
+                                                       "there is room, and written once that is over.")
+                                                        .arg(sentence));
     } else if (m_tellsProblem)
         m_message->withdraw();
     m_tellsProblem = problem.has_value();

@@ -60,7 +60,7 @@ TriggerFields::TriggerFields(const std::vector<RecordableEncoder> &encoders,
     , m_place(describe(new QComboBox(this), "triggerPlace", tr("Where"), tr("Where it has to happen")))
     , m_word(
           describe(new QComboBox(this), "triggerWord", tr("Word"), tr("The word the bit is in, or the cams")))
-    , m_bit(describe(new IntegerField(this), "triggerBit", tr("Bit"),
+    , m_bit(describe(new IntegerField(this), "triggerBit", tr("Number"),
                      tr("The number of the bit, or of the cam")))
     , m_change(describe(new QComboBox(this), "triggerChange", tr("Change"), tr("What the bit becomes")))
     , m_quantity(describe(new QComboBox(this), "triggerQuantity", tr("Value"), tr("What has a threshold")))
