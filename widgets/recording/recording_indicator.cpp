@@ -20,6 +20,11 @@ RecordingIndicator::RecordingIndicator(QWidget *parent)
     hide();
 }
 
+QSize RecordingIndicator::sizeHint() const
+{
+    return {QToolButton::sizeHint().width(), std::max(iconSize().height(), fontMetrics().height())};
+}
+
 void RecordingIndicator::showRecording(const std::optional<ShownRecording> &recording)
 {
     setVisible(recording.has_value());

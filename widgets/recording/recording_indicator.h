@@ -16,6 +16,8 @@ class RecordingIndicator : public QToolButton
 public:
     explicit RecordingIndicator(QWidget *parent = nullptr);
 
+    // No higher than what is beside it: a status bar has room for what is hidden, too.
+    QSize sizeHint() const override;
     void showRecording(const std::optional<ShownRecording> &recording); // nothing: none, and it is hidden
 };
 
