@@ -40,6 +40,7 @@ EncoderChoice::EncoderChoice(const std::vector<RecordableEncoder> &encoders, QWi
         m_list->setCurrentIndex(first);
     m_some->setEnabled(!encoders.empty());
     m_all->setChecked(true);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_list->hide();
     layOutColumn(this, {m_all, m_some, m_list}, {.spacing = grid::unit, .margins = QMargins()});
     connect(m_some, &QRadioButton::toggled, this, [this](bool some) {

@@ -2,7 +2,9 @@
 #include "widgets/trend/trend_page.h"
 
 #include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
 #include "widgets/models/dragged_place.h"
 #include "widgets/trend/curve_bar.h"
 #include "widgets/trend/mark_text.h"
@@ -13,11 +15,13 @@
 #include "widgets/trend/trend_values_model.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QDropEvent>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTableView>
+#include <QToolButton>
 
 #include <set>
 
@@ -35,7 +39,14 @@ QString TrendPage::effect() const
 
 void TrendPage::addButtonFor(QAction &action)
 {
-    m_tools->addAction(&action);
+    auto *button = new QToolButton(this);
+    button->setDefaultAction(&action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({grid::smallIcon, grid::smallIcon});
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(plainLabel(action.text()));
+    m_lastLine->addWidget(button);
 }
 
 void TrendPage::showTrack(const Track &track)

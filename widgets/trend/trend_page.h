@@ -11,6 +11,7 @@
 #include <QTimer>
 
 class QAction;
+class QBoxLayout;
 class QLabel;
 class QMenu;
 class QStackedWidget;
@@ -44,7 +45,7 @@ public:
 
     TrendTracks &tracks() { return m_tracks; }
     TrendView &view() { return *m_view; }
-    // A button for something that is done elsewhere.
+    // Beside the line about what is kept: a button for something that keeps it for longer.
     void addButtonFor(QAction &action);
     // Shows this curve beside those that are there.
     void showTrack(const Track &track);
@@ -113,6 +114,7 @@ private:
     CurveBar *m_curve;
     ShiftBar *m_shift; // of the recording that the chosen curve is of
     QLabel *m_memory;
+    QBoxLayout *m_lastLine = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_pause = nullptr;
     QAction *m_forSpreadsheets = nullptr;

@@ -97,7 +97,8 @@ TrendPage::TrendPage(Buses &buses, Histories &histories, std::function<QString(P
     m_pages->addWidget(m_empty);
     m_pages->addWidget(parts);
     m_memory->setFont(textFont(TextSize::small));
-    layOutColumn(this, {m_tools, m_message, {m_pages, 1}, m_memory},
+    m_lastLine = layOutRow({{m_memory, 1}}, {.spacing = grid::unit, .margins = QMargins()});
+    layOutColumn(this, {m_tools, m_message, {m_pages, 1}, m_lastLine},
                  {.spacing = grid::unit, .margins = QMargins(grid::margin, 0, grid::margin, grid::unit)});
     makeShortcuts();
     connectParts();
