@@ -87,6 +87,7 @@ public:
     bool hasJob() const; // on any bus
 
     const WindowActions &actions() const { return m_actions; }
+    RecordingInWindow &recording() { return *m_recording; } // only after attach()
     void showWizard();
     void showMonitors();
     void showCams();

@@ -7,6 +7,7 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/recording_in_window.h"
 #include "app/window/start.h"
 #include "app/window/start_probe.h"
 #include "journal/eeprom_cost.h"
@@ -170,11 +171,14 @@ void Program::makeWindowAnew()
     useLanguage();
     const bool visible = m_window->isVisible();
     const auto pinned = m_window->pinnedDial();
+    const bool showsRecording = m_plant && m_window->recording().showsDetails();
     m_window.reset();
     openWindow();
     if (pinned)
         m_window->pinDial(*pinned);
     m_window->setVisible(visible);
+    if (showsRecording)
+        m_window->recording().openDetails();
     m_choices.goOnIn(*m_window);
 }
 

@@ -67,6 +67,11 @@ void RecordingInWindow::showRecording()
         m_details->close();
 }
 
+bool RecordingInWindow::showsDetails() const
+{
+    return m_details != nullptr && m_details->isVisible();
+}
+
 void RecordingInWindow::openDetails()
 {
     const auto recording = shown();

@@ -45,10 +45,12 @@ public:
 
     // Whether the recording that runs may be ended for quitting.
     bool mayEnd();
+    // For a window that is rebuilt: whether more about the recording is shown, and to show it again.
+    bool showsDetails() const;
+    void openDetails();
 
 private:
     void record();
-    void openDetails();
     void showRecording();
     std::optional<ShownRecording> shown() const;
     RecordingSubjects subjects(RecordingEstimate &estimate) const;

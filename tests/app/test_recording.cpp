@@ -30,6 +30,8 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -192,6 +194,8 @@ TEST_F(RecordingInWindowTest, SaysAtOnceWhereNoFileCanBeMade)
 
 TEST_F(RecordingInWindowTest, OnlyTheTickedEncodersAreRecordedAndWhatWasChosenIsRemembered)
 {
+    shown->project().editDevice(fraba, {},
+                                [](ProjectDevice &device) { device.station = QStringLiteral("Crane 1"); });
     open();
     press("recordSome");
     press("beginRecording");
@@ -200,7 +204,7 @@ TEST_F(RecordingInWindowTest, OnlyTheTickedEncodersAreRecordedAndWhatWasChosenIs
     auto &list = field<QTreeWidget>("recordedEncoders");
     list.setFocus();
     QTest::keyClick(&list, Qt::Key_Space);
-    EXPECT_TRUE(list.topLevelItem(0)->text(0).startsWith(QStringLiteral("1.0")));
+    EXPECT_EQ(list.topLevelItem(0)->text(0), QStringLiteral("1.0  Crane 1"));
     press("recordTraffic");
     type("recordBefore", QStringLiteral("2,5")); // either sign; the field is not left
     type("recordFree", QStringLiteral("150"));
@@ -316,6 +320,27 @@ TEST_F(RecordingInWindowTest, AFullDiskIsSaidAndItGoesOnOnceThereIsRoom)
     advance(100);
     EXPECT_THAT(messages(), testing::Contains(HasSubstr("almost full")));
     EXPECT_TRUE(isRunning());
+}
+
+TEST_F(RecordingInWindowTest, AProblemThatIsOverIsSaidToo)
+{
+    open();
+    begin();
+    {
+        auto other = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("other"));
+        other.setDatabaseName(path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(QStringLiteral("BEGIN EXCLUSIVE")));
+        advance(500);
+        EXPECT_TRUE(waitFor([&] { return indicator().text() == QStringLiteral("Recording held up"); }));
+        ASSERT_TRUE(query.exec(QStringLiteral("COMMIT")));
+    }
+    QSqlDatabase::removeDatabase(QStringLiteral("other"));
+    advance(500);
+    EXPECT_TRUE(waitFor([&] { return indicator().text().startsWith(QStringLiteral("Records")); }));
+    advance(100);
+    EXPECT_THAT(messages(), testing::Contains(HasSubstr("goes on (values lost so far: 0)")));
 }
 
 TEST_F(RecordingInWindowTest, AFileThatIsMovedAwayEndsItWithASentence)
@@ -555,6 +580,7 @@ TEST(RecordingInProgram, GoesOnInAnotherLanguage)
     ASSERT_TRUE(program.plant()->recording().begin(plan));
     const auto isSeen = [&] { return program.window()->findChild<RecordingIndicator *>()->isVisible(); };
     EXPECT_TRUE(isSeen());
+    program.window()->findChild<RecordingIndicator *>()->click();
     const QPointer<MainWindow> before(program.window());
     for (QAction *language : program.window()->actions().language->actions())
         if (language->data().toString() == QStringLiteral("de"))
@@ -565,6 +591,9 @@ TEST(RecordingInProgram, GoesOnInAnotherLanguage)
     EXPECT_TRUE(program.window()->findChild<RecordingIndicator *>()->text().startsWith(
         QStringLiteral("Zeichnet auf")))
         << program.window()->findChild<RecordingIndicator *>()->text().toStdString();
+    const auto *details = program.window()->findChild<RecordingDetails *>();
+    ASSERT_NE(details, nullptr) << "they were open";
+    EXPECT_TRUE(details->isVisible());
     program.plant()->recording().end();
     const auto reader = RecordingReader::open(plan.settings.file);
     ASSERT_TRUE(reader);
