@@ -11,7 +11,7 @@ namespace codewheel {
 // Where to, and how much.
 struct RecordingSettings
 {
-    QString file;      // of a recording on a server: empty
+    QString file{};    // of a recording on a server: empty
     QString server{};  // postgresql://...: its address; empty: into the file
     QString program{}; // and its version
     QString zone{};    // the time zone of the computer

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a recording costs: bytes of a value on disk, processor time at 512 values a millisecond, and the time
-// to the first picture of a large one that is in no cache.
+// What a recording costs: bytes of a value on disk, processor time at 512 values a millisecond, into a file
+// and on a server, and the time to the first picture of a large one that is in no cache.
 //
 //   bench_recording FOLDER [SECONDS]
 #include "recording/recording_reader.h"
 #include "recording/recording_writer.h"
+#include "tests/recording/postgres_server.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 
 #include <cmath>
@@ -114,15 +116,24 @@ void measureSizes(const QString &file)
     QFile::remove(file);
 }
 
+// Of another recording than the one that is being sent.
+bool isLeft(const QString &folder)
+{
+    int files = 0;
+    for (QDirIterator all(folder, {QStringLiteral("*.cwrec")}, QDir::Files, QDirIterator::Subdirectories);
+         all.hasNext(); all.next())
+        ++files;
+    return files > 1;
+}
+
 // 128 devices with four channels each, in frames, as fast as a bus would.
-void measureLoad(const QString &file, int seconds)
+RecordingStatus measureLoad(const RecordingSettings &settings, int seconds)
 {
     constexpr int devices = 128;
     constexpr int frame = 32; // ms
-    QFile::remove(file);
-    auto writer = RecordingWriter::begin({.file = file, .begun = begun, .leastFree = 0});
+    auto writer = RecordingTarget::begin(settings);
     if (!writer)
-        return;
+        return {};
     Jitter jitter;
     double adding = 0;
     const auto begin = Clock::now();
@@ -150,14 +161,44 @@ void measureLoad(const QString &file, int seconds)
     const double mine = processorTime(CLOCK_THREAD_CPUTIME_ID) - mineBefore;
     const RecordingStatus status = (*writer)->end();
     const double writing = processorTime(CLOCK_PROCESS_CPUTIME_ID) - before - mine;
-    const double values = 4.0 * devices * 1'000 * seconds;
-    std::printf(
-        "512 values a millisecond for %d s (half a core or less, none lost): %.1f %% of a core for writing, "
-        "%.1f %% for adding, %llu lost, %.2f bytes each\n",
-        seconds, 100 * writing / seconds, 100 * adding / seconds,
-        static_cast<unsigned long long>(status.lost), static_cast<double>(status.bytes) / values);
-    writer->reset();
+    std::printf("512 values a millisecond for %d s (half a core or less, none lost): %.1f %% of a core for "
+                "writing, %.1f %% for adding, %llu lost",
+                seconds, 100 * writing / seconds, 100 * adding / seconds,
+                static_cast<unsigned long long>(status.lost));
+    return status;
+}
+
+void measureFileLoad(const QString &file, int seconds)
+{
     QFile::remove(file);
+    const RecordingStatus status = measureLoad({.file = file, .begun = begun, .leastFree = 0}, seconds);
+    std::printf(", %.2f bytes each\n", static_cast<double>(status.bytes) / (512e3 * seconds));
+    QFile::remove(file);
+}
+
+// The server works besides. Then: how long what waited for as long takes to follow.
+void measureServerLoad(const QString &folder, int seconds)
+{
+    test::PostgresServer *server = test::PostgresServer::shared();
+    if (server == nullptr) {
+        std::printf("No server is installed (Debian: postgresql, libqt6sql6-psql): not measured on one.\n");
+        return;
+    }
+    RecordingSettings settings{.server = server->newDatabase(), .begun = begun, .leastFree = 0};
+    settings.unsentFolder = folder;
+    std::printf("on a server: ");
+    const RecordingStatus status = measureLoad(settings, seconds);
+    std::printf(", %.1f MB not sent\n",
+                status.server ? 1e-6 * static_cast<double>(status.server->waitingBytes) : 0);
+    server->stop();
+    std::printf("while it is away: ");
+    (void)measureLoad(settings, seconds);
+    server->start();
+    const auto begin = Clock::now();
+    const auto next = RecordingTarget::begin(settings);
+    while (next && isLeft(folder))
+        (*next)->flush();
+    std::printf("; what waited follows in %.1f s\n", secondsSince(begin));
 }
 
 void fill(const QString &file, int channels, std::size_t samples)
@@ -231,7 +272,9 @@ int main(int argc, char **argv)
         return 2;
     const QString file = QDir(arguments[1]).filePath(QStringLiteral("bench.cwrec"));
     measureSizes(file);
-    measureLoad(file, arguments.size() > 2 ? arguments[2].toInt() : 20);
+    const int seconds = arguments.size() > 2 ? arguments[2].toInt() : 20;
+    measureFileLoad(file, seconds);
+    measureServerLoad(QDir(arguments[1]).filePath(QStringLiteral("unsent")), seconds);
     measureFirstPicture(file, 8);
     measureFirstPicture(file, 1);
     return 0;
