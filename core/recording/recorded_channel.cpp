@@ -59,6 +59,14 @@ std::optional<Instant> gapBefore(const RecordedBlock &block, std::size_t index)
     return gap != block.gaps.end() && gap->index == index ? std::optional(gap->from) : std::nullopt;
 }
 
+// It may have been written again, with more samples, since its row was read.
+void endAt(RecordedBlock &block, Instant last)
+{
+    const auto behind = std::ranges::upper_bound(block.samples, last, {}, &Sample::at);
+    block.samples.erase(behind, block.samples.end());
+    std::erase_if(block.gaps, [&](const auto &gap) { return gap.index >= block.samples.size(); });
+}
+
 } // namespace
 
 tl::unexpected<Refusal> RecordedChannel::refusal(const DatabaseError &error) const
@@ -153,7 +161,7 @@ Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocksAfter(Instant
 Stored<RecordedChannel::Unpacked> RecordedChannel::read(const Block &row)
 {
     const auto isTheOne = [&row](const RecordedBlock &block) {
-        return block.samples.front().at == row.piece.from &&
+        return !block.samples.empty() && block.samples.front().at == row.piece.from &&
                block.samples.back().at == row.piece.from + row.piece.length;
     };
     if (const auto known = m_unpacked.find(row.id); known != m_unpacked.end() && isTheOne(*known->second))
@@ -165,6 +173,8 @@ Stored<RecordedChannel::Unpacked> RecordedChannel::read(const Block &row)
     if (!done)
         return tl::unexpected(done.error());
     auto block = unpackBlock(bytes);
+    if (block)
+        endAt(*block, row.piece.from + row.piece.length);
     if (block && isTheOne(*block))
         return keep(row.id, *std::move(block));
     m_damaged.insert(row.id);

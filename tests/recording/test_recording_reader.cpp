@@ -212,5 +212,21 @@ TEST(RecordingReader, ReadsOnlyWhatIsAskedFor)
     EXPECT_FALSE(channel.damage());
 }
 
+// The row of a block and its samples are read one after the other.
+TEST(RecordingReader, ABlockMayBeWrittenAgainWhileItIsRead)
+{
+    const RecordingFile file;
+    auto writer = file.begin();
+    writer->add(positions(noon, 100, [](std::size_t index) { return index; }));
+    (void)writer->end();
+    file.execute(QStringLiteral("UPDATE block SET length = 49000, samples = 50, last = 49"));
+    const RecordingReader reader = file.reader();
+    RecordedChannel channel = file.channel(reader, Channel::position);
+    const auto samples = samplesOf(channel, {noon, noon + 60ms});
+    EXPECT_EQ(samples.size(), 50U);
+    EXPECT_EQ(channel.at(noon + 30ms).value(), (Sample{noon + 30ms, 30}));
+    EXPECT_FALSE(channel.damage());
+}
+
 } // namespace
 } // namespace codewheel
