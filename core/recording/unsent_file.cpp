@@ -19,7 +19,8 @@ const QString suffix = QStringLiteral(".cwrec");
 
 QString folderOf(const QString &folder, const ServerAddress &server)
 {
-    return QDir(folder).filePath(QString::fromLatin1(QUrl::toPercentEncoding(server.place())));
+    const QString place = server.place().section(QStringLiteral("://"), 1);
+    return QDir(folder).filePath(QString::fromLatin1(QUrl::toPercentEncoding(place, "@:")));
 }
 
 // In the order of their names recordings are in the order of their begin. Several may begin at the same time.

@@ -131,6 +131,10 @@ TEST_F(ServerRecordings, CanBeReadAsAFileCan)
     const RecordingReader recording = reader(target->status().server->address);
     EXPECT_FALSE(recording.head()->hasEnded);
     EXPECT_EQ(recording.head()->until, noon + 4'999ms);
+    EXPECT_EQ(*Database::openToRead(waitingFiles().front(), recordingSchema())
+                   ->number(QStringLiteral("SELECT count(*) FROM samples")),
+              0)
+        << "only what waits is in the file";
     RecordedChannel channel = RecordingFile::channel(recording, Channel::position);
     const auto samples = samplesOf(channel);
     ASSERT_EQ(samples.size(), 5'000U);
@@ -220,6 +224,38 @@ TEST_F(ServerRecordings, WhatWasNotSentFollowsWithTheNextRecording)
     EXPECT_TRUE(there.head()->hasEnded);
     RecordedChannel channel = RecordingFile::channel(there, Channel::position);
     EXPECT_EQ(samplesOf(channel).size(), 20U);
+}
+
+TEST_F(ServerRecordings, ABlockMayBeWrittenAgainWhileItIsSent)
+{
+    const auto target = begin(settings());
+    target->add(positions(noon, 1, [](std::size_t) { return 0; }));
+    target->flush();
+    std::mutex mutex;
+    std::int64_t last = 0;
+    const auto recordAndRead = [&] {
+        const RecordingReader there = reader(target->status().server->address);
+        for (int round = 0; round < 50; ++round) {
+            std::int64_t mine = 0;
+            {
+                const std::lock_guard lock(mutex);
+                mine = ++last;
+                target->add(positions(noon + 1ms * mine, 1, [mine](std::size_t) { return mine; }));
+            }
+            target->flush();
+            RecordedChannel channel = RecordingFile::channel(there, Channel::position);
+            EXPECT_EQ(channel.at(noon + 1ms * mine).value(), (Sample{noon + 1ms * mine, mine}));
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (int thread = 0; thread < 4; ++thread)
+            threads.emplace_back(recordAndRead);
+    }
+    const RecordingReader there = reader(target->status().server->address);
+    RecordedChannel channel = RecordingFile::channel(there, Channel::position);
+    EXPECT_EQ(samplesOf(channel).size(), 201U);
+    EXPECT_FALSE(channel.damage());
 }
 
 TEST_F(ServerRecordings, SeveralStationsRecordAtOnce)
