@@ -7,7 +7,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int triesAtEnd = 2; // the connection may be lost, and the server there
+constexpr int triesAtEnd = 2;   // the connection may be lost, and the server there
+constexpr int longestPause = 4; // 2^4 seconds
 constexpr std::int64_t unsentMegabyte = 1'000'000;
 
 Stored<void> reach(const ServerAddress &address)
@@ -119,7 +120,7 @@ RecordingStatus ServerRecording::end()
 void ServerRecording::run(const std::stop_token &stop)
 {
     RecordingSender own(m_file->path(), m_address);
-    int failuresAtEnd = 0;
+    int failures = 0; // one after the other
     while (true) {
         const bool isLast = stop.stop_requested(); // all has come into the file
         {
@@ -128,16 +129,17 @@ void ServerRecording::run(const std::stop_token &stop)
             m_mustSend = false;
         }
         const bool hasSent = sendOwn(own, stop);
+        failures = hasSent ? 0 : failures + 1;
         {
             const std::lock_guard lock(m_mutex);
             m_doneRounds = m_begunRounds;
             m_hasSentAll = isLast && hasSent;
             m_done.notify_all();
         }
-        if (isLast && (hasSent || !mayGoOn(stop) || ++failuresAtEnd == triesAtEnd))
+        if (isLast && (hasSent || !mayGoOn(stop) || failures >= triesAtEnd))
             return;
         if (isLast || !hasSent || !sendLeftOver())
-            wait(stop);
+            wait(stop, failures);
     }
 }
 
@@ -196,10 +198,12 @@ void ServerRecording::tell(const RecordingSender &sender, const Result<Recording
     m_problem = sent ? std::nullopt : std::optional(sent.error());
 }
 
-void ServerRecording::wait(const std::stop_token &stop)
+// A server that refuses is asked less and less often.
+void ServerRecording::wait(const std::stop_token &stop, int failures)
 {
+    const int pauses = 1 << std::min(failures, longestPause);
     std::unique_lock lock(m_mutex);
-    m_wanted.wait_for(lock, stop, RecordingWriter::gathering, [this] { return m_mustSend; });
+    m_wanted.wait_for(lock, stop, RecordingWriter::gathering * pauses, [this] { return m_mustSend; });
 }
 
 } // namespace codewheel

@@ -36,7 +36,7 @@ private:
     bool sendOwn(RecordingSender &sender, const std::stop_token &stop);
     bool sendLeftOver();
     void tell(const RecordingSender &sender, const Result<RecordingSender::Sent> &sent);
-    void wait(const std::stop_token &stop);
+    void wait(const std::stop_token &stop, int failures);
     bool mayGoOn(const std::stop_token &stop) const;
 
     const QString m_folder;

@@ -9,7 +9,7 @@
 #include "ring/ring_session.h"
 #include "simulator/simulated_line_link.h"
 #include "simulator/training_bus.h"
-#include "tests/recording/recording_file.h"
+#include "tests/recording/server_fixture.h"
 
 #include <QFileInfo>
 
@@ -60,7 +60,10 @@ protected:
     // Of the place, as recorded.
     std::vector<Sample> recorded(Place place, Channel channel = Channel::position) const
     {
-        const RecordingReader reader = file.reader();
+        return recorded(file.reader(), place, channel);
+    }
+    static std::vector<Sample> recorded(const RecordingReader &reader, Place place, Channel channel)
+    {
         const auto devices = reader.devices().value();
         for (std::size_t i = 0; i < devices.size(); ++i)
             if (devices[i].place == place) {
@@ -286,6 +289,27 @@ TEST_F(BusRecorderTest, WhatIsWrongWithTheFileIsSaidAtOnce)
     const auto recorder = BusRecorder::begin(buses, histories, plan, [this] { return wallClock; });
     ASSERT_FALSE(recorder);
     EXPECT_EQ(recorder.error().id, RefusalId::recordingExists);
+}
+
+TEST_F(BusRecorderTest, AServerTakesItAsAFileDoes)
+{
+    PostgresServer *server = PostgresServer::shared();
+    if (server == nullptr)
+        GTEST_SKIP() << noServer;
+    server->setPassword(QString::fromLatin1(PostgresServer::password));
+    plan.settings.file.clear();
+    plan.settings.server = server->newDatabase();
+    plan.settings.unsentFolder = file.folder();
+    const auto recorder = begin();
+    advance(1s);
+    const TimeSpan span = recorder->span().value();
+    recorder->end();
+    const RecordingStatus status = recorder->status();
+    EXPECT_FALSE(status.problem);
+    const auto reader = RecordingReader::open(status.server->address);
+    ASSERT_TRUE(reader);
+    EXPECT_TRUE(reader->head()->hasEnded);
+    EXPECT_EQ(recorded(*reader, turning, Channel::position), shown(turning, span));
 }
 
 TEST_F(BusRecorderTest, ANoteOfTheUserIsInIt)
