@@ -141,7 +141,7 @@ enum class RefusalId : std::uint8_t {
     damagedBlocks,  // file, blocks of samples
     diskAlmostFull, // file, free MB, MB that are to stay free
     serverAway,     // address, reason, MB that wait
-    notAllSent,     // address, reason, MB that wait, folder
+    notAllSent,     // address, reason, MB that wait, file
     portNotFound,   // port
     portInUse,      // port
     portNoRights,   // port, group that may use it, command that adds the user to it

@@ -78,13 +78,16 @@ bool PostgresDatabase::isAvailable()
 
 Stored<std::shared_ptr<PostgresDatabase>> PostgresDatabase::connect(const ServerAddress &address)
 {
+    const DatabaseError missing =
+        serverProblem(Server::tr("Qt's driver for PostgreSQL is missing on this computer. "
+                                 "Install the package libqt6sql6-psql."));
     if (!isAvailable())
-        return tl::unexpected(
-            serverProblem(Server::tr("Qt's driver for PostgreSQL is missing on this computer. "
-                                     "Install the package libqt6sql6-psql.")));
+        return tl::unexpected(missing);
     const std::shared_ptr<PostgresDatabase> database(
         new PostgresDatabase(QSqlDatabase::addDatabase(postgresDriver, newName())));
     QSqlDatabase &connection = database->connection();
+    if (!connection.isValid()) // the driver is there, and what it needs is not
+        return tl::unexpected(missing);
     connection.setHostName(address.host);
     if (address.port != 0)
         connection.setPort(address.port);

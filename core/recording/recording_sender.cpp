@@ -11,7 +11,6 @@ namespace {
 
 constexpr int mostInBatch = 5'000;
 constexpr qsizetype rowsOfStatement = 100; // each statement waits for an answer of the server
-constexpr std::int64_t bytesOfMegabyte = 1'000'000;
 
 const QString listComma = QStringLiteral(", ");
 
@@ -48,8 +47,7 @@ Result<RecordingSender::Sent> RecordingSender::send()
 Refusal RecordingSender::awayRefusal(const ServerAddress &server, const DatabaseError &error,
                                      std::int64_t waiting)
 {
-    return {
-        RefusalKind::link, RefusalId::serverAway, {server.place(), error.reason, waiting / bytesOfMegabyte}};
+    return {RefusalKind::link, RefusalId::serverAway, {server.place(), error.reason, megabytes(waiting)}};
 }
 
 std::int64_t RecordingSender::waitingBytes() const

@@ -29,6 +29,7 @@ public:
     bool isConnected() const { return m_server != nullptr; }
     std::int64_t waitingBytes() const; // in the file
 
+    static std::int64_t megabytes(std::int64_t bytes) { return (bytes + 999'999) / 1'000'000; }
     static Refusal awayRefusal(const ServerAddress &server, const DatabaseError &error, std::int64_t waiting);
 
 private:

@@ -9,7 +9,6 @@ namespace {
 
 constexpr int triesAtEnd = 2;   // the connection may be lost, and the server there
 constexpr int longestPause = 4; // 2^4 seconds
-constexpr std::int64_t unsentMegabyte = 1'000'000;
 
 Stored<void> reach(const ServerAddress &address)
 {
@@ -111,7 +110,7 @@ RecordingStatus ServerRecording::end()
                                 {m_address.place(),
                                  m_problem ? m_problem->arguments.at(1)
                                            : RefusalArgument(Server::tr("sending it takes longer.")),
-                                 m_server.waitingBytes / unsentMegabyte, m_file->path()}};
+                                 RecordingSender::megabytes(m_server.waitingBytes), m_file->path()}};
     }
     m_file.reset(); // whoever records next may send it
     return status();
