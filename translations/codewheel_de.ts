@@ -6975,6 +6975,107 @@ sagt, was in ihr steht, und macht eine Tabelle daraus.</translation>
         <source>The clock of the computer was set meanwhile, times: %1. The times of the samples pass evenly all the same.</source>
         <translation>Die Uhr des Rechners wurde währenddessen gestellt, Anzahl: %1. Die Zeiten der Werte vergehen trotzdem gleichmäßig.</translation>
     </message>
+    <message>
+        <source>the table to make, with a .json of the same name beside it that describes it</source>
+        <translation>die Tabelle, die angelegt wird, mit einer gleichnamigen .json daneben, die sie beschreibt</translation>
+    </message>
+    <message>
+        <source>its columns, with commas: 1.0/position,1.0/speed,1.0/in.25; without: everything</source>
+        <translation>ihre Spalten, mit Kommas: 1.0/position,1.0/speed,1.0/in.25; sonst alles</translation>
+    </message>
+    <message>
+        <source>from this time on: 2026-03-01T14:02:05, or +60, seconds from the beginning, or -60, before the end</source>
+        <translation>ab dieser Zeit: 2026-03-01T14:02:05, oder +60, Sekunden ab dem Anfang, oder -60, vor dem Ende</translation>
+    </message>
+    <message>
+        <source>up to this time</source>
+        <translation>bis zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>of positions and speeds: steps (the default), turns, degrees or millimetres</source>
+        <translation>von Positionen und Geschwindigkeiten: steps (Schritte, sonst), turns, degrees oder millimetres</translation>
+    </message>
+    <message>
+        <source>with millimetres: the way of one turn of a shaft</source>
+        <translation>bei Millimetern: der Weg einer Umdrehung einer Welle</translation>
+    </message>
+    <message>
+        <source>as the spreadsheets of the country want it</source>
+        <translation>wie es die Tabellenprogramme des Landes wollen</translation>
+    </message>
+    <message>
+        <source>replace CSV and its .json if they are there</source>
+        <translation>CSV und ihre .json ersetzen, wenn es sie schon gibt</translation>
+    </message>
+    <message>
+        <source>%1 is the recording itself. Nothing was saved. Name another file.</source>
+        <translation>%1 ist die Aufzeichnung selbst. Nichts wurde gespeichert. Eine andere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>The export was cancelled. Nothing was saved.</source>
+        <translation>Der Export wurde abgebrochen. Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Written: %1 %</source>
+        <translation>Geschrieben: %1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows of %3 columns, from %4 to %5.</source>
+        <translation>%1: %2 Zeilen mit %3 Spalten, von %4 bis %5.</translation>
+    </message>
+    <message>
+        <source>What the table does not tell is in %1.</source>
+        <translation>Was die Tabelle nicht sagt, steht in %1.</translation>
+    </message>
+    <message>
+        <source>%1 has no values: no encoder has shown anything.</source>
+        <translation>%1 hat keine Werte: Kein Geber hat etwas gezeigt.</translation>
+    </message>
+    <message>
+        <source>tell what is in a recording, or make a table of it</source>
+        <translation>sagen, was in einer Aufzeichnung steht, oder eine Tabelle daraus machen</translation>
+    </message>
+    <message>
+        <source>Without -o: what was recorded when, of which encoders, how large it is, what was lost, and whether it
+ended. With -o: all its values as a table of comma-separated values, and beside it a JSON file that tells
+what the table cannot. pandas and PlotJuggler open the table as it is. The recording may still be written.
+
+Needs no bus.</source>
+        <translation>Ohne -o: was wann aufgezeichnet wurde, von welchen Gebern, wie groß die Aufzeichnung ist, was verloren ging
+und ob sie ein Ende hat. Mit -o: alle Werte als Tabelle mit Kommas (CSV) und daneben eine JSON-Datei, die sagt,
+was die Tabelle nicht sagen kann. pandas und PlotJuggler öffnen die Tabelle, wie sie ist. Die Aufzeichnung darf
+noch geschrieben werden.
+
+Braucht keinen Bus.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time. Write it as 2026-03-01T14:02:05.250, as +60 (seconds from the beginning) or as -60 (before the end).</source>
+        <translation>„%1“ ist keine Zeit. Als 2026-03-01T14:02:05.250 schreiben, als +60 (Sekunden ab dem Anfang) oder als -60 (vor dem Ende).</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded then. The recording is from %1 to %2.</source>
+        <translation>Da wurde nichts aufgezeichnet. Die Aufzeichnung geht von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The recording has no &quot;%1&quot;. It has: %2. One bit is 1.0/in.25.</source>
+        <translation>Die Aufzeichnung hat kein „%1“. Sie hat: %2. Ein einzelnes Bit ist 1.0/in.25.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no way per turn. Write millimetres with a point: 31.4.</source>
+        <translation>„%1“ ist kein Weg je Umdrehung. Millimeter mit Punkt schreiben: 31.4.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;. There are: %3.</source>
+        <translation>%1 kann nicht „%2“ sein. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>How much of a millimetre a step of %1 is does not follow from the recording. For an encoder on a shaft --mm-per-turn tells it.</source>
+        <translation>Wie viele Millimeter ein Schritt von %1 ist, geht aus der Aufzeichnung nicht hervor. Bei einem Geber an einer Welle sagt es --mm-per-turn.</translation>
+    </message>
+    <message>
+        <source>How many steps a turn of %1 has does not follow from the recording. Leave --unit out, or name other tracks with --tracks.</source>
+        <translation>Wie viele Schritte eine Umdrehung von %1 hat, geht aus der Aufzeichnung nicht hervor. --unit weglassen oder mit --tracks andere Werte angeben.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>

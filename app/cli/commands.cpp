@@ -15,7 +15,7 @@ constexpr std::array firstCommands{&devicesCommand,  &scanCommand,    &compareCo
                                    &wordsCommand,    &readCommand,    &writeCommand,   &presetCommand,
                                    &velocityCommand, &resetCommand,   &camsCommand,    &storeCommand,
                                    &transferCommand, &cloneCommand,   &replaceCommand, &restoreCommand,
-                                   &reportCommand,   &monitorCommand, &recordCommand};
+                                   &reportCommand,   &monitorCommand, &recordCommand,  &exportCommand};
 constexpr std::array lastCommands{&messagesCommand, &ledgerCommand};
 
 constexpr std::array common{

@@ -25,6 +25,7 @@ extern const Subcommand restoreCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand recordCommand;
+extern const Subcommand exportCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;
 

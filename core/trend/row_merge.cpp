@@ -14,6 +14,7 @@ RowMerge::RowMerge(const TrendExtract &extract, HistoryOf historyOf)
     : m_historyOf(std::move(historyOf))
     , m_span(extract.span)
     , m_reached(extract.span.from)
+    , m_stretch(extract.span.to - extract.span.from)
     , m_cells(extract.columns.size())
     , m_isDone(extract.span.from >= extract.span.to)
 {
@@ -26,6 +27,7 @@ bool RowMerge::next(const TakeRow &take)
     if (m_isDone)
         return false;
     const TimeSpan stretch{m_reached, endOfStretch()};
+    m_stretch = stretch.to - stretch.from;
     for (Column &column : m_columns)
         column.load(m_historyOf(column.track), stretch);
     if (!m_isOpen)
@@ -53,7 +55,7 @@ double RowMerge::part() const
 // So much at once that the memory it takes does not depend on the span.
 Instant RowMerge::endOfStretch() const
 {
-    Instant end = m_span.to;
+    Instant end = std::min(m_span.to, m_reached + 2 * m_stretch);
     while (end - m_reached > Instant(1) && samplesIn({m_reached, end}) > samplesAtOnce)
         end = m_reached + (end - m_reached) / 2;
     return end;

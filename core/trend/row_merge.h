@@ -50,6 +50,7 @@ private:
     HistoryOf m_historyOf;
     TimeSpan m_span;
     Instant m_reached; // the rows before are done
+    Instant m_stretch; // the length of the one before: mostly that of the next
     std::vector<Column> m_columns;
     std::vector<std::optional<std::int64_t>> m_cells;
     bool m_isOpen = false;

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/recording/recording_facts.h"
+#include "cli/subcommand.h"
+
+namespace codewheel {
+
+// From --from to --to, both included: local times by the clock of the computer that recorded, or seconds from
+// the beginning (+60) or before the end (-60). Where an hour of the day came twice, from the first to the
+// last of them. Refused if nothing was recorded then.
+Checked<TimeSpan> spanMeant(const Arguments &arguments, const RecordingFacts &facts);
+
+} // namespace codewheel

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/recording/recording_facts.h"
+#include "cli/subcommand.h"
+#include "trend/trend_extract.h"
+#include "trend/trend_origin.h"
+
+namespace codewheel {
+
+// What of a recording a call of `export` asks for: the tracks of --tracks, or all it has, from --from to
+// --to, in the unit of --unit.
+Checked<TrendExtract> extractMeant(const Call &call, const RecordingFacts &facts);
+
+// Of the encoders of these columns.
+std::vector<TrendEncoder> encodersOf(const Call &call, const RecordingFacts &facts,
+                                     const TrendExtract &extract);
+
+} // namespace codewheel

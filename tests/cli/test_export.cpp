@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/recording_writer.h"
+#include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
+
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+constexpr Instant noon = 1'772'366'400s; // 1 March 2026, 12:00 UTC
+
+class CliExport : public testing::Test
+{
+protected:
+    CliRun tell() const { return runLine(QStringLiteral("export %1 --json").arg(file)); }
+    CliRun save(const QString &options = {}) const
+    {
+        return runLine(QStringLiteral("export %1 -o %2 --json ").arg(file, table) + options);
+    }
+    void record(const QString &options) const
+    {
+        const CliRun run = runLine(QStringLiteral("record -o %1 ").arg(file) + options);
+        ASSERT_EQ(run.exit, 0) << run.err;
+    }
+    // Positions 0, 1, 2 ... each second, as of an encoder without a description.
+    std::unique_ptr<RecordingWriter> writer() const
+    {
+        auto begun = RecordingWriter::begin({.file = file, .program = QStringLiteral("test"), .begun = noon});
+        EXPECT_TRUE(begun);
+        return std::move(*begun);
+    }
+    static void addSeconds(RecordingWriter &recording, int from, int to)
+    {
+        for (int i = from; i < to; ++i)
+            recording.add(RecordedValues{"1.0"_ring, {{.at = noon + i * 1s, .position = i}}});
+    }
+    QByteArray contents(const QString &path) const
+    {
+        QFile its(path);
+        EXPECT_TRUE(its.open(QIODevice::ReadOnly));
+        return its.readAll();
+    }
+    QList<QByteArray> lines() const { return contents(table).trimmed().split('\n'); }
+
+    QTemporaryDir folder;
+    QString file = folder.filePath(QStringLiteral("shaft.cwrec"));
+    QString table = folder.filePath(QStringLiteral("shaft.csv"));
+    QString description = folder.filePath(QStringLiteral("shaft.json"));
+};
+
+TEST_F(CliExport, WithoutATableItTellsWhatIsInTheRecording)
+{
+    record(QStringLiteral("4.0 05 --for 2"));
+    const QJsonObject json = tell().json();
+    EXPECT_EQ(json[u"encoders"].toArray().size(), 2);
+    EXPECT_TRUE(json[u"ended"].toBool());
+    EXPECT_EQ(json[u"bytes"].toInteger(), QFileInfo(file).size());
+    const CliRun run = runLine(QStringLiteral("export ") + file);
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("It ended at 2"));
+    EXPECT_THAT(run.out, HasSubstr("esc:05  position, speed "));
+    EXPECT_FALSE(QFileInfo::exists(table));
+}
+
+TEST_F(CliExport, OneThatIsStillWrittenOrWasKilledIsToldAsSuch)
+{
+    const auto recording = writer();
+    addSeconds(*recording, 0, 10);
+    recording->flush();
+    EXPECT_FALSE(tell().json()[u"ended"].toBool());
+    EXPECT_THAT(runLine(QStringLiteral("export ") + file).out, HasSubstr("It has not ended: "));
+    EXPECT_EQ(save().json()[u"rows"].toInt(), 10);
+}
+
+TEST_F(CliExport, AllValuesWithADescriptionBesideThem)
+{
+    record(QStringLiteral("4.0 --for 2"));
+    const CliRun run = save();
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(lines().front().trimmed(), "time [s],4.0 position [steps],4.0 speed [steps/s],4.0 IN,4.0 OUT");
+    EXPECT_EQ(lines().size(), run.json()[u"rows"].toInt() + 1);
+    const QJsonObject json = QJsonDocument::fromJson(contents(description)).object();
+    EXPECT_EQ(json[u"rows"], run.json()[u"rows"]);
+    const QJsonValue encoder = json[u"encoders"].toArray()[0];
+    EXPECT_EQ(encoder[u"deviceName"], QStringLiteral("FRABA OCD-IB K2"));
+    EXPECT_EQ(encoder[u"stepsPerTurn"].toInt(), 4'096);
+}
+
+TEST_F(CliExport, ChosenTracksInAUnitForAPartOfTheTime)
+{
+    record(QStringLiteral("4.0 3.0 --for 10"));
+    const CliRun run =
+        save(QStringLiteral("--tracks 4.0/position,3.0/in.2 --unit degrees --from +2 --to=-7"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(lines().front().trimmed(), "time [s],4.0 position [deg],3.0 IN.2");
+    const double first = lines()[1].split(',').front().toDouble();
+    const double last = lines().back().split(',').front().toDouble();
+    EXPECT_NEAR(last - first, 1, 0.01);
+    const CliRun again =
+        save(QStringLiteral("--yes --tracks 4.0/position --unit millimetres --mm-per-turn 10 "
+                            "--to +0.01"));
+    EXPECT_EQ(again.exit, 0) << again.err;
+    EXPECT_EQ(lines().front().trimmed(), "time [s],4.0 position [mm]");
+}
+
+TEST_F(CliExport, NothingIsReplacedUnlessAsked)
+{
+    record(QStringLiteral("4.0 --for 1"));
+    EXPECT_EQ(save().exit, 0);
+    const QByteArray before = contents(table);
+    EXPECT_EQ(errorKey(save(QStringLiteral("--to +0.5"))), "fileExists");
+    EXPECT_EQ(contents(table), before);
+    ASSERT_TRUE(QFile::remove(table));
+    EXPECT_EQ(errorKey(save()), "fileExists") << "the description";
+    EXPECT_EQ(save(QStringLiteral("--yes --to +0.5")).exit, 0);
+    EXPECT_LT(contents(table).size(), before.size());
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("export %1 -o %1 --yes --json").arg(file))), "fileExists");
+    EXPECT_TRUE(tell().json()[u"ended"].toBool()) << "the recording itself";
+}
+
+struct BadExport
+{
+    const char *options;
+    const char *key;
+};
+
+TEST_F(CliExport, BadInputIsASentenceAndSavesNothing)
+{
+    record(QStringLiteral("4.0 05 --for 2"));
+    for (const auto &[options, key] : {BadExport{"--tracks 9.9/position", "noSuchTrack"},
+                                       {"--tracks 05/in", "noSuchTrack"},
+                                       {"--tracks 4.0/in.32", "noSuchTrack"},
+                                       {"--tracks 4.0/in,,4.0/out", "noSuchTrack"},
+                                       {"--from yesterday", "badTime"},
+                                       {"--to +much", "badTime"},
+                                       {"--from +5", "nothingThen"},
+                                       {"--from 2001-01-01 --to 2001-01-02", "nothingThen"},
+                                       {"--from +1 --to +1", "nothingThen"},
+                                       {"--unit furlongs", "optionNotAllowed"},
+                                       {"--unit millimetres", "unitNotKnown"},
+                                       {"--mm-per-turn 0", "notANumber"}}) {
+        const CliRun run = save(QString::fromLatin1(options));
+        EXPECT_EQ(errorKey(run), key) << options;
+        EXPECT_EQ(run.exit, 2) << options;
+        EXPECT_FALSE(QFileInfo::exists(table) || QFileInfo::exists(description)) << options;
+    }
+    for (const QString &other :
+         {folder.filePath(QStringLiteral("none.cwrec")), QStringLiteral(CODEWHEEL_ROOT "/README.md")})
+        EXPECT_EQ(errorKey(runLine(QStringLiteral("export %1 --json").arg(other))), "databaseFailed");
+}
+
+// At 12:00:50 of its clock it became 11:00:50: an hour of the day comes twice.
+TEST_F(CliExport, AfterTheClockWasSetBackAnHourIsExportedTwice)
+{
+    const auto recording = writer();
+    recording->add(RecordedClock{noon, noon});
+    addSeconds(*recording, 0, 50);
+    recording->add(RecordedClock{noon + 50s, noon + 50s - 1h});
+    addSeconds(*recording, 50, 8'000);
+    recording->end();
+    EXPECT_EQ(tell().json()[u"clockSet"].toInt(), 1);
+    const auto local = [](Instant at) {
+        return QDateTime::fromSecsSinceEpoch(std::chrono::floor<std::chrono::seconds>(at).count())
+            .toString(Qt::ISODate);
+    };
+    const CliRun run = save(QStringLiteral("--from %1 --to %2").arg(local(noon + 10s), local(noon + 20s)));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(run.json()[u"rows"].toInt(), 3'611) << "10 s of the first hour, up to 20 s of the second";
+}
+
+TEST_F(CliExport, PandasReadsItAsItIs)
+{
+    record(QStringLiteral("4.0 --for 2"));
+    ASSERT_EQ(save().exit, 0);
+    QProcess python;
+    python.start(QStringLiteral(DEBIAN_PYTHON3),
+                 {QStringLiteral("-c"),
+                  QStringLiteral("import sys, pandas as p\n"
+                                 "t = p.read_csv(sys.argv[1])\n"
+                                 "print(len(t), t['4.0 position [steps]'].iloc[0])\n"),
+                  table});
+    ASSERT_TRUE(python.waitForFinished(60'000));
+    const QByteArray error = python.readAllStandardError();
+    if (error.contains("No module named"))
+        GTEST_SKIP() << "the package python3-pandas is not installed";
+    EXPECT_EQ(python.readAllStandardOutput().trimmed(),
+              QByteArray::number(lines().size() - 1) + " " + lines()[1].split(',')[1])
+        << error.toStdString();
+}
+
+} // namespace
+} // namespace codewheel
