@@ -21,6 +21,7 @@ import journal
 import ledger
 import output
 import project
+import recording
 from findings import Findings
 from program import Bench
 
@@ -30,6 +31,7 @@ ATTACKS = {
     "project-parallel": project.parallel,
     "project-killed": project.killed,
     "journal-killed": journal.killed,
+    "recording-killed": recording.killed,
     "disk-full": disk.full,
     "output": output.unwritable,
     "hostile-files": hostile.files,
