@@ -28,7 +28,7 @@ namespace {
 constexpr const char *recordExamples[] = {
     "record 1.0 2.0 -o shaft.cwrec --for 60",
     "record -o night.cwrec --last 24 --link project --project crane.codewheel",
-    "record 2.0 -o jump.cwrec --trigger \"2.0/position>1000000\" --before 10 --after 30"};
+    "record 3.0 -o jump.cwrec --trigger \"3.0/position>1500\" --before 10 --after 30"};
 
 // After the time is over, until every encoder has told what it showed until then.
 constexpr Instant longestSettling = std::chrono::seconds(2);
