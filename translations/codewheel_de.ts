@@ -7076,6 +7076,18 @@ Braucht keinen Bus.</translation>
         <source>How many steps a turn of %1 has does not follow from the recording. Leave --unit out, or name other tracks with --tracks.</source>
         <translation>Wie viele Schritte eine Umdrehung von %1 hat, geht aus der Aufzeichnung nicht hervor. --unit weglassen oder mit --tracks andere Werte angeben.</translation>
     </message>
+    <message>
+        <source>Give --for or --trigger, not both. How long to record after the trigger is told by --after.</source>
+        <translation>--for oder --trigger angeben, nicht beides. Wie lange nach dem Trigger aufgezeichnet wird, sagt --after.</translation>
+    </message>
+    <message>
+        <source>%1 counts from a trigger: give --trigger too. Without one, --for tells how long to record.</source>
+        <translation>%1 zählt ab einem Trigger: auch --trigger angeben. Ohne Trigger sagt --for, wie lange aufgezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>--device tells what the encoder at a PLACE is. Name the PLACE.</source>
+        <translation>--device sagt, was der Geber an einem PLACE ist. Den PLACE angeben.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>

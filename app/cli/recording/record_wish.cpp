@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QTimeZone>
 
+#include <array>
 #include <limits>
 
 namespace codewheel {
@@ -17,13 +18,15 @@ constexpr int longestBefore = 3'600;               // s, of what is kept in memo
 constexpr int longestKept = 366 * 24;              // h
 constexpr std::int64_t bytesOfMegabyte = 1'000'000;
 
+constexpr std::array countedFromTrigger{"--before", "--after"};
+
 Checked<void> checkCombination(const Arguments &arguments)
 {
     if (arguments.has("--for") && arguments.has("--trigger"))
         return badInput(QStringLiteral("badOption"),
                         CommandLine::tr("Give --for or --trigger, not both. How long to record after the "
                                         "trigger is told by --after."));
-    for (const char *option : {"--before", "--after"})
+    for (const char *option : countedFromTrigger)
         if (arguments.has(option) && !arguments.has("--trigger"))
             return badInput(
                 QStringLiteral("badOption"),
