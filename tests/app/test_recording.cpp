@@ -124,7 +124,8 @@ protected:
     }
     static std::size_t samplesOf(const RecordingReader &reader, Place place)
     {
-        for (const auto &device : reader.devices().value())
+        const auto devices = reader.devices().value();
+        for (const auto &device : devices)
             if (device.place == place) {
                 auto channel = reader.channel(device, Channel::position).value();
                 std::size_t count = 0;
@@ -272,12 +273,14 @@ TEST_F(RecordingInWindowTest, ABitMakesItBeginWithTheSecondsBefore)
     EXPECT_FALSE(isRunning()) << "its time is over";
     const RecordingReader reader = read(path());
     EXPECT_TRUE(reader.head()->hasEnded);
-    for (const auto &device : reader.devices().value())
-        if (device.place == fraba) {
-            const auto recorded = reader.channel(device, Channel::out)->span().value();
-            EXPECT_LT(recorded.from, now - 900ms);
-            EXPECT_GT(recorded.from, now - 1'200ms);
-        }
+    std::optional<Instant> from; // of OUT
+    const auto devices = reader.devices().value();
+    for (const auto &device : devices)
+        if (device.place == fraba)
+            from = reader.channel(device, Channel::out)->span().value().from;
+    ASSERT_TRUE(from);
+    EXPECT_LT(*from, now - 900ms) << (now - *from).count();
+    EXPECT_GT(*from, now - 1'200ms) << (now - *from).count();
     const auto head = reader.head().value();
     EXPECT_LT(head.until, now + 1'500ms);
     EXPECT_THAT(messages(), testing::Contains(HasSubstr("waits for its trigger")));
