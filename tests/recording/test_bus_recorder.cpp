@@ -142,7 +142,8 @@ TEST_F(BusRecorderTest, WhatBecomesKnownOfAnEncoderIsRecorded)
     advance(100ms);
     recorder->end();
     const RecordingReader reader = file.reader();
-    for (const auto &device : reader.devices().value())
+    const auto devices = reader.devices().value();
+    for (const auto &device : devices)
         if (device.place == turning) {
             const auto all = reader.descriptions(device).value();
             EXPECT_EQ(valueOf(recordedDeviceFromJson(all.back().json).known, Parameter::steps), 8'192);
