@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/recording/postgres_server.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QSqlDatabase>
@@ -104,8 +105,10 @@ void PostgresServer::start()
     m_process->setStandardErrorFile(QProcess::nullDevice());
     m_process->start(command.first(), command.sliced(1));
     EXPECT_TRUE(m_process->waitForStarted(generousTime));
-    while (!run({folderOfPrograms() + QStringLiteral("pg_isready"), QStringLiteral("-h"), m_folder.path()}) &&
-           m_process->state() == QProcess::Running)
+    const QStringList asking{folderOfPrograms() + QStringLiteral("pg_isready"), QStringLiteral("-h"),
+                             m_folder.path()};
+    const QDeadlineTimer bound(generousTime);
+    while (!run(asking) && m_process->state() == QProcess::Running && !bound.hasExpired())
         QThread::msleep(20);
     EXPECT_EQ(m_process->state(), QProcess::Running);
 }
