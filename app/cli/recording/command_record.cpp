@@ -98,7 +98,7 @@ QString beginText(const RecordWish &wish)
     const RecordingPlan &plan = wish.plan;
     const auto seconds = [](Instant duration) { return roughDurationText(duration, QLocale()); };
     QString text = sentence(CommandLine::tr("Recording into %1: %2."),
-                            {plan.settings.file, listed(wish.encoders, &Place::shown)}) +
+                            {wish.target(), listed(wish.encoders, &Place::shown)}) +
                    u'\n';
     if (plan.trigger)
         text += sentence(CommandLine::tr("It begins with %1."), {triggerKey(*plan.trigger)}) + u' ';
@@ -129,26 +129,29 @@ void recordUntilEnd(const RecordWish &wish, const Call &call, PassingTime &time,
 
 Complaint aboutNothing(const RecordWish &wish)
 {
-    const QString text =
-        wish.plan.trigger
-            ? CommandLine::tr("The trigger has not come. Nothing was recorded, and there is no file %1.")
-            : CommandLine::tr(
-                  "No encoder has shown anything. Nothing was recorded, and there is no file %1.");
+    const QString why = wish.plan.trigger ? CommandLine::tr("The trigger has not come.")
+                                          : CommandLine::tr("No encoder has shown anything.");
+    const QString what = wish.isOnServer()
+                             ? CommandLine::tr("Nothing was recorded; the recording on %1 is empty.")
+                             : CommandLine::tr("Nothing was recorded, and there is no file %1.");
     return {ExitCode::refused,
             wish.plan.trigger ? QStringLiteral("notTriggered") : QStringLiteral("nothingShown"),
-            sentence(text, {wish.plan.settings.file}),
-            {wish.plan.settings.file}};
+            why + u' ' + sentence(what, {wish.target()}),
+            {wish.target()}};
 }
 
 // What is wrong with the file has been told when it began.
-std::optional<Complaint> whyIncomplete(const Call &call, const BusRecorder &recorder)
+std::optional<Complaint> whyIncomplete(const Call &call, const RecordWish &wish, const BusRecorder &recorder)
 {
-    if (const auto problem = recorder.status().problem)
+    const auto problem = recorder.status().problem;
+    if (problem && wish.isOnServer()) // where the rest waits
+        return complaintAbout(*problem);
+    if (problem)
         return Complaint{
             ExitCode::refused, refusalKey(problem->id),
             sentence(CommandLine::tr("Not everything is in %1: it could not be written until the "
                                      "end."),
-                     {recorder.plan().settings.file}),
+                     {wish.target()}),
             problem->arguments};
     for (const BusAccess *bus : call.links)
         if (bus->bus().isOpen() && !bus->isConnected())
@@ -158,14 +161,16 @@ std::optional<Complaint> whyIncomplete(const Call &call, const BusRecorder &reco
 
 Answer recordedAnswer(const Call &call, const RecordWish &wish, const BusRecorder &recorder)
 {
-    const QString &file = wish.plan.settings.file;
-    auto why = whyIncomplete(call, recorder);
+    auto why = whyIncomplete(call, wish, recorder);
     if (!recorder.span() && !why) {
-        QFile::remove(file); // it has nothing, and would be in the way of the next attempt
+        if (!wish.isOnServer())
+            QFile::remove(wish.target()); // it has nothing, and would be in the way of the next attempt
         return {.complaint = aboutNothing(wish)};
     }
-    const auto facts = RecordingReader::open(file).and_then(
-        [](const RecordingReader &reader) { return RecordingFacts::of(reader); });
+    const auto server = recorder.status().server;
+    const auto facts =
+        RecordingReader::open(server ? server->address : wish.target())
+            .and_then([](const RecordingReader &reader) { return RecordingFacts::of(reader); });
     if (!facts)
         return {.complaint = why ? why : complaintAbout(facts.error())};
     Answer answer{.text = facts->text(), .json = facts->json(), .complaint = why};
@@ -203,7 +208,8 @@ Checked<Answer> runRecord(const Call &call)
 
 const Subcommand recordCommand{
     .name = "record",
-    .usage = "[PLACE...] -o FILE [--for SECONDS | --trigger TRIGGER [--before SECONDS] [--after SECONDS]] "
+    .usage = "[PLACE...] -o FILE | --to ADDRESS [--for SECONDS | --trigger TRIGGER [--before SECONDS] "
+             "[--after SECONDS]] "
              "[--last HOURS] [--max-size MB] [--keep-free MB] [--no-traffic]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "record what encoders show, at once or when something happens"),
@@ -215,7 +221,9 @@ const Subcommand recordCommand{
         "A real bus is recorded as time passes. The training bus has virtual time, and is recorded at once "
         "where it\nis known how long. Whatever happens to the program, all up to the last second is in the "
         "file. It is made\nanew: a recording is never written over. codewheel-cli export tells what is in "
-        "it, and makes a table of it."),
+        "it, and makes a table of it.\n\n"
+        "Several stations can record on one PostgreSQL server. While it is away what is recorded waits "
+        "on this\ncomputer, and follows."),
     .examples = recordExamples,
     .options = recordOptions,
     .minimumArguments = 0,

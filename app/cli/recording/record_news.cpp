@@ -76,6 +76,10 @@ QString RecordNews::progress(const RecordingStatus &status, Instant passed) cons
         parts << sentence(m_recorder.plan().settings.largestSize > 0 ? CommandLine::tr("limit reached in %1")
                                                                      : CommandLine::tr("disk full in %1"),
                           {roughDurationText(*status.timeUntilFull, locale)});
+    if (status.server && status.server->waitingBytes > 0)
+        parts << sentence(
+            CommandLine::tr("%1 wait for the server"),
+            {locale.formattedDataSize(status.server->waitingBytes, 1, QLocale::DataSizeSIFormat)});
     if (status.lost > 0)
         parts << sentence(CommandLine::tr("lost values: %1"), {locale.toString(qulonglong{status.lost})});
     if (status.problem)

@@ -2,6 +2,7 @@
 #include "cli/recording/record_wish.h"
 
 #include "cli/texts.h"
+#include "recording/server_address.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -39,13 +40,26 @@ Checked<void> checkCombination(const Arguments &arguments)
     return {};
 }
 
+// Whether there is such a server is only known once it is asked.
+Checked<QString> serverMeant(const Arguments &arguments)
+{
+    if (arguments.has("-o"))
+        return badInput(
+            QStringLiteral("badOption"),
+            CommandLine::tr("Give -o or --to, not both: a recording is in a file or on a server."));
+    const auto address = ServerAddress::parse(*arguments.value("--to"));
+    if (!address)
+        return tl::unexpected(complaintAbout(address.error()));
+    return address->text();
+}
+
 Checked<QString> fileToMake(const Arguments &arguments)
 {
     const auto file = arguments.value("-o");
     if (!file || file->isEmpty())
         return badInput(QStringLiteral("missingFile"),
                         CommandLine::tr("Name the file of the recording: -o FILE, usually with a name that "
-                                        "ends in .cwrec."));
+                                        "ends in .cwrec; or the server, --to ADDRESS."));
     const QFileInfo info(*file);
     if (info.exists() || info.isSymLink()) // before anything is asked on a bus
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::recordingExists, {*file}}));
@@ -78,17 +92,23 @@ private:
 
 } // namespace
 
+QString RecordWish::target() const
+{
+    return isOnServer() ? plan.settings.server : plan.settings.file;
+}
+
 Checked<RecordWish> RecordWish::of(const Arguments &arguments)
 {
     using std::chrono::seconds;
     if (const auto checked = checkCombination(arguments); !checked)
         return tl::unexpected(checked.error());
-    const auto file = fileToMake(arguments);
-    if (!file)
-        return tl::unexpected(file.error());
+    const bool isOnServer = arguments.has("--to");
+    const auto target = isOnServer ? serverMeant(arguments) : fileToMake(arguments);
+    if (!target)
+        return tl::unexpected(target.error());
     RecordWish wish;
     RecordingSettings &settings = wish.plan.settings;
-    settings.file = *file;
+    (isOnServer ? settings.server : settings.file) = *target;
     settings.program = QStringLiteral("Codewheel " CODEWHEEL_VERSION);
     settings.zone = QString::fromLatin1(QTimeZone::systemTimeZoneId());
     wish.plan.withTraffic = !arguments.has("--no-traffic");

@@ -15,6 +15,10 @@ struct RecordWish
     std::set<Place> encoders{};        // that are recorded, as far as they are known
     std::optional<Instant> duration{}; // of --for
 
+    // The file; or the address of the server.
+    QString target() const;
+    bool isOnServer() const { return !plan.settings.server.isEmpty(); }
+
     // As far as it can be told without the buses.
     static Checked<RecordWish> of(const Arguments &arguments);
 };
@@ -23,6 +27,11 @@ inline constexpr std::array recordOptions{
     Option{"-o", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "the file to make, usually named .cwrec; there must be none of that name")},
+    Option{
+        "--to", "ADDRESS",
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "record on a PostgreSQL server instead: postgresql://[USER@]HOST[:PORT]/DATABASE; "
+                          "passwords are in ~/.pgpass, PGPASSFILE or PGPASSWORD")},
     deviceOption,
     Option{"--for", "SECONDS",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long to record; without: until Ctrl+C")},

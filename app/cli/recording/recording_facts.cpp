@@ -7,6 +7,7 @@
 #include "encoder/sentence.h"
 #include "history/rough_duration.h"
 #include "history/track.h"
+#include "recording/server_address.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -144,7 +145,9 @@ Result<RecordingFacts> RecordingFacts::of(const RecordingReader &reader)
     if (!devices || !counts)
         return tl::unexpected(!devices ? devices.error() : counts.error());
     RecordingFacts facts{.file = reader.file(),
-                         .bytes = QFileInfo(reader.file()).size(),
+                         .bytes = ServerAddress::isMeant(reader.file())
+                                      ? std::nullopt
+                                      : std::optional(QFileInfo(reader.file()).size()),
                          .head = *head,
                          .clock = *clock,
                          .buses = *buses,
@@ -167,9 +170,11 @@ Result<RecordingFacts> RecordingFacts::of(const RecordingReader &reader)
     return facts;
 }
 
+// Of a server it is not known.
 QString RecordingFacts::text() const
 {
-    const QString size = QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+    const QString size = bytes ? QLocale().formattedDataSize(*bytes, 1, QLocale::DataSizeSIFormat)
+                               : CommandLine::tr("on a server");
     if (!span)
         return line(CommandLine::tr("%1: %2. No encoder has shown anything."), {file, size}) +
                stateLine(*this);
@@ -187,7 +192,7 @@ QJsonObject RecordingFacts::json() const
     for (const Encoder &encoder : encoders)
         all.append(encoderJson(*this, encoder));
     return {{QStringLiteral("file"), file},
-            {QStringLiteral("bytes"), bytes},
+            {QStringLiteral("bytes"), bytes ? QJsonValue(*bytes) : QJsonValue()},
             {QStringLiteral("program"), head.program},
             {QStringLiteral("timeZone"), head.zone},
             {QStringLiteral("begun"), timeJson(head.begun)},

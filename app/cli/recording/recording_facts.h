@@ -20,7 +20,7 @@ struct RecordingFacts
     };
 
     QString file;
-    qint64 bytes = 0;
+    std::optional<qint64> bytes{}; // nothing: it is on a server
     RecordingHead head;
     WallClock clock;
     std::vector<RecordedBus> buses;
