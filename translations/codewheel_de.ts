@@ -3494,10 +3494,6 @@
         <translation>Richtet Absolutgeber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
     </message>
     <message>
-        <source>A project to open: *.codewheel</source>
-        <translation>Projekt, das geöffnet wird: *.codewheel</translation>
-    </message>
-    <message>
         <source>Standard output cannot be written: %1.</source>
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
@@ -6799,37 +6795,12 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Strg+C beendet die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>The trigger has not come. Nothing was recorded, and there is no file %1.</source>
-        <translation>Der Trigger ist nicht gekommen. Nichts wurde aufgezeichnet, und die Datei %1 gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>No encoder has shown anything. Nothing was recorded, and there is no file %1.</source>
-        <translation>Kein Geber hat etwas gezeigt. Nichts wurde aufgezeichnet, und die Datei %1 gibt es nicht.</translation>
-    </message>
-    <message>
         <source>Not everything is in %1: it could not be written until the end.</source>
         <translation>In %1 steht nicht alles: Sie ließ sich nicht bis zum Ende schreiben.</translation>
     </message>
     <message>
         <source>record what encoders show, at once or when something happens</source>
         <translation>aufzeichnen, was Geber zeigen, sofort oder wenn etwas geschieht</translation>
-    </message>
-    <message>
-        <source>Records into a file what the encoders show, every cycle and every answer, with messages, words and
-requests: of the encoders at PLACE, or of all that are known. Writes nothing to any encoder; those on a
-serial line are polled, as by monitor.
-
-A real bus is recorded as time passes. The training bus has virtual time, and is recorded at once where it
-is known how long. Whatever happens to the program, all up to the last second is in the file. It is made
-anew: a recording is never written over. codewheel-cli export tells what is in it, and makes a table of it.</source>
-        <translation>Zeichnet in eine Datei auf, was die Geber zeigen, jeden Zyklus und jede Antwort, mit Meldungen, Worten und
-Anfragen: von den Gebern an PLACE oder von allen bekannten. Schreibt in keinen Geber; die an einer
-seriellen Leitung werden abgefragt wie mit monitor.
-
-Ein echter Bus wird aufgezeichnet, während die Zeit vergeht. Der Übungsbus hat virtuelle Zeit; steht die
-Dauer fest, ist die Aufzeichnung sofort fertig. Was dem Programm auch geschieht: Alles bis zur letzten
-Sekunde steht in der Datei. Sie wird neu angelegt, eine Aufzeichnung nie überschrieben. codewheel-cli export
-sagt, was in ihr steht, und macht eine Tabelle daraus.</translation>
     </message>
     <message>
         <source>The trigger has come. It is recorded now.</source>
@@ -6898,10 +6869,6 @@ sagt, was in ihr steht, und macht eine Tabelle daraus.</translation>
     <message>
         <source>The encoder at %1 has no %2.</source>
         <translation>Der Geber an %1 hat kein %2.</translation>
-    </message>
-    <message>
-        <source>Name the file of the recording: -o FILE, usually with a name that ends in .cwrec.</source>
-        <translation>Die Datei der Aufzeichnung angeben: -o FILE, üblich ist ein Name mit der Endung .cwrec.</translation>
     </message>
     <message>
         <source>the file to make, usually named .cwrec; there must be none of that name</source>
@@ -7087,6 +7054,65 @@ Braucht keinen Bus.</translation>
     <message>
         <source>--device tells what the encoder at a PLACE is. Name the PLACE.</source>
         <translation>--device sagt, was der Geber an einem PLACE ist. Den PLACE angeben.</translation>
+    </message>
+    <message>
+        <source>The trigger has not come.</source>
+        <translation>Der Auslöser hat nicht angesprochen.</translation>
+    </message>
+    <message>
+        <source>No encoder has shown anything.</source>
+        <translation>Kein Geber hat etwas gezeigt.</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded; the recording on %1 is empty.</source>
+        <translation>Es wurde nichts aufgezeichnet; die Aufzeichnung auf %1 ist leer.</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded, and there is no file %1.</source>
+        <translation>Es wurde nichts aufgezeichnet, und es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>Records into a file what the encoders show, every cycle and every answer, with messages, words and
+requests: of the encoders at PLACE, or of all that are known. Writes nothing to any encoder; those on a
+serial line are polled, as by monitor.
+
+A real bus is recorded as time passes. The training bus has virtual time, and is recorded at once where it
+is known how long. Whatever happens to the program, all up to the last second is in the file. It is made
+anew: a recording is never written over. codewheel-cli export tells what is in it, and makes a table of it.
+
+Several stations can record on one PostgreSQL server. While it is away what is recorded waits on this
+computer, and follows.</source>
+        <translation>Zeichnet in eine Datei auf, was die Geber zeigen, jeden Zyklus und jede Antwort, mit Meldungen, Worten und
+Anfragen: von den Gebern an PLACE oder von allen bekannten. Schreibt in keinen Geber; die an einer
+seriellen Leitung werden abgefragt wie mit monitor.
+
+Ein echter Bus wird aufgezeichnet, während die Zeit vergeht. Der Übungsbus hat virtuelle Zeit; steht die
+Dauer fest, ist die Aufzeichnung sofort fertig. Was dem Programm auch geschieht: Alles bis zur letzten
+Sekunde steht in der Datei. Sie wird neu angelegt, eine Aufzeichnung nie überschrieben. codewheel-cli export
+sagt, was in ihr steht, und macht eine Tabelle daraus.
+
+Mehrere Stationen können auf einen PostgreSQL-Server aufzeichnen. Solange er nicht erreichbar ist, wartet das
+Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
+    </message>
+    <message>
+        <source>%1 wait for the server</source>
+        <translation>%1 warten auf den Server</translation>
+    </message>
+    <message>
+        <source>Give -o or --to, not both: a recording is in a file or on a server.</source>
+        <translation>Entweder -o oder --to angeben: Eine Aufzeichnung steht in einer Datei oder auf einem Server.</translation>
+    </message>
+    <message>
+        <source>Name the file of the recording: -o FILE, usually with a name that ends in .cwrec; or the server, --to ADDRESS.</source>
+        <translation>Die Datei der Aufzeichnung nennen: -o FILE, gewöhnlich mit einem Namen auf .cwrec; oder den Server, --to ADDRESS.</translation>
+    </message>
+    <message>
+        <source>record on a PostgreSQL server instead: postgresql://[USER@]HOST[:PORT]/DATABASE; passwords are in ~/.pgpass, PGPASSFILE or PGPASSWORD</source>
+        <translation>stattdessen auf einen PostgreSQL-Server aufzeichnen: postgresql://[USER@]HOST[:PORT]/DATABASE; Passwörter stehen in ~/.pgpass, PGPASSFILE oder PGPASSWORD</translation>
+    </message>
+    <message>
+        <source>on a server</source>
+        <translation>auf einem Server</translation>
     </message>
 </context>
 <context>
@@ -8063,20 +8089,23 @@ Braucht keinen Bus.</translation>
         <translation>%1 lässt sich nicht lesen.</translation>
     </message>
     <message>
-        <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences and device descriptions can.</source>
-        <translation>%1 ist eine Datei von Codewheel, wird aber nicht durch Ablegen geöffnet: Projekte, Nocken, Sequenzen und Gerätebeschreibungen werden es.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be dropped here. Projects, cams, sequences and device descriptions can.</source>
-        <translation>%1 gehört nicht zu den Dateien, die hier abgelegt werden können: Projekte, Nocken, Sequenzen und Gerätebeschreibungen.</translation>
-    </message>
-    <message>
         <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences, device descriptions and recordings can.</source>
         <translation>%1 ist eine Datei von Codewheel, lässt sich aber nicht durch Ablegen öffnen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
     </message>
     <message>
         <source>%1 cannot be dropped here. Projects, cams, sequences, device descriptions and recordings can.</source>
         <translation>%1 lässt sich hier nicht ablegen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DurationField</name>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Einheit: %1</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
     </message>
 </context>
 <context>
@@ -8175,6 +8204,33 @@ Braucht keinen Bus.</translation>
     <message>
         <source>Starts what you asked for</source>
         <translation>Beginnt mit dem, was verlangt wurde</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EncoderChoice</name>
+    <message>
+        <source>&amp;All encoders</source>
+        <translation>&amp;Alle Geber</translation>
+    </message>
+    <message>
+        <source>Of all buses, and those that are connected later</source>
+        <translation>An allen Bussen, auch die, die später verbunden werden</translation>
+    </message>
+    <message>
+        <source>&amp;Only these:</source>
+        <translation>Nur &amp;diese:</translation>
+    </message>
+    <message>
+        <source>Only the encoders that are ticked below</source>
+        <translation>Nur die Geber, die unten angekreuzt sind</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Encoders that are ticked are recorded (Space)</source>
+        <translation>Angekreuzte Geber werden aufgezeichnet (Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -12577,6 +12633,477 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RecordingDetails</name>
+    <message>
+        <source>waits for: %1</source>
+        <comment>trigger</comment>
+        <translation>wartet auf: %1</translation>
+    </message>
+    <message>
+        <source>records; no encoder shows anything as yet</source>
+        <translation>zeichnet auf; noch zeigt kein Geber etwas</translation>
+    </message>
+    <message>
+        <source>records until it is ended</source>
+        <translation>zeichnet auf, bis sie beendet wird</translation>
+    </message>
+    <message>
+        <source>records until %1</source>
+        <translation>zeichnet auf bis %1</translation>
+    </message>
+    <message>
+        <source>all encoders</source>
+        <translation>alle Geber</translation>
+    </message>
+    <message>
+        <source>%1, with requests and answers</source>
+        <comment>encoders</comment>
+        <translation>%1, mit Anfragen und Antworten</translation>
+    </message>
+    <message>
+        <source>%1, without requests and answers</source>
+        <comment>encoders</comment>
+        <translation>%1, ohne Anfragen und Antworten</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <comment>size</comment>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>only the last %1</source>
+        <comment>duration</comment>
+        <translation>nur die letzten %1</translation>
+    </message>
+    <message>
+        <source>not known as yet</source>
+        <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>largest size in %1, then the oldest gives way</source>
+        <translation>größter Umfang in %1, dann weicht das Älteste</translation>
+    </message>
+    <message>
+        <source>never: the oldest gives way before</source>
+        <translation>nie: Vorher weicht das Älteste</translation>
+    </message>
+    <message>
+        <source>disk full in %1</source>
+        <translation>Datenträger voll in %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What happens now: comes into the recording, and into the trend (Return)</source>
+        <translation>Was jetzt geschieht: kommt in die Aufzeichnung und in den Trend (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>&amp;Add note</source>
+        <translation>&amp;Notiz setzen</translation>
+    </message>
+    <message>
+        <source>Puts the note at this moment (Return)</source>
+        <translation>Setzt die Notiz an diesen Zeitpunkt (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>What happens now</source>
+        <translation>Was jetzt geschieht</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>Free on the disk</source>
+        <translation>Frei auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>Lost values</source>
+        <translation>Verlorene Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Record now</source>
+        <translation>&amp;Jetzt aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins without waiting any longer for the trigger</source>
+        <translation>Beginnt, ohne länger auf den Auslöser zu warten</translation>
+    </message>
+    <message>
+        <source>&amp;End recording</source>
+        <translation>Aufzeichnung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>Writes what has come, and closes the file</source>
+        <translation>Schreibt, was gekommen ist, und schließt die Datei</translation>
+    </message>
+    <message>
+        <source>The recording goes on (Esc)</source>
+        <translation>Die Aufzeichnung geht weiter (Esc)</translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <comment>date and time, duration</comment>
+        <translation>%1, %2 lang</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 stay free</source>
+        <comment>sizes</comment>
+        <translation>%1, davon bleiben %2 frei</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>This recording runs already. End it before you begin another one.</source>
+        <translation>Diese Aufzeichnung läuft schon. Vor dem Beginn einer anderen ist sie zu beenden.</translation>
+    </message>
+    <message>
+        <source>%1 What comes meanwhile is kept in memory, as far as there is room, and written once that is over.</source>
+        <translation>%1 Was inzwischen kommt, wird im Speicher gehalten, soweit Platz ist, und danach geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingDialog</name>
+    <message>
+        <source> MB</source>
+        <comment>megabytes</comment>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>&amp;Requests, answers and words as they pass</source>
+        <translation>Anf&amp;ragen, Antworten und Worte, wie sie durchgehen</translation>
+    </message>
+    <message>
+        <source>What the trace and the terminal show; on a serial line it needs the most room</source>
+        <translation>Was Handshake-Protokoll und Terminal zeigen; an einer seriellen Leitung braucht das am meisten Platz</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>What was shown before that is recorded too, as far as the trend keeps it</source>
+        <translation>Auch was vorher gezeigt wurde, wird aufgezeichnet, soweit der Trend es aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Endet</translation>
+    </message>
+    <message>
+        <source>By hand, or after a time</source>
+        <translation>Von Hand oder nach einer Zeit</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>From the beginning, or from the trigger</source>
+        <translation>Vom Beginn oder vom Auslöser an</translation>
+    </message>
+    <message>
+        <source>Only the &amp;last</source>
+        <translation>Nur die &amp;letzten</translation>
+    </message>
+    <message>
+        <source>What is older gives way to what comes</source>
+        <translation>Was älter ist, weicht dem, was kommt</translation>
+    </message>
+    <message>
+        <source>Only the last</source>
+        <translation>Nur die letzten</translation>
+    </message>
+    <message>
+        <source>How far back the recording goes</source>
+        <translation>Wie weit die Aufzeichnung zurückreicht</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>&amp;Höchstens</translation>
+    </message>
+    <message>
+        <source>Once it is that large, the oldest gives way to what comes</source>
+        <translation>Ist sie so groß, weicht das Älteste dem, was kommt</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Größter Umfang</translation>
+    </message>
+    <message>
+        <source>How large the file becomes</source>
+        <translation>Wie groß die Datei wird</translation>
+    </message>
+    <message>
+        <source>Leave free</source>
+        <translation>Frei lassen</translation>
+    </message>
+    <message>
+        <source>So much of the disk is left to others; the recording waits where there is less</source>
+        <translation>So viel vom Datenträger bleibt anderen; ist weniger frei, wartet die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>when it is ended by hand</source>
+        <translation>wenn sie von Hand beendet wird</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Date&amp;i</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>&amp;Begins</source>
+        <translation>&amp;Beginnt</translation>
+    </message>
+    <message>
+        <source>B&amp;efore</source>
+        <translation>Da&amp;vor</translation>
+    </message>
+    <message>
+        <source>E&amp;nds</source>
+        <translation>&amp;Endet</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve free</source>
+        <translation>&amp;Frei lassen</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Makes the file, and begins or waits for the trigger; sends nothing</source>
+        <translation>Legt die Datei an und beginnt oder wartet auf den Auslöser; sendet nichts</translation>
+    </message>
+    <message>
+        <source>Records nothing (Esc)</source>
+        <translation>Zeichnet nichts auf (Esc)</translation>
+    </message>
+    <message>
+        <source>Tick the encoders that are to be recorded, or choose all.</source>
+        <translation>Die Geber ankreuzen, die aufgezeichnet werden sollen, oder alle wählen.</translation>
+    </message>
+    <message>
+        <source>No encoder is there that could begin the recording: connect one first, or let it begin at once.</source>
+        <translation>Es ist kein Geber da, der die Aufzeichnung auslösen könnte: erst einen verbinden oder sofort beginnen lassen.</translation>
+    </message>
+    <message>
+        <source>Say how long it is to record.</source>
+        <translation>Angeben, wie lange aufgezeichnet werden soll.</translation>
+    </message>
+    <message>
+        <source>Say how far back it is to go.</source>
+        <translation>Angeben, wie weit sie zurückreichen soll.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingFileField</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The file of the recording; it must not be there yet</source>
+        <translation>Die Datei der Aufzeichnung; es darf sie noch nicht geben</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>Asks for folder and name of the file</source>
+        <translation>Fragt nach Ordner und Name der Datei</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <comment>file name</comment>
+        <translation>aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Eine Datei angeben.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing may be saved in the folder %1.</source>
+        <translation>Im Ordner %1 darf nichts gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Datei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.cwrec)</source>
+        <translation>Aufzeichnungen (*.cwrec)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingInWindow</name>
+    <message>
+        <source>The recording has ended: %1, %2.</source>
+        <translation>Die Aufzeichnung ist beendet: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Quit Codewheel</source>
+        <translation>Codewheel beenden</translation>
+    </message>
+    <message>
+        <source>A recording waits for its trigger.</source>
+        <translation>Eine Aufzeichnung wartet auf ihren Auslöser.</translation>
+    </message>
+    <message>
+        <source>A recording runs.</source>
+        <translation>Eine Aufzeichnung läuft.</translation>
+    </message>
+    <message>
+        <source>It goes to %1. What has come so far is written there before the program ends.</source>
+        <translation>Sie geht nach %1. Was bisher gekommen ist, wird dort geschrieben, bevor das Programm endet.</translation>
+    </message>
+    <message>
+        <source>&amp;End it and quit</source>
+        <translation>&amp;Aufzeichnung und Programm beenden</translation>
+    </message>
+    <message>
+        <source>Ends the recording, then goes on quitting</source>
+        <translation>Beendet die Aufzeichnung, dann das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Go on recording</source>
+        <translation>&amp;Weiter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>The window stays open (Esc)</source>
+        <translation>Das Fenster bleibt offen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingIndicator</name>
+    <message>
+        <source>%1
+Shows more about the recording</source>
+        <comment>file, or what is wrong</comment>
+        <translation>%1
+Zeigt mehr über die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording held up</source>
+        <translation>Aufzeichnung stockt</translation>
+    </message>
+    <message>
+        <source>Waits for its trigger</source>
+        <translation>Wartet auf Auslöser</translation>
+    </message>
+    <message>
+        <source>Records %1, %2</source>
+        <comment>time, size</comment>
+        <translation>Zeichnet auf: %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RecordingTexts</name>
+    <message>
+        <source>At the present rate %1 need about %2: the disk does not get full.</source>
+        <translation>Geht es so weiter, brauchen %1 etwa %2: Der Datenträger wird nicht voll.</translation>
+    </message>
+    <message>
+        <source>At the present rate, about %1 an hour, it has its largest size after %2; from then on the oldest gives way.</source>
+        <translation>Geht es so weiter, etwa %1 in der Stunde, ist nach %2 der größte Umfang erreicht; von da an weicht das Älteste.</translation>
+    </message>
+    <message>
+        <source>At the present rate, about %1 an hour, that is enough for %2.</source>
+        <translation>Geht es so weiter, etwa %1 in der Stunde, reicht das für %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 becomes 1</source>
+        <comment>place, bit</comment>
+        <translation>%1: %2 wird 1</translation>
+    </message>
+    <message>
+        <source>%1: %2 becomes 0</source>
+        <comment>place, bit</comment>
+        <translation>%1: %2 wird 0</translation>
+    </message>
+    <message>
+        <source>%1: %2 rises to %3</source>
+        <comment>place, value, number with unit</comment>
+        <translation>%1: %2 steigt auf %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 falls below %3</source>
+        <comment>place, value, number with unit</comment>
+        <translation>%1: %2 fällt unter %3</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>eine Störung</translation>
+    </message>
+    <message>
+        <source>a message of attention, or a fault</source>
+        <translation>eine Meldung „Achtung“ oder eine Störung</translation>
+    </message>
+    <message>
+        <source>a message</source>
+        <translation>eine Meldung</translation>
+    </message>
+    <message>
+        <source>Free on this disk: %1.</source>
+        <translation>Frei auf diesem Datenträger: %1.</translation>
+    </message>
+    <message>
+        <source>That is less than is to stay free: nothing would be written.</source>
+        <translation>Das ist weniger, als frei bleiben soll: Nichts würde geschrieben.</translation>
+    </message>
+    <message>
+        <source>How long it is enough is not known until encoders have shown something.</source>
+        <translation>Wie lange das reicht, ist erst bekannt, wenn Geber etwas gezeigt haben.</translation>
+    </message>
+    <message>
+        <source>Nothing changes at present, so next to nothing is needed.</source>
+        <translation>Zurzeit ändert sich nichts, also wird so gut wie nichts gebraucht.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReplaceAccountStep</name>
     <message>
         <source>What was written</source>
@@ -12816,6 +13343,113 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ReplayBar</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Aufzeichnung: %1</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>To the beginning of the recording</source>
+        <translation>Zum Anfang der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation>Schritt zurück</translation>
+    </message>
+    <message>
+        <source>To the previous sample of the chosen encoder</source>
+        <translation>Zum vorigen Messwert des gewählten Gebers</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Plays the recording backward</source>
+        <translation>Spielt die Aufzeichnung rückwärts ab</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stands still</source>
+        <translation>Bleibt stehen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the recording forward</source>
+        <translation>Spielt die Aufzeichnung vorwärts ab</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>To the next sample of the chosen encoder</source>
+        <translation>Zum nächsten Messwert des gewählten Gebers</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>To the end of the recording</source>
+        <translation>Zum Ende der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the recording</source>
+        <translation>Schließt die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Gezeigte Zeit</translation>
+    </message>
+    <message>
+        <source>When what is shown was recorded</source>
+        <translation>Wann das Gezeigte aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played (Ctrl+Alt++: faster, Ctrl+Alt+-: slower)</source>
+        <translation>Wie schnell die Aufzeichnung abgespielt wird (Strg+Alt++: schneller, Strg+Alt+-: langsamer)</translation>
+    </message>
+    <message>
+        <source>Message of then</source>
+        <translation>Meldung von damals</translation>
+    </message>
+    <message>
+        <source>What the program said when this was recorded</source>
+        <translation>Was das Programm bei der Aufzeichnung meldete</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReplayModel</name>
     <message>
         <source>none</source>
@@ -12916,6 +13550,17 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>nothing: it is a recording</source>
         <translation>nichts: Es ist eine Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplaySlider</name>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Stelle der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Drag it to another moment of the recording. Left and Right: a hundredth of it; Page Up and Page Down: a tenth; Home and End</source>
+        <translation>An eine andere Stelle der Aufzeichnung ziehen. Links und Rechts: ein Hundertstel davon; Bild auf und Bild ab: ein Zehntel; Pos1 und Ende</translation>
     </message>
 </context>
 <context>
@@ -14833,6 +15478,133 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::Server</name>
+    <message>
+        <source>Qt&apos;s driver for PostgreSQL is missing on this computer. Install the package libqt6sql6-psql.</source>
+        <translation>Auf diesem Rechner fehlt der PostgreSQL-Treiber von Qt. Abhilfe: das Paket libqt6sql6-psql installieren.</translation>
+    </message>
+    <message>
+        <source>there is no recording in it.</source>
+        <translation>dort ist keine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>there are several recordings in it. Add ?recording=NAME; the newest are: %1.</source>
+        <translation>dort sind mehrere Aufzeichnungen. ?recording=NAME anhängen; die neuesten sind: %1.</translation>
+    </message>
+    <message>
+        <source>the server is too old: PostgreSQL 9.5 or newer is needed.</source>
+        <translation>der Server ist zu alt: Nötig ist PostgreSQL 9.5 oder neuer.</translation>
+    </message>
+    <message>
+        <source>its encoding is %1. Make a database with the encoding UTF8.</source>
+        <translation>die Zeichenkodierung ist %1. Abhilfe: eine Datenbank mit der Kodierung UTF8 anlegen.</translation>
+    </message>
+    <message>
+        <source>there is no recording %1 in it.</source>
+        <translation>dort ist keine Aufzeichnung %1.</translation>
+    </message>
+    <message>
+        <source>nothing of the recording has arrived as yet.</source>
+        <translation>von der Aufzeichnung ist noch nichts angekommen.</translation>
+    </message>
+    <message>
+        <source>the recording was made by a newer Codewheel.</source>
+        <translation>die Aufzeichnung stammt von einem neueren Codewheel.</translation>
+    </message>
+    <message>
+        <source>its user may not make a schema there. The owner of the database allows it with GRANT CREATE ON DATABASE.</source>
+        <translation>der Benutzer darf dort kein Schema anlegen. Der Eigentümer der Datenbank erlaubt es mit GRANT CREATE ON DATABASE.</translation>
+    </message>
+    <message>
+        <source>no computer of the name %1 is known.</source>
+        <translation>ein Rechner mit dem Namen %1 ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>the server is just starting or stopping.</source>
+        <translation>der Server startet oder endet gerade.</translation>
+    </message>
+    <message>
+        <source>the server has no connection free.</source>
+        <translation>der Server hat keine Verbindung mehr frei.</translation>
+    </message>
+    <message>
+        <source>it asks for a password, and there is none. Put it into ~/.pgpass, into the file that PGPASSFILE names, or into PGPASSWORD.</source>
+        <translation>der Server verlangt ein Passwort, und es ist keines da. Es gehört in ~/.pgpass, in die Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
+    </message>
+    <message>
+        <source>user or password is wrong. The password is in ~/.pgpass, in the file that PGPASSFILE names, or in PGPASSWORD.</source>
+        <translation>Benutzer oder Passwort ist falsch. Das Passwort steht in ~/.pgpass, in der Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
+    </message>
+    <message>
+        <source>the server does not let this user of this computer in (pg_hba.conf).</source>
+        <translation>der Server lässt diesen Benutzer von diesem Rechner aus nicht zu (pg_hba.conf).</translation>
+    </message>
+    <message>
+        <source>the server has no database %1.</source>
+        <translation>der Server hat keine Datenbank %1.</translation>
+    </message>
+    <message>
+        <source>the server has no such user.</source>
+        <translation>der Server hat keinen solchen Benutzer.</translation>
+    </message>
+    <message>
+        <source>no server answers there. Is it running, and is the port right?</source>
+        <translation>dort antwortet kein Server. Läuft er, und stimmt der Port?</translation>
+    </message>
+    <message>
+        <source>its computer does not answer.</source>
+        <translation>der Rechner des Servers antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>the connection was lost.</source>
+        <translation>die Verbindung ist abgebrochen.</translation>
+    </message>
+    <message>
+        <source>its user may not do that there: %1</source>
+        <translation>der Benutzer darf das dort nicht: %1</translation>
+    </message>
+    <message>
+        <source>the server only lets it be read.</source>
+        <translation>der Server erlaubt nur das Lesen.</translation>
+    </message>
+    <message>
+        <source>the disk of the server is full.</source>
+        <translation>der Datenträger des Servers ist voll.</translation>
+    </message>
+    <message>
+        <source>a table of the recording is missing.</source>
+        <translation>eine Tabelle der Aufzeichnung fehlt.</translation>
+    </message>
+    <message>
+        <source>The port is a number from 1 to 65535.</source>
+        <translation>Der Port ist eine Zahl von 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>The name of a recording has small letters, digits and underlines.</source>
+        <translation>Der Name einer Aufzeichnung besteht aus kleinen Buchstaben, Ziffern und Unterstrichen.</translation>
+    </message>
+    <message>
+        <source>Behind the question mark may stand sslmode, sslrootcert, connect_timeout and recording, each with a value, and &amp; between them.</source>
+        <translation>Hinter dem Fragezeichen dürfen sslmode, sslrootcert, connect_timeout und recording stehen, jeweils mit einem Wert und mit &amp; dazwischen.</translation>
+    </message>
+    <message>
+        <source>The value of %1 may have letters, digits and _ . / + -.</source>
+        <translation>Der Wert von %1 darf Buchstaben, Ziffern und _ . / + - enthalten.</translation>
+    </message>
+    <message>
+        <source>It begins with postgresql://.</source>
+        <translation>Sie beginnt mit postgresql://.</translation>
+    </message>
+    <message>
+        <source>The name of the database is missing: postgresql://HOST/DATABASE.</source>
+        <translation>Der Name der Datenbank fehlt: postgresql://HOST/DATENBANK.</translation>
+    </message>
+    <message>
+        <source>sending it takes longer.</source>
+        <translation>das Senden dauert länger.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SettingsAtWork</name>
     <message>
         <source>Settings of the window</source>
@@ -15120,6 +15892,57 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The position is signed.</source>
         <translation>Die Position hat ein Vorzeichen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ShiftBar</name>
+    <message>
+        <source>Shown later by</source>
+        <translation>Später gezeigt um</translation>
+    </message>
+    <message>
+        <source>How many seconds later than it was this recording is shown, to compare it with other curves; below 0: earlier</source>
+        <translation>Um wie viele Sekunden später diese Aufzeichnung gezeigt wird, um sie mit anderen Kurven zu vergleichen; unter 0: früher</translation>
+    </message>
+    <message>
+        <source>Begin together</source>
+        <translation>Gleicher Beginn</translation>
+    </message>
+    <message>
+        <source>Shifts the recording so that it begins where the other curves begin</source>
+        <translation>Verschiebt die Aufzeichnung so, dass sie dort beginnt, wo die anderen Kurven beginnen</translation>
+    </message>
+    <message>
+        <source>A to B</source>
+        <translation>A auf B</translation>
+    </message>
+    <message>
+        <source>Shifts the recording so that what is at cursor A comes to lie at cursor B</source>
+        <translation>Verschiebt die Aufzeichnung so, dass das, was bei Cursor A liegt, zu Cursor B kommt</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Shows the recording at the time it was made</source>
+        <translation>Zeigt die Aufzeichnung zu der Zeit, zu der sie entstand</translation>
+    </message>
+    <message>
+        <source>Show moment</source>
+        <translation>Moment zeigen</translation>
+    </message>
+    <message>
+        <source>Monitor, dial and parameters show the moment of the recording that is at the cursor</source>
+        <translation>Monitor, Scheibe und Parameter zeigen den Moment der Aufzeichnung, der beim Cursor liegt</translation>
+    </message>
+    <message>
+        <source> s later</source>
+        <translation> s später</translation>
+    </message>
+    <message>
+        <source>&amp;Recording:</source>
+        <translation>&amp;Aufzeichnung:</translation>
     </message>
 </context>
 <context>
@@ -16933,6 +17756,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Move the curve down</source>
         <translation>Kurve nach unten schieben</translation>
     </message>
+    <message>
+        <source>There is no other curve to begin with. Add one first.</source>
+        <translation>Es gibt keine andere Kurve, mit der sie beginnen könnte. Zuerst eine hinzufügen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TrendValuesModel</name>
@@ -17030,6 +17857,129 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Scrolls through all the time that is kept</source>
         <translation>Rollt durch die ganze aufbewahrte Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TriggerFields</name>
+    <message>
+        <source>Begins</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>At once, or once something happens</source>
+        <translation>Sofort oder sobald etwas geschieht</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Where it has to happen</source>
+        <translation>Wo es geschehen muss</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>The word the bit is in, or the cams</source>
+        <translation>Das Wort, in dem das Bit ist, oder die Nocken</translation>
+    </message>
+    <message>
+        <source>The number of the bit, or of the cam</source>
+        <translation>Die Nummer des Bits oder der Nocke</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>What the bit becomes</source>
+        <translation>Was das Bit wird</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>What has a threshold</source>
+        <translation>Wovon die Schwelle ist</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>From which side the threshold is passed</source>
+        <translation>Von welcher Seite die Schwelle überschritten wird</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>What is beyond it already has to come back first</source>
+        <translation>Was schon jenseits davon ist, muss erst zurückkommen</translation>
+    </message>
+    <message>
+        <source>Unit of the threshold</source>
+        <translation>Einheit der Schwelle</translation>
+    </message>
+    <message>
+        <source>Units are offered as in the trend</source>
+        <translation>Zur Wahl stehen die Einheiten des Trends</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>when a bit or a cam changes</source>
+        <translation>wenn ein Bit oder eine Nocke wechselt</translation>
+    </message>
+    <message>
+        <source>when a value passes a threshold</source>
+        <translation>wenn ein Wert eine Schwelle überschreitet</translation>
+    </message>
+    <message>
+        <source>at a fault</source>
+        <translation>bei einer Störung</translation>
+    </message>
+    <message>
+        <source>at a message of attention or a fault</source>
+        <translation>bei Achtung oder einer Störung</translation>
+    </message>
+    <message>
+        <source>at any message</source>
+        <translation>bei jeder Meldung</translation>
+    </message>
+    <message>
+        <source>becomes 1</source>
+        <translation>wird 1</translation>
+    </message>
+    <message>
+        <source>becomes 0</source>
+        <translation>wird 0</translation>
+    </message>
+    <message>
+        <source>rises to</source>
+        <translation>steigt auf</translation>
+    </message>
+    <message>
+        <source>falls below</source>
+        <translation>fällt unter</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>cam</source>
+        <translation>Nocke</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
     </message>
 </context>
 <context>
@@ -17866,906 +18816,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::Server</name>
-    <message>
-        <source>Qt&apos;s driver for PostgreSQL is missing on this computer. Install the package libqt6sql6-psql.</source>
-        <translation>Auf diesem Rechner fehlt der PostgreSQL-Treiber von Qt. Abhilfe: das Paket libqt6sql6-psql installieren.</translation>
-    </message>
-    <message>
-        <source>there is no recording in it.</source>
-        <translation>dort ist keine Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>there are several recordings in it. Add ?recording=NAME; the newest are: %1.</source>
-        <translation>dort sind mehrere Aufzeichnungen. ?recording=NAME anhängen; die neuesten sind: %1.</translation>
-    </message>
-    <message>
-        <source>the server is too old: PostgreSQL 9.5 or newer is needed.</source>
-        <translation>der Server ist zu alt: Nötig ist PostgreSQL 9.5 oder neuer.</translation>
-    </message>
-    <message>
-        <source>its encoding is %1. Make a database with the encoding UTF8.</source>
-        <translation>die Zeichenkodierung ist %1. Abhilfe: eine Datenbank mit der Kodierung UTF8 anlegen.</translation>
-    </message>
-    <message>
-        <source>there is no recording %1 in it.</source>
-        <translation>dort ist keine Aufzeichnung %1.</translation>
-    </message>
-    <message>
-        <source>nothing of the recording has arrived as yet.</source>
-        <translation>von der Aufzeichnung ist noch nichts angekommen.</translation>
-    </message>
-    <message>
-        <source>the recording was made by a newer Codewheel.</source>
-        <translation>die Aufzeichnung stammt von einem neueren Codewheel.</translation>
-    </message>
-    <message>
-        <source>its user may not make a schema there. The owner of the database allows it with GRANT CREATE ON DATABASE.</source>
-        <translation>der Benutzer darf dort kein Schema anlegen. Der Eigentümer der Datenbank erlaubt es mit GRANT CREATE ON DATABASE.</translation>
-    </message>
-    <message>
-        <source>no computer of the name %1 is known.</source>
-        <translation>ein Rechner mit dem Namen %1 ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>the server is just starting or stopping.</source>
-        <translation>der Server startet oder endet gerade.</translation>
-    </message>
-    <message>
-        <source>the server has no connection free.</source>
-        <translation>der Server hat keine Verbindung mehr frei.</translation>
-    </message>
-    <message>
-        <source>it asks for a password, and there is none. Put it into ~/.pgpass, into the file that PGPASSFILE names, or into PGPASSWORD.</source>
-        <translation>der Server verlangt ein Passwort, und es ist keines da. Es gehört in ~/.pgpass, in die Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
-    </message>
-    <message>
-        <source>user or password is wrong. The password is in ~/.pgpass, in the file that PGPASSFILE names, or in PGPASSWORD.</source>
-        <translation>Benutzer oder Passwort ist falsch. Das Passwort steht in ~/.pgpass, in der Datei, die PGPASSFILE nennt, oder in PGPASSWORD.</translation>
-    </message>
-    <message>
-        <source>the server does not let this user of this computer in (pg_hba.conf).</source>
-        <translation>der Server lässt diesen Benutzer von diesem Rechner aus nicht zu (pg_hba.conf).</translation>
-    </message>
-    <message>
-        <source>the server has no database %1.</source>
-        <translation>der Server hat keine Datenbank %1.</translation>
-    </message>
-    <message>
-        <source>the server has no such user.</source>
-        <translation>der Server hat keinen solchen Benutzer.</translation>
-    </message>
-    <message>
-        <source>no server answers there. Is it running, and is the port right?</source>
-        <translation>dort antwortet kein Server. Läuft er, und stimmt der Port?</translation>
-    </message>
-    <message>
-        <source>its computer does not answer.</source>
-        <translation>der Rechner des Servers antwortet nicht.</translation>
-    </message>
-    <message>
-        <source>the connection was lost.</source>
-        <translation>die Verbindung ist abgebrochen.</translation>
-    </message>
-    <message>
-        <source>its user may not do that there: %1</source>
-        <translation>der Benutzer darf das dort nicht: %1</translation>
-    </message>
-    <message>
-        <source>the server only lets it be read.</source>
-        <translation>der Server erlaubt nur das Lesen.</translation>
-    </message>
-    <message>
-        <source>the disk of the server is full.</source>
-        <translation>der Datenträger des Servers ist voll.</translation>
-    </message>
-    <message>
-        <source>a table of the recording is missing.</source>
-        <translation>eine Tabelle der Aufzeichnung fehlt.</translation>
-    </message>
-    <message>
-        <source>The port is a number from 1 to 65535.</source>
-        <translation>Der Port ist eine Zahl von 1 bis 65535.</translation>
-    </message>
-    <message>
-        <source>The name of a recording has small letters, digits and underlines.</source>
-        <translation>Der Name einer Aufzeichnung besteht aus kleinen Buchstaben, Ziffern und Unterstrichen.</translation>
-    </message>
-    <message>
-        <source>Behind the question mark may stand sslmode, sslrootcert, connect_timeout and recording, each with a value, and &amp; between them.</source>
-        <translation>Hinter dem Fragezeichen dürfen sslmode, sslrootcert, connect_timeout und recording stehen, jeweils mit einem Wert und mit &amp; dazwischen.</translation>
-    </message>
-    <message>
-        <source>The value of %1 may have letters, digits and _ . / + -.</source>
-        <translation>Der Wert von %1 darf Buchstaben, Ziffern und _ . / + - enthalten.</translation>
-    </message>
-    <message>
-        <source>It begins with postgresql://.</source>
-        <translation>Sie beginnt mit postgresql://.</translation>
-    </message>
-    <message>
-        <source>The name of the database is missing: postgresql://HOST/DATABASE.</source>
-        <translation>Der Name der Datenbank fehlt: postgresql://HOST/DATENBANK.</translation>
-    </message>
-    <message>
-        <source>sending it takes longer.</source>
-        <translation>das Senden dauert länger.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::DurationField</name>
-    <message>
-        <source>Unit: %1</source>
-        <translation>Einheit: %1</translation>
-    </message>
-    <message>
-        <source>days</source>
-        <translation>Tage</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::EncoderChoice</name>
-    <message>
-        <source>&amp;All encoders</source>
-        <translation>&amp;Alle Geber</translation>
-    </message>
-    <message>
-        <source>Of all buses, and those that are connected later</source>
-        <translation>An allen Bussen, auch die, die später verbunden werden</translation>
-    </message>
-    <message>
-        <source>&amp;Only these:</source>
-        <translation>Nur &amp;diese:</translation>
-    </message>
-    <message>
-        <source>Only the encoders that are ticked below</source>
-        <translation>Nur die Geber, die unten angekreuzt sind</translation>
-    </message>
-    <message>
-        <source>Encoders</source>
-        <translation>Geber</translation>
-    </message>
-    <message>
-        <source>Encoders that are ticked are recorded (Space)</source>
-        <translation>Angekreuzte Geber werden aufgezeichnet (Leertaste)</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingDetails</name>
-    <message>
-        <source>waits for: %1</source>
-        <comment>trigger</comment>
-        <translation>wartet auf: %1</translation>
-    </message>
-    <message>
-        <source>records; no encoder shows anything as yet</source>
-        <translation>zeichnet auf; noch zeigt kein Geber etwas</translation>
-    </message>
-    <message>
-        <source>records until it is ended</source>
-        <translation>zeichnet auf, bis sie beendet wird</translation>
-    </message>
-    <message>
-        <source>records until %1</source>
-        <translation>zeichnet auf bis %1</translation>
-    </message>
-    <message>
-        <source>all encoders</source>
-        <translation>alle Geber</translation>
-    </message>
-    <message>
-        <source>%1, with requests and answers</source>
-        <comment>encoders</comment>
-        <translation>%1, mit Anfragen und Antworten</translation>
-    </message>
-    <message>
-        <source>%1, without requests and answers</source>
-        <comment>encoders</comment>
-        <translation>%1, ohne Anfragen und Antworten</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <comment>size</comment>
-        <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>only the last %1</source>
-        <comment>duration</comment>
-        <translation>nur die letzten %1</translation>
-    </message>
-    <message>
-        <source>not known as yet</source>
-        <translation>noch nicht bekannt</translation>
-    </message>
-    <message>
-        <source>largest size in %1, then the oldest gives way</source>
-        <translation>größter Umfang in %1, dann weicht das Älteste</translation>
-    </message>
-    <message>
-        <source>never: the oldest gives way before</source>
-        <translation>nie: Vorher weicht das Älteste</translation>
-    </message>
-    <message>
-        <source>disk full in %1</source>
-        <translation>Datenträger voll in %1</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>What happens now: comes into the recording, and into the trend (Return)</source>
-        <translation>Was jetzt geschieht: kommt in die Aufzeichnung und in den Trend (Eingabetaste)</translation>
-    </message>
-    <message>
-        <source>&amp;Add note</source>
-        <translation>&amp;Notiz setzen</translation>
-    </message>
-    <message>
-        <source>Puts the note at this moment (Return)</source>
-        <translation>Setzt die Notiz an diesen Zeitpunkt (Eingabetaste)</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>What happens now</source>
-        <translation>Was jetzt geschieht</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>Zustand</translation>
-    </message>
-    <message>
-        <source>Encoders</source>
-        <translation>Geber</translation>
-    </message>
-    <message>
-        <source>Since</source>
-        <translation>Seit</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Umfang</translation>
-    </message>
-    <message>
-        <source>Free on the disk</source>
-        <translation>Frei auf dem Datenträger</translation>
-    </message>
-    <message>
-        <source>Full</source>
-        <translation>Voll</translation>
-    </message>
-    <message>
-        <source>Lost values</source>
-        <translation>Verlorene Werte</translation>
-    </message>
-    <message>
-        <source>&amp;Record now</source>
-        <translation>&amp;Jetzt aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Begins without waiting any longer for the trigger</source>
-        <translation>Beginnt, ohne länger auf den Auslöser zu warten</translation>
-    </message>
-    <message>
-        <source>&amp;End recording</source>
-        <translation>Aufzeichnung &amp;beenden</translation>
-    </message>
-    <message>
-        <source>Writes what has come, and closes the file</source>
-        <translation>Schreibt, was gekommen ist, und schließt die Datei</translation>
-    </message>
-    <message>
-        <source>The recording goes on (Esc)</source>
-        <translation>Die Aufzeichnung geht weiter (Esc)</translation>
-    </message>
-    <message>
-        <source>%1, for %2</source>
-        <comment>date and time, duration</comment>
-        <translation>%1, %2 lang</translation>
-    </message>
-    <message>
-        <source>%1, of which %2 stay free</source>
-        <comment>sizes</comment>
-        <translation>%1, davon bleiben %2 frei</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>This recording runs already. End it before you begin another one.</source>
-        <translation>Diese Aufzeichnung läuft schon. Vor dem Beginn einer anderen ist sie zu beenden.</translation>
-    </message>
-    <message>
-        <source>%1 What comes meanwhile is kept in memory, as far as there is room, and written once that is over.</source>
-        <translation>%1 Was inzwischen kommt, wird im Speicher gehalten, soweit Platz ist, und danach geschrieben.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingDialog</name>
-    <message>
-        <source> MB</source>
-        <comment>megabytes</comment>
-        <translation> MB</translation>
-    </message>
-    <message>
-        <source>&amp;Requests, answers and words as they pass</source>
-        <translation>Anf&amp;ragen, Antworten und Worte, wie sie durchgehen</translation>
-    </message>
-    <message>
-        <source>What the trace and the terminal show; on a serial line it needs the most room</source>
-        <translation>Was Handshake-Protokoll und Terminal zeigen; an einer seriellen Leitung braucht das am meisten Platz</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Davor</translation>
-    </message>
-    <message>
-        <source>What was shown before that is recorded too, as far as the trend keeps it</source>
-        <translation>Auch was vorher gezeigt wurde, wird aufgezeichnet, soweit der Trend es aufbewahrt</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>Endet</translation>
-    </message>
-    <message>
-        <source>By hand, or after a time</source>
-        <translation>Von Hand oder nach einer Zeit</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>From the beginning, or from the trigger</source>
-        <translation>Vom Beginn oder vom Auslöser an</translation>
-    </message>
-    <message>
-        <source>Only the &amp;last</source>
-        <translation>Nur die &amp;letzten</translation>
-    </message>
-    <message>
-        <source>What is older gives way to what comes</source>
-        <translation>Was älter ist, weicht dem, was kommt</translation>
-    </message>
-    <message>
-        <source>Only the last</source>
-        <translation>Nur die letzten</translation>
-    </message>
-    <message>
-        <source>How far back the recording goes</source>
-        <translation>Wie weit die Aufzeichnung zurückreicht</translation>
-    </message>
-    <message>
-        <source>At &amp;most</source>
-        <translation>&amp;Höchstens</translation>
-    </message>
-    <message>
-        <source>Once it is that large, the oldest gives way to what comes</source>
-        <translation>Ist sie so groß, weicht das Älteste dem, was kommt</translation>
-    </message>
-    <message>
-        <source>Largest size</source>
-        <translation>Größter Umfang</translation>
-    </message>
-    <message>
-        <source>How large the file becomes</source>
-        <translation>Wie groß die Datei wird</translation>
-    </message>
-    <message>
-        <source>Leave free</source>
-        <translation>Frei lassen</translation>
-    </message>
-    <message>
-        <source>So much of the disk is left to others; the recording waits where there is less</source>
-        <translation>So viel vom Datenträger bleibt anderen; ist weniger frei, wartet die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>when it is ended by hand</source>
-        <translation>wenn sie von Hand beendet wird</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>nach</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>Date&amp;i</translation>
-    </message>
-    <message>
-        <source>Encoders</source>
-        <translation>Geber</translation>
-    </message>
-    <message>
-        <source>&amp;Begins</source>
-        <translation>&amp;Beginnt</translation>
-    </message>
-    <message>
-        <source>B&amp;efore</source>
-        <translation>Da&amp;vor</translation>
-    </message>
-    <message>
-        <source>E&amp;nds</source>
-        <translation>&amp;Endet</translation>
-    </message>
-    <message>
-        <source>Lea&amp;ve free</source>
-        <translation>&amp;Frei lassen</translation>
-    </message>
-    <message>
-        <source>Re&amp;cord</source>
-        <translation>Auf&amp;zeichnen</translation>
-    </message>
-    <message>
-        <source>Makes the file, and begins or waits for the trigger; sends nothing</source>
-        <translation>Legt die Datei an und beginnt oder wartet auf den Auslöser; sendet nichts</translation>
-    </message>
-    <message>
-        <source>Records nothing (Esc)</source>
-        <translation>Zeichnet nichts auf (Esc)</translation>
-    </message>
-    <message>
-        <source>Tick the encoders that are to be recorded, or choose all.</source>
-        <translation>Die Geber ankreuzen, die aufgezeichnet werden sollen, oder alle wählen.</translation>
-    </message>
-    <message>
-        <source>No encoder is there that could begin the recording: connect one first, or let it begin at once.</source>
-        <translation>Es ist kein Geber da, der die Aufzeichnung auslösen könnte: erst einen verbinden oder sofort beginnen lassen.</translation>
-    </message>
-    <message>
-        <source>Say how long it is to record.</source>
-        <translation>Angeben, wie lange aufgezeichnet werden soll.</translation>
-    </message>
-    <message>
-        <source>Say how far back it is to go.</source>
-        <translation>Angeben, wie weit sie zurückreichen soll.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingFileField</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>The file of the recording; it must not be there yet</source>
-        <translation>Die Datei der Aufzeichnung; es darf sie noch nicht geben</translation>
-    </message>
-    <message>
-        <source>C&amp;hoose…</source>
-        <translation>&amp;Wählen…</translation>
-    </message>
-    <message>
-        <source>Asks for folder and name of the file</source>
-        <translation>Fragt nach Ordner und Name der Datei</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <comment>file name</comment>
-        <translation>aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Name a file.</source>
-        <translation>Eine Datei angeben.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>Den Ordner %1 gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>Nothing may be saved in the folder %1.</source>
-        <translation>Im Ordner %1 darf nichts gespeichert werden.</translation>
-    </message>
-    <message>
-        <source>File of the recording</source>
-        <translation>Datei der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Recordings (*.cwrec)</source>
-        <translation>Aufzeichnungen (*.cwrec)</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingInWindow</name>
-    <message>
-        <source>The recording has ended: %1, %2.</source>
-        <translation>Die Aufzeichnung ist beendet: %1, %2.</translation>
-    </message>
-    <message>
-        <source>Quit Codewheel</source>
-        <translation>Codewheel beenden</translation>
-    </message>
-    <message>
-        <source>A recording waits for its trigger.</source>
-        <translation>Eine Aufzeichnung wartet auf ihren Auslöser.</translation>
-    </message>
-    <message>
-        <source>A recording runs.</source>
-        <translation>Eine Aufzeichnung läuft.</translation>
-    </message>
-    <message>
-        <source>It goes to %1. What has come so far is written there before the program ends.</source>
-        <translation>Sie geht nach %1. Was bisher gekommen ist, wird dort geschrieben, bevor das Programm endet.</translation>
-    </message>
-    <message>
-        <source>&amp;End it and quit</source>
-        <translation>&amp;Aufzeichnung und Programm beenden</translation>
-    </message>
-    <message>
-        <source>Ends the recording, then goes on quitting</source>
-        <translation>Beendet die Aufzeichnung, dann das Programm</translation>
-    </message>
-    <message>
-        <source>&amp;Go on recording</source>
-        <translation>&amp;Weiter aufzeichnen</translation>
-    </message>
-    <message>
-        <source>The window stays open (Esc)</source>
-        <translation>Das Fenster bleibt offen (Esc)</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingIndicator</name>
-    <message>
-        <source>%1
-Shows more about the recording</source>
-        <comment>file, or what is wrong</comment>
-        <translation>%1
-Zeigt mehr über die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Recording held up</source>
-        <translation>Aufzeichnung stockt</translation>
-    </message>
-    <message>
-        <source>Waits for its trigger</source>
-        <translation>Wartet auf Auslöser</translation>
-    </message>
-    <message>
-        <source>Records %1, %2</source>
-        <comment>time, size</comment>
-        <translation>Zeichnet auf: %1, %2</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RecordingTexts</name>
-    <message>
-        <source>At the present rate %1 need about %2: the disk does not get full.</source>
-        <translation>Geht es so weiter, brauchen %1 etwa %2: Der Datenträger wird nicht voll.</translation>
-    </message>
-    <message>
-        <source>At the present rate, about %1 an hour, it has its largest size after %2; from then on the oldest gives way.</source>
-        <translation>Geht es so weiter, etwa %1 in der Stunde, ist nach %2 der größte Umfang erreicht; von da an weicht das Älteste.</translation>
-    </message>
-    <message>
-        <source>At the present rate, about %1 an hour, that is enough for %2.</source>
-        <translation>Geht es so weiter, etwa %1 in der Stunde, reicht das für %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2 becomes 1</source>
-        <comment>place, bit</comment>
-        <translation>%1: %2 wird 1</translation>
-    </message>
-    <message>
-        <source>%1: %2 becomes 0</source>
-        <comment>place, bit</comment>
-        <translation>%1: %2 wird 0</translation>
-    </message>
-    <message>
-        <source>%1: %2 rises to %3</source>
-        <comment>place, value, number with unit</comment>
-        <translation>%1: %2 steigt auf %3</translation>
-    </message>
-    <message>
-        <source>%1: %2 falls below %3</source>
-        <comment>place, value, number with unit</comment>
-        <translation>%1: %2 fällt unter %3</translation>
-    </message>
-    <message>
-        <source>a fault</source>
-        <translation>eine Störung</translation>
-    </message>
-    <message>
-        <source>a message of attention, or a fault</source>
-        <translation>eine Meldung „Achtung“ oder eine Störung</translation>
-    </message>
-    <message>
-        <source>a message</source>
-        <translation>eine Meldung</translation>
-    </message>
-    <message>
-        <source>Free on this disk: %1.</source>
-        <translation>Frei auf diesem Datenträger: %1.</translation>
-    </message>
-    <message>
-        <source>That is less than is to stay free: nothing would be written.</source>
-        <translation>Das ist weniger, als frei bleiben soll: Nichts würde geschrieben.</translation>
-    </message>
-    <message>
-        <source>How long it is enough is not known until encoders have shown something.</source>
-        <translation>Wie lange das reicht, ist erst bekannt, wenn Geber etwas gezeigt haben.</translation>
-    </message>
-    <message>
-        <source>Nothing changes at present, so next to nothing is needed.</source>
-        <translation>Zurzeit ändert sich nichts, also wird so gut wie nichts gebraucht.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::TriggerFields</name>
-    <message>
-        <source>Begins</source>
-        <translation>Beginnt</translation>
-    </message>
-    <message>
-        <source>At once, or once something happens</source>
-        <translation>Sofort oder sobald etwas geschieht</translation>
-    </message>
-    <message>
-        <source>Where</source>
-        <translation>Wo</translation>
-    </message>
-    <message>
-        <source>Where it has to happen</source>
-        <translation>Wo es geschehen muss</translation>
-    </message>
-    <message>
-        <source>Word</source>
-        <translation>Wort</translation>
-    </message>
-    <message>
-        <source>The word the bit is in, or the cams</source>
-        <translation>Das Wort, in dem das Bit ist, oder die Nocken</translation>
-    </message>
-    <message>
-        <source>Bit</source>
-        <translation>Bit</translation>
-    </message>
-    <message>
-        <source>The number of the bit, or of the cam</source>
-        <translation>Die Nummer des Bits oder der Nocke</translation>
-    </message>
-    <message>
-        <source>Change</source>
-        <translation>Änderung</translation>
-    </message>
-    <message>
-        <source>What the bit becomes</source>
-        <translation>Was das Bit wird</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>What has a threshold</source>
-        <translation>Wovon die Schwelle ist</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>From which side the threshold is passed</source>
-        <translation>Von welcher Seite die Schwelle überschritten wird</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>Schwelle</translation>
-    </message>
-    <message>
-        <source>What is beyond it already has to come back first</source>
-        <translation>Was schon jenseits davon ist, muss erst zurückkommen</translation>
-    </message>
-    <message>
-        <source>Unit of the threshold</source>
-        <translation>Einheit der Schwelle</translation>
-    </message>
-    <message>
-        <source>Units are offered as in the trend</source>
-        <translation>Zur Wahl stehen die Einheiten des Trends</translation>
-    </message>
-    <message>
-        <source>at once</source>
-        <translation>sofort</translation>
-    </message>
-    <message>
-        <source>when a bit or a cam changes</source>
-        <translation>wenn ein Bit oder eine Nocke wechselt</translation>
-    </message>
-    <message>
-        <source>when a value passes a threshold</source>
-        <translation>wenn ein Wert eine Schwelle überschreitet</translation>
-    </message>
-    <message>
-        <source>at a fault</source>
-        <translation>bei einer Störung</translation>
-    </message>
-    <message>
-        <source>at a message of attention or a fault</source>
-        <translation>bei Achtung oder einer Störung</translation>
-    </message>
-    <message>
-        <source>at any message</source>
-        <translation>bei jeder Meldung</translation>
-    </message>
-    <message>
-        <source>becomes 1</source>
-        <translation>wird 1</translation>
-    </message>
-    <message>
-        <source>becomes 0</source>
-        <translation>wird 0</translation>
-    </message>
-    <message>
-        <source>rises to</source>
-        <translation>steigt auf</translation>
-    </message>
-    <message>
-        <source>falls below</source>
-        <translation>fällt unter</translation>
-    </message>
-    <message>
-        <source>anywhere</source>
-        <translation>überall</translation>
-    </message>
-    <message>
-        <source>cam</source>
-        <translation>Nocke</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Nummer</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::ReplayBar</name>
-    <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Recording: %1</source>
-        <translation>Aufzeichnung: %1</translation>
-    </message>
-    <message>
-        <source>Beginning</source>
-        <translation>Anfang</translation>
-    </message>
-    <message>
-        <source>To the beginning of the recording</source>
-        <translation>Zum Anfang der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Step back</source>
-        <translation>Schritt zurück</translation>
-    </message>
-    <message>
-        <source>To the previous sample of the chosen encoder</source>
-        <translation>Zum vorigen Messwert des gewählten Gebers</translation>
-    </message>
-    <message>
-        <source>Backward</source>
-        <translation>Rückwärts</translation>
-    </message>
-    <message>
-        <source>Plays the recording backward</source>
-        <translation>Spielt die Aufzeichnung rückwärts ab</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stands still</source>
-        <translation>Bleibt stehen</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Plays the recording forward</source>
-        <translation>Spielt die Aufzeichnung vorwärts ab</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>To the next sample of the chosen encoder</source>
-        <translation>Zum nächsten Messwert des gewählten Gebers</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>To the end of the recording</source>
-        <translation>Zum Ende der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Closes the recording</source>
-        <translation>Schließt die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>How fast the recording is played (Ctrl+Alt+Up: faster, Ctrl+Alt+Down: slower)</source>
-        <translation>Wie schnell die Aufzeichnung abgespielt wird (Strg+Alt+Auf: schneller, Strg+Alt+Ab: langsamer)</translation>
-    </message>
-    <message>
-        <source>Faster</source>
-        <translation>Schneller</translation>
-    </message>
-    <message>
-        <source>Slower</source>
-        <translation>Langsamer</translation>
-    </message>
-    <message>
-        <source>Time shown</source>
-        <translation>Gezeigte Zeit</translation>
-    </message>
-    <message>
-        <source>When what is shown was recorded</source>
-        <translation>Wann das Gezeigte aufgezeichnet wurde</translation>
-    </message>
-    <message>
-        <source>How fast the recording is played (Ctrl+Alt++: faster, Ctrl+Alt+-: slower)</source>
-        <translation>Wie schnell die Aufzeichnung abgespielt wird (Strg+Alt++: schneller, Strg+Alt+-: langsamer)</translation>
-    </message>
-    <message>
-        <source>Message of then</source>
-        <translation>Meldung von damals</translation>
-    </message>
-    <message>
-        <source>What the program said when this was recorded</source>
-        <translation>Was das Programm bei der Aufzeichnung meldete</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::ReplaySlider</name>
-    <message>
-        <source>Moment of the recording</source>
-        <translation>Stelle der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Drag it to another moment of the recording. Left and Right: a hundredth of it; Page Up and Page Down: a tenth; Home and End</source>
-        <translation>An eine andere Stelle der Aufzeichnung ziehen. Links und Rechts: ein Hundertstel davon; Bild auf und Bild ab: ein Zehntel; Pos1 und Ende</translation>
-    </message>
-</context>
-<context>
-    <name>CommandLine</name>
-    <message>
-        <source>Give --for or --trigger, not both. How long to record after the trigger is told by --after.</source>
-        <translation>--for oder --trigger angeben, nicht beides. Wie lange nach dem Trigger aufgezeichnet wird, sagt --after.</translation>
-    </message>
-    <message>
-        <source>%1 counts from a trigger: give --trigger too. Without one, --for tells how long to record.</source>
-        <translation>%1 zählt ab einem Trigger: auch --trigger angeben. Ohne Trigger sagt --for, wie lange aufgezeichnet wird.</translation>
-    </message>
-    <message>
-        <source>--device tells what the encoder at a PLACE is. Name the PLACE.</source>
-        <translation>--device sagt, was der Geber an einem PLACE ist. Den PLACE angeben.</translation>
     </message>
 </context>
 </TS>
