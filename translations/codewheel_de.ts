@@ -15905,24 +15905,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Um wie viele Sekunden später diese Aufzeichnung gezeigt wird, um sie mit anderen Kurven zu vergleichen; unter 0: früher</translation>
     </message>
     <message>
-        <source>Begin together</source>
-        <translation>Gleicher Beginn</translation>
-    </message>
-    <message>
         <source>Shifts the recording so that it begins where the other curves begin</source>
         <translation>Verschiebt die Aufzeichnung so, dass sie dort beginnt, wo die anderen Kurven beginnen</translation>
     </message>
     <message>
-        <source>A to B</source>
-        <translation>A auf B</translation>
-    </message>
-    <message>
         <source>Shifts the recording so that what is at cursor A comes to lie at cursor B</source>
         <translation>Verschiebt die Aufzeichnung so, dass das, was bei Cursor A liegt, zu Cursor B kommt</translation>
-    </message>
-    <message>
-        <source>As recorded</source>
-        <translation>Wie aufgezeichnet</translation>
     </message>
     <message>
         <source>Shows the recording at the time it was made</source>
@@ -15943,6 +15931,26 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Recording:</source>
         <translation>&amp;Aufzeichnung:</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Shifts the recording so that it lies on other curves</source>
+        <translation>Verschiebt die Aufzeichnung, so dass sie auf anderen Kurven liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Begin together</source>
+        <translation>Gleicher &amp;Beginn</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;A to B</source>
+        <translation>Cursor &amp;A auf B</translation>
+    </message>
+    <message>
+        <source>As &amp;recorded</source>
+        <translation>&amp;Wie aufgezeichnet</translation>
     </message>
 </context>
 <context>

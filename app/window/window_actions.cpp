@@ -73,17 +73,22 @@ void WindowActions::makeFileMenu()
                             tr("Opens a project"));
     recentFiles = menu->addMenu(tr("&Recent files"));
     recentFiles->setToolTipsVisible(true);
-    openRecording = described(
-        menu->addAction(lineIcon(Icon::open), tr("Open recordin&g…")), Qt::CTRL | Qt::ALT | Qt::Key_O,
-        tr("Shows a recording in monitor, dial and trace as if it were a bus; sends nothing"));
-    closeRecording = described(menu->addAction(tr("C&lose recording")), Qt::CTRL | Qt::ALT | Qt::Key_W,
-                               tr("Closes the recording that is chosen in the bus structure"));
     saveProject = described(menu->addAction(lineIcon(Icon::save), tr("&Save")), QKeySequence::Save,
                             tr("Saves the project"));
     saveProjectAs = described(menu->addAction(tr("Save &as…")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
                               tr("Saves the project in another file"));
     projectPage = described(menu->addAction(lineIcon(Icon::information), tr("&Project…")),
                             Qt::SHIFT | Qt::Key_F4, tr("Title, note and link of the project"));
+    menu->addSeparator();
+    record = described(menu->addAction(lineIcon(Icon::record), tr("Recor&d…")), Qt::SHIFT | Qt::Key_F11,
+                       tr("Records what encoders show to a file, or shows the recording that runs; sends "
+                          "nothing"));
+    record->setIconText(tr("Record", "on a button"));
+    openRecording = described(
+        menu->addAction(lineIcon(Icon::open), tr("Open recordin&g…")), Qt::CTRL | Qt::ALT | Qt::Key_O,
+        tr("Shows a recording in monitor, dial and trace as if it were a bus; sends nothing"));
+    closeRecording = described(menu->addAction(tr("C&lose recording")), Qt::CTRL | Qt::ALT | Qt::Key_W,
+                               tr("Closes the recording that is chosen in the bus structure"));
     menu->addSeparator();
     exportReport =
         described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report…")), {},
@@ -92,10 +97,6 @@ void WindowActions::makeFileMenu()
         menu->addAction(lineIcon(Icon::write), tr("Pr&int…")), QKeySequence::Print,
         tr("Prints the table or the picture that has the focus, or else the commissioning report, after a "
            "preview"));
-    record = described(menu->addAction(lineIcon(Icon::record), tr("Recor&d…")), Qt::SHIFT | Qt::Key_F11,
-                       tr("Records what encoders show to a file, or shows the recording that runs; sends "
-                          "nothing"));
-    record->setIconText(tr("Record", "on a button"));
     exportTrace = menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace…"));
     showTrace(false);
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages…")), {},

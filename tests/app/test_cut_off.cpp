@@ -6,6 +6,7 @@
 #include "tests/replay/replay_recording.h"
 #include "tests/support/cut_off.h"
 #include "widgets/look/appearance.h"
+#include "widgets/trend/trend_page.h"
 
 #include <QAction>
 #include <QApplication>
@@ -90,6 +91,13 @@ TEST_P(NothingIsCutOff, WithARecording)
     ASSERT_TRUE(window().openRecording(recording.path));
     advance(99);
     look(*window().centralWidget(), QStringLiteral("Recording"));
+    actions().trend->trigger();
+    window().findChild<TrendPage *>()->showTrack(
+        {shown->plant().histories().archives().front()->places().front(), Channel::position, {}});
+    look(*window().centralWidget(), QStringLiteral("Trend of a recording"));
+    EXPECT_EQ(window().width(), GetParam().size.width());
+    actions().monitors->trigger(); // the panels at the bottom come back
+    advance(50);
     for (auto *panel : window().findChildren<QDockWidget *>()) {
         panel->raise();
         look(*panel, panel->windowTitle());

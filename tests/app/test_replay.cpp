@@ -311,6 +311,7 @@ TEST_F(ReplayInWindow, TheTrendShowsAllOfItAndFollowsTheMoment)
     EXPECT_EQ(shown->buses().encoder(recordedHoist)->latest().position, 1'150);
     EXPECT_EQ(trend.view().scene().played, std::optional(Instant(noon + 1'500ms)));
     actions().closeRecording->trigger();
+    QCoreApplication::processEvents();
     EXPECT_TRUE(trend.tracks().shown().empty());
     EXPECT_TRUE(shown->plant().histories().archives().empty());
 }

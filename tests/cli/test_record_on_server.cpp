@@ -39,8 +39,7 @@ TEST_F(CliRecordOnServer, WhatIsRecordedIsThereAndIsExported)
     EXPECT_THAT(run.out + run.err, Not(HasSubstr(test::PostgresServer::password)));
     EXPECT_TRUE(waitingFiles().isEmpty());
     const QString table = file.folder() + QStringLiteral("/table.csv");
-    const CliRun exported =
-        runLine(QStringLiteral("export %1 -o %2 --tracks 2.0/position").arg(recording, table));
+    const CliRun exported = runLine(QStringLiteral("export %1 -o %2 --tracks 2.0/in").arg(recording, table));
     ASSERT_EQ(exported.exit, 0) << exported.err;
     QFile csv(table);
     ASSERT_TRUE(csv.open(QIODevice::ReadOnly));

@@ -5,7 +5,9 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 
+#include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
 
@@ -32,12 +34,8 @@ ShiftBar::ShiftBar(QWidget *parent)
           describe(new DecimalField(this), "recordingShift", tr("Shown later by"),
                    tr("How many seconds later than it was this recording is shown, to compare it with other "
                       "curves; below 0: earlier")))
-    , m_begin(button(this, "shiftBegin", tr("Begin together"),
-                     tr("Shifts the recording so that it begins where the other curves begin")))
-    , m_cursor(button(this, "shiftCursor", tr("A to B"),
-                      tr("Shifts the recording so that what is at cursor A comes to lie at cursor B")))
-    , m_asRecorded(
-          button(this, "shiftNone", tr("As recorded"), tr("Shows the recording at the time it was made")))
+    , m_ways(
+          button(this, "shiftWays", tr("Shift"), tr("Shifts the recording so that it lies on other curves")))
     , m_moment(
           button(this, "showMoment", tr("Show moment"),
                  tr("Monitor, dial and parameters show the moment of the recording that is at the cursor")))
@@ -45,23 +43,41 @@ ShiftBar::ShiftBar(QWidget *parent)
     m_shift->setRange(-mostShift, mostShift);
     m_shift->setDecimals(shiftDecimals);
     m_shift->setSuffix(tr(" s later"));
+    auto *menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    m_begin = add(*menu, "shiftBegin", tr("&Begin together"),
+                  tr("Shifts the recording so that it begins where the other curves begin"));
+    m_cursor = add(*menu, "shiftCursor", tr("Cursor &A to B"),
+                   tr("Shifts the recording so that what is at cursor A comes to lie at cursor B"));
+    m_asRecorded =
+        add(*menu, "shiftNone", tr("As &recorded"), tr("Shows the recording at the time it was made"));
+    m_ways->setMenu(menu);
+    m_ways->setPopupMode(QToolButton::InstantPopup);
     auto *label = new QLabel(tr("&Recording:"), this);
     label->setBuddy(m_shift);
-    layOutRow(this, {label, m_shift, m_begin, m_cursor, m_asRecorded, Stretch{1}, m_moment},
+    layOutRow(this, {label, m_shift, m_ways, Stretch{1}, m_moment},
               {.spacing = grid::unit, .margins = QMargins()});
     connect(m_shift, &QDoubleSpinBox::valueChanged, this, [this](double seconds) {
         if (m_archive)
             m_archive->setShift(Instant(std::llround(seconds * 1e6)));
     });
-    connect(m_asRecorded, &QToolButton::clicked, this, [this] {
+    connect(m_asRecorded, &QAction::triggered, this, [this] {
         if (m_archive)
             m_archive->setShift({});
     });
-    connect(m_begin, &QToolButton::clicked, this, &ShiftBar::beginWanted);
-    connect(m_cursor, &QToolButton::clicked, this, &ShiftBar::cursorWanted);
+    connect(m_begin, &QAction::triggered, this, &ShiftBar::beginWanted);
+    connect(m_cursor, &QAction::triggered, this, &ShiftBar::cursorWanted);
     connect(m_moment, &QToolButton::clicked, this, &ShiftBar::momentWanted);
     setCursors(false, false);
     hide();
+}
+
+QAction *ShiftBar::add(QMenu &menu, const char *id, const QString &text, const QString &tip)
+{
+    QAction *action = menu.addAction(text);
+    action->setObjectName(QLatin1String(id));
+    action->setToolTip(tip);
+    return action;
 }
 
 void ShiftBar::setArchive(Archive *archive)

@@ -7,6 +7,8 @@
 #include <QPointer>
 #include <QWidget>
 
+class QAction;
+class QMenu;
 class QToolButton;
 
 namespace codewheel {
@@ -31,12 +33,15 @@ Q_SIGNALS:
     void momentWanted(); // its encoders are to show the one at the cursor
 
 private:
+    QAction *add(QMenu &menu, const char *id, const QString &text, const QString &tip);
+
     QPointer<Archive> m_archive;
     DecimalField *m_shift;
-    QToolButton *m_begin;
-    QToolButton *m_cursor;
-    QToolButton *m_asRecorded;
+    QToolButton *m_ways;
     QToolButton *m_moment;
+    QAction *m_begin;
+    QAction *m_cursor;
+    QAction *m_asRecorded;
 };
 
 } // namespace codewheel

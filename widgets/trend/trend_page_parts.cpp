@@ -38,8 +38,8 @@ using namespace std::chrono_literals;
 constexpr auto rest = 150ms; // after which cursors rest
 constexpr auto oftenEnough = 200ms;
 constexpr int wideEnough = 1'000; // for all columns of the table
-constexpr int chartShare = 60;    // of the height
-constexpr int belowShare = 40;
+constexpr int chartShare = 70;    // of the height
+constexpr int belowShare = 30;
 
 QToolButton *menuButton(QToolBar &bar, QMenu *menu, Icon icon, const QString &text, const QString &tip)
 {
@@ -198,7 +198,7 @@ void TrendPage::makeTable()
     m_table->setToolTip(tr("The curves, and what they are at the cursors"));
     FittedColumns::useIn(*m_table, TrendValuesModel::name);
     const int row = m_table->fontMetrics().height() + 2 * grid::unit;
-    m_table->setMinimumHeight(5 * row);
+    m_table->setMinimumHeight(3 * row);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it fits
     m_parts->addTab(tr("Values"));
     m_parts->addTab(tr("Statistics"));

@@ -69,7 +69,7 @@ std::optional<TimeSpan> TrendView::timeOfCurves() const
     return all;
 }
 
-// Of the first curve that is being played.
+// The moment of the first recording that has a curve.
 std::optional<Instant> TrendView::played() const
 {
     for (const TrendTracks::Shown &one : m_tracks.shown())
@@ -81,8 +81,13 @@ std::optional<Instant> TrendView::played() const
 
 void TrendView::takeTime()
 {
-    if (const auto all = timeOfCurves())
-        m_time.setAll(*all, played().value_or(all->to));
+    const auto all = timeOfCurves();
+    if (!all)
+        return;
+    const bool isWatched = std::ranges::any_of(m_tracks.shown(), [this](const TrendTracks::Shown &one) {
+        return m_histories.archiveOf(one.track.place) == nullptr;
+    });
+    m_time.setAll(*all, isWatched ? all->to : played().value_or(all->to));
 }
 
 void TrendView::changeEvent(QEvent *event)

@@ -6,6 +6,8 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/trend/shift_bar.h"
 
+#include <QAction>
+#include <QMenu>
 #include <QToolButton>
 
 namespace codewheel {
@@ -32,7 +34,13 @@ protected:
     }
     static Track position(int bus) { return {{BusId{bus}, "1.0"_ring.node}, Channel::position, {}}; }
     ShiftBar &bar() { return *page.findChild<ShiftBar *>(); }
-    void press(const char *name) { QTest::mouseClick(&find<QToolButton>(name), Qt::LeftButton); }
+    // Of the menu, which has what can be done now.
+    QAction &way(const char *name)
+    {
+        QAction &action = *bar().findChild<QAction *>(QLatin1String(name));
+        EXPECT_TRUE(find<QToolButton>("shiftWays").menu()->actions().contains(&action));
+        return action;
+    }
 
     std::vector<std::unique_ptr<test::RecordingFile>> files;
 };
@@ -60,12 +68,12 @@ TEST_F(TrendRecordingsTest, OnTopOfWhatComesByBeginningTogether)
     page.showTrack({baumer, Channel::position, {}});
     page.showTrack(position(8));
     EXPECT_EQ(find<DecimalField>("recordingShift").value(), 0);
-    EXPECT_FALSE(find<QToolButton>("shiftNone").isEnabled());
-    press("shiftBegin");
+    EXPECT_FALSE(way("shiftNone").isEnabled());
+    way("shiftBegin").trigger();
     EXPECT_EQ(night->span()->from, histories.of(baumer, Channel::position)->span()->from);
     EXPECT_NEAR(find<DecimalField>("recordingShift").value(),
                 std::chrono::duration<double>(night->shift()).count(), 0.001);
-    press("shiftNone");
+    way("shiftNone").trigger();
     EXPECT_EQ(night->shift(), 0s);
     EXPECT_EQ(night->span()->from, noon);
 }
@@ -77,9 +85,9 @@ TEST_F(TrendRecordingsTest, TwoRecordingsLieOnTopOfEachOtherByTheCursors)
     page.showTrack(position(8));
     page.showTrack(position(9));
     view().setCursor(0, noon + 24h + 3s);
-    EXPECT_FALSE(find<QToolButton>("shiftCursor").isEnabled());
+    EXPECT_FALSE(way("shiftCursor").isEnabled());
     view().setCursor(1, noon + 1s);
-    press("shiftCursor");
+    way("shiftCursor").trigger();
     EXPECT_EQ(next->shift(), -24h - 2s);
     EXPECT_EQ(night->shift(), 0s);
     page.bringUpToDate();
@@ -125,7 +133,7 @@ TEST_F(TrendRecordingsTest, TheMomentAtTheCursorIsAskedFor)
     QObject::connect(night.get(), &Archive::asked, &page, [&](Instant at) { asked.push_back(at); });
     EXPECT_FALSE(find<QToolButton>("showMoment").isEnabled());
     view().setCursor(0, noon + 63s);
-    press("showMoment");
+    QTest::mouseClick(&find<QToolButton>("showMoment"), Qt::LeftButton);
     EXPECT_THAT(asked, testing::ElementsAre(noon + 3s));
 }
 
