@@ -5,6 +5,7 @@
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/report_picture.h"
 #include "app/screenshots/scene.h"
+#include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/trend_pictures.h"
 #include "app/screenshots/wizard_pictures.h"
 #include "bus/word_channel.h"
@@ -253,7 +254,7 @@ QString fileOf(const Picture &picture, const QString &suffix)
 std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures(), trendPictures()})
+    for (const auto &more : {wizardPictures(), linePictures(), trendPictures(), recordingPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }

@@ -68,7 +68,7 @@ protected:
     }
     QString database() const { return address.section(u'/', -1); }
 
-    const RecordingFile file;
+    const RecordingFile file{};
     PostgresServer *server = PostgresServer::shared();
     QString address;
 };

@@ -17,6 +17,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -47,7 +48,10 @@ IntegerField *sizeField(QWidget *parent, const char *id, const QString &name, co
 QString recordingFolder(const RecordingChoices &choices)
 {
     const bool isThere = !choices.folder.isEmpty() && QFileInfo(choices.folder).isDir();
-    return isThere ? choices.folder : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    if (isThere)
+        return choices.folder;
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 } // namespace
