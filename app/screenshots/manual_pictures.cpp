@@ -3,9 +3,9 @@
 
 #include "app/screenshots/line_pictures.h"
 #include "app/screenshots/project_pictures.h"
+#include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/report_picture.h"
 #include "app/screenshots/scene.h"
-#include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/trend_pictures.h"
 #include "app/screenshots/wizard_pictures.h"
 #include "bus/word_channel.h"
