@@ -12953,11 +12953,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Fragt nach Ordner und Name der Datei</translation>
     </message>
     <message>
-        <source>recording</source>
-        <comment>file name</comment>
-        <translation>aufzeichnung</translation>
-    </message>
-    <message>
         <source>Name a file.</source>
         <translation>Eine Datei angeben.</translation>
     </message>

@@ -16,7 +16,8 @@ using namespace std::chrono_literals;
 // Above all that projects use.
 constexpr int firstNumber = 100'001;
 constexpr std::chrono::milliseconds longestFrame = 1s; // after which the window stood still
-constexpr std::chrono::milliseconds betweenLooks = 1s; // at a file that is being written
+constexpr std::chrono::milliseconds leastBetweenLooks = 1s;
+constexpr int shareOfLooks = 20; // a look may take so much of the time
 
 // Recorded places without a row in `bus` belong to one as well.
 std::vector<RecordedBus> busesOf(Playback &playback)
@@ -49,6 +50,7 @@ Recordings::Recordings(Plant &plant, BusAtWork::Surroundings surroundings)
     : QObject(&plant)
     , m_plant(plant)
     , m_surroundings(std::move(surroundings))
+    , m_betweenLooks(leastBetweenLooks)
 {
     m_sincePassed.start();
     m_sinceLook.start();
@@ -141,7 +143,7 @@ void Recordings::passTime()
 
 void Recordings::lookAgain()
 {
-    if (m_sinceLook.elapsed() < betweenLooks.count())
+    if (m_sinceLook.elapsed() < m_betweenLooks.count())
         return;
     m_sinceLook.start();
     for (const Open &open : m_open)
@@ -150,6 +152,8 @@ void Recordings::lookAgain()
             open.playback->lookAgain();
             open.archive->lookAgain();
         }
+    m_betweenLooks =
+        std::max(leastBetweenLooks, std::chrono::milliseconds(m_sinceLook.elapsed()) * shareOfLooks);
 }
 
 } // namespace codewheel

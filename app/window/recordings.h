@@ -55,6 +55,7 @@ private:
     std::vector<Open> m_open;
     QElapsedTimer m_sincePassed;
     QElapsedTimer m_sinceLook;
+    std::chrono::milliseconds m_betweenLooks; // at files that are being written
 };
 
 } // namespace codewheel

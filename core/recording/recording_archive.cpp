@@ -22,43 +22,37 @@ Result<std::unique_ptr<RecordingArchive>> RecordingArchive::open(const QString &
     if (!reader)
         return tl::unexpected(reader.error());
     std::unique_ptr<RecordingArchive> archive(new RecordingArchive(std::move(*reader), buses));
-    auto histories = archive->readHistories();
-    auto marks = archive->readMarks();
-    if (!histories || !marks)
-        return tl::unexpected(histories ? marks.error() : histories.error());
-    archive->m_histories = std::move(*histories);
-    archive->m_marks = std::move(*marks);
+    auto contents = archive->read();
+    if (!contents)
+        return tl::unexpected(contents.error());
+    archive->m_contents = std::move(*contents);
     return archive;
 }
 
 void RecordingArchive::lookAgain()
 {
-    auto histories = readHistories();
-    auto marks = readMarks();
-    if (!histories || !marks)
+    auto contents = read();
+    if (!contents)
         return;
-    m_histories.swap(*histories); // those of before are there until nobody shows them any more
-    m_marks = std::move(*marks);
+    m_contents = std::move(*contents);
+    const Histories before = std::exchange(m_histories, {}); // there until nobody shows them any more
     m_statistics.forget();
     Q_EMIT changed();
 }
 
-Result<RecordingArchive::ByPlace> RecordingArchive::readHistories() const
+Result<RecordingArchive::Contents> RecordingArchive::read() const
 {
     const auto devices = m_reader.devices();
-    if (!devices)
-        return tl::unexpected(devices.error());
-    ByPlace all;
-    for (const RecordingReader::Device &device : *devices) {
-        auto &histories = all[placeHere(device.place)];
-        for (const Channel kind : device.channels) {
-            auto channel = m_reader.channel(device, kind);
-            if (!channel)
-                return tl::unexpected(channel.error());
-            histories.try_emplace(kind, std::move(*channel), RecordedKey{device.id, kind}, *this);
-        }
-    }
-    return all;
+    const auto span = m_reader.span();
+    auto marks = readMarks();
+    if (!devices || !span)
+        return tl::unexpected(devices ? span.error() : devices.error());
+    if (!marks)
+        return tl::unexpected(marks.error());
+    Contents contents{.devices = {}, .span = *span, .marks = std::move(*marks)};
+    for (const RecordingReader::Device &device : *devices)
+        contents.devices.emplace(placeHere(device.place), device);
+    return contents;
 }
 
 // A message without a place is of the program that recorded it.
@@ -92,33 +86,39 @@ Place RecordingArchive::placeHere(Place recorded) const
 std::vector<Place> RecordingArchive::places() const
 {
     std::vector<Place> places;
-    for (const auto &[place, histories] : m_histories)
+    for (const auto &[place, device] : m_contents.devices)
         places.push_back(place);
     return places;
 }
 
 const History *RecordingArchive::of(Place place, Channel channel) const
 {
-    const auto device = m_histories.find(place);
-    if (device == m_histories.end())
+    const auto device = m_contents.devices.find(place);
+    if (device == m_contents.devices.end() || std::ranges::count(device->second.channels, channel) == 0)
         return nullptr;
-    const auto found = device->second.find(channel);
-    return found == device->second.end() ? nullptr : &found->second;
+    auto &history = m_histories[{place, channel}];
+    if (history)
+        return history.get();
+    auto its = m_reader.channel(device->second, channel);
+    if (!its) {
+        tell(its.error());
+        return nullptr;
+    }
+    history =
+        std::make_unique<RecordedHistory>(std::move(*its), RecordedKey{device->second.id, channel}, *this);
+    return history.get();
 }
 
 std::optional<TimeSpan> RecordingArchive::span() const
 {
-    std::optional<TimeSpan> all;
-    for (const auto &[place, histories] : m_histories)
-        for (const auto &[channel, history] : histories)
-            if (const auto its = history.span())
-                all = all ? TimeSpan{std::min(all->from, its->from), std::max(all->to, its->to)} : *its;
-    return all;
+    return m_contents.span
+               ? std::optional(TimeSpan{m_contents.span->from + shift(), m_contents.span->to + shift()})
+               : std::nullopt;
 }
 
 std::vector<Mark> RecordingArchive::marks() const
 {
-    std::vector<Mark> marks = m_marks;
+    std::vector<Mark> marks = m_contents.marks;
     for (Mark &mark : marks)
         mark.at += shift();
     return marks;

@@ -39,15 +39,22 @@ public:
 
 private:
     RecordingArchive(RecordingReader reader, BusesHere buses);
-    using ByPlace = std::map<Place, std::map<Channel, RecordedHistory>>;
+    // What is known of the file without looking at any channel.
+    struct Contents
+    {
+        std::map<Place, RecordingReader::Device> devices; // by place here
+        std::optional<TimeSpan> span;                     // as recorded
+        std::vector<Mark> marks;                          // as recorded
+    };
+    using Histories = std::map<std::pair<Place, Channel>, std::unique_ptr<RecordedHistory>>;
 
-    Result<ByPlace> readHistories() const;
+    Result<Contents> read() const;
     Result<std::vector<Mark>> readMarks() const;
 
     RecordingReader m_reader;
     BusesHere m_buses;
-    ByPlace m_histories;
-    std::vector<Mark> m_marks; // as recorded
+    Contents m_contents;
+    mutable Histories m_histories; // of those that were asked for
     std::optional<Instant> m_played;
     mutable std::optional<Refusal> m_told;
     mutable RecordedStatistics m_statistics;

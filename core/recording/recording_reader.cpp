@@ -129,6 +129,11 @@ struct ChannelLimits
     std::optional<Instant> gapSince;
 };
 
+std::optional<Instant> beginOf(const QSqlQuery &row)
+{
+    return row.value(0).isNull() ? std::nullopt : std::optional(timeOf(row, 0));
+}
+
 ChannelLimits limitsOf(const QSqlQuery &row)
 {
     return {row.value(0).toLongLong(), timeOf(row, 1),
@@ -183,6 +188,22 @@ Result<RecordingHead> RecordingReader::head() const
     if (heads->size() != 1)
         return refuse(RefusalKind::link, RefusalId::databaseFailed, {m_file, Database::damaged().reason});
     return heads->front();
+}
+
+// The order of blocks is by channel.
+Result<std::optional<TimeSpan>> RecordingReader::span() const
+{
+    const auto about = head();
+    const auto begun =
+        rows(QStringLiteral("SELECT min(start) FROM (SELECT (SELECT min(start) FROM block WHERE "
+                            "channel = channel.id) AS start FROM channel) AS begins"),
+             {}, beginOf);
+    if (!about || !begun)
+        return tl::unexpected(about ? begun.error() : about.error());
+    if (begun->empty() || !begun->front())
+        return std::nullopt;
+    const Instant from = std::max(*begun->front(), about->since);
+    return TimeSpan{from, std::max(from, about->until) + Instant(1)};
 }
 
 Result<std::vector<RecordedBus>> RecordingReader::buses() const

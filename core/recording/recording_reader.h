@@ -43,6 +43,8 @@ public:
 
     const QString &file() const { return m_file; }
     Result<RecordingHead> head() const; // as it is now
+    // From the first sample of all to just behind what is in the file; nothing: there is none.
+    Result<std::optional<TimeSpan>> span() const;
     Result<std::vector<RecordedBus>> buses() const;
     Result<std::vector<Device>> devices() const;
     Result<std::vector<Description>> descriptions(const Device &device) const; // oldest first

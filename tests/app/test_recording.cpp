@@ -227,7 +227,7 @@ TEST_F(RecordingInWindowTest, OnlyTheTickedEncodersAreRecordedAndWhatWasChosenIs
     EXPECT_EQ(choices.folder, folder.path());
     EXPECT_TRUE(field<QLineEdit>("recordingFile")
                     .text()
-                    .startsWith(folder.filePath(QStringLiteral("recording-2026-"))));
+                    .startsWith(folder.filePath(QStringLiteral("2026-"))));
 }
 
 TEST_F(RecordingInWindowTest, TheWheelChangesNothingWithoutTheFocusAndHalfANumberIsNotTaken)

@@ -59,7 +59,7 @@ QString RecordingFileField::file() const
 void RecordingFileField::propose(const QString &folder, const QDateTime &now)
 {
     m_folder = folder;
-    const QString name = tr("recording", "file name") + now.toString(QStringLiteral("-yyyy-MM-dd-HHmmss"));
+    const QString name = now.toString(QStringLiteral("yyyy-MM-dd-HHmm")); // it is in front of every place
     QString path = QDir(folder).filePath(name + recordingSuffix);
     for (int i = 2; isTaken(QFileInfo(path)); ++i)
         path = QDir(folder).filePath(QStringLiteral("%1-%2").arg(name).arg(i) + recordingSuffix);
