@@ -9318,6 +9318,10 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
         <source>it is not readable.</source>
         <translation>sie ist nicht lesbar.</translation>
     </message>
+    <message>
+        <source>its folder is not there, or you may not use it.</source>
+        <translation>ihr Ordner fehlt oder darf nicht benutzt werden.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::JsonObject</name>

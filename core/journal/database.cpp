@@ -21,6 +21,7 @@ namespace {
 constexpr int sqliteBusy = 5;
 constexpr int sqliteNoMemory = 7;
 constexpr int sqliteReadOnly = 8;
+constexpr int sqliteCannotOpen = 14;
 constexpr int sqliteInputOutput = 10;
 constexpr int sqliteCorrupt = 11;
 constexpr int sqliteFull = 13;
@@ -113,6 +114,8 @@ DatabaseError Database::errorOf(const QSqlError &error)
         return {DatabaseError::Kind::other, Journal::tr("the disk is full.")};
     case sqliteReadOnly:
         return {DatabaseError::Kind::other, Journal::tr("it is not writable.")};
+    case sqliteCannotOpen:
+        return {DatabaseError::Kind::other, Journal::tr("its folder is not there, or you may not use it.")};
     case sqliteNoMemory:
         return {DatabaseError::Kind::broken, Journal::tr("it contains more than fits into memory.")};
     default:

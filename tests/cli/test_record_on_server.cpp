@@ -52,6 +52,7 @@ TEST_F(CliRecordOnServer, AnAwayServerIsSaidAndTheRestFollows)
     const CliRun away = record(QStringLiteral("2.0 --for 1"));
     EXPECT_EQ(away.exit, 1);
     EXPECT_THAT(away.err, HasSubstr("follows with the next recording"));
+    EXPECT_EQ(away.err.find("follows with the next"), away.err.rfind("follows with the next")) << "once";
     EXPECT_EQ(waitingFiles().size(), 1);
     server->start();
     const CliRun next = record(QStringLiteral("2.0 --for 1"));

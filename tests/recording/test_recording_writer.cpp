@@ -208,8 +208,9 @@ TEST(RecordingWriter, AFileThatIsThereIsNeverWrittenOver)
 TEST(RecordingWriter, WhereNoFileCanBeMadeItSaysWhy)
 {
     const RecordingFile file;
-    EXPECT_TRUE(refusedAt(QStringLiteral("/proc/night.cwrec"))
-                    .startsWith(QStringLiteral("/proc/night.cwrec cannot be used: ")));
+    EXPECT_EQ(
+        refusedAt(QStringLiteral("/proc/night.cwrec")),
+        QStringLiteral("/proc/night.cwrec cannot be used: its folder is not there, or you may not use it."));
     const NoRoom disk(10'000);
     EXPECT_NE(refusedAt(file.path), QString());
     EXPECT_TRUE(QDir(file.folder()).isEmpty(QDir::Files | QDir::Hidden)) << "nothing is left of it";

@@ -37,9 +37,12 @@ void RecordNews::tell(const QString &text) const
     m_call.terminal.complain(text);
 }
 
-// The numbers in a problem change each second, so that it is told once.
+// The numbers in a problem change each second, so that it is told once. What could not be sent until the end
+// is said by the answer.
 void RecordNews::lookAtFile(const RecordingStatus &status)
 {
+    if (status.problem && status.problem->id == RefusalId::notAllSent)
+        return;
     const auto now = status.problem ? std::optional(status.problem->id) : std::nullopt;
     const auto before = std::exchange(m_problem, now);
     if (now && now != before)
