@@ -8,6 +8,7 @@ namespace {
 
 constexpr QLatin1String sharing("shared");
 constexpr QLatin1String travelling("mm-per-turn");
+constexpr QLatin1String passing("recorded");
 constexpr double longestTravel = 1e6; // mm per turn
 
 // "1.0/position turns shared"
@@ -17,7 +18,7 @@ std::optional<TrendTracks::Shown> shownOf(const QStringList &words)
     const auto unit = trackUnit(words.value(1));
     if (!track || !unit)
         return {};
-    return TrendTracks::Shown{*track, *unit, words.value(2) == sharing};
+    return TrendTracks::Shown{*track, *unit, words.contains(sharing)};
 }
 
 bool isNumber(const Track &track)
@@ -117,11 +118,11 @@ QStringList TrendTracks::state() const
 {
     QStringList state;
     for (const Shown &shown : m_shown) {
-        if (m_passing.contains(shown.track.place.bus))
-            continue;
         QStringList words{shown.track.key(), unitKey(shown.unit)};
         if (shown.sharesAxis)
             words << sharing;
+        if (m_passing.contains(shown.track.place.bus))
+            words << passing;
         state << words.join(u' ');
     }
     for (const auto &[place, millimetres] : m_travel)
@@ -137,10 +138,14 @@ void TrendTracks::restore(const QStringList &state)
     for (const QString &line : state) {
         const QStringList words = line.split(u' ');
         const auto place = Place::parse(words.value(1));
+        const auto isGone = [&](Place its) {
+            return words.contains(passing) && !m_passing.contains(its.bus);
+        };
         const double millimetres = words.value(2).toDouble();
         if (words.front() == travelling && place && millimetres > 0 && millimetres <= longestTravel)
             m_travel[*place] = millimetres;
-        else if (const auto shown = shownOf(words); shown && !find(shown->track) && m_shown.size() < most)
+        else if (const auto shown = shownOf(words);
+                 shown && !isGone(shown->track.place) && !find(shown->track) && m_shown.size() < most)
             m_shown.push_back(*shown);
     }
     Q_EMIT changed();

@@ -45,11 +45,12 @@ public:
     std::optional<double> travel(Place place) const;
     void setTravel(Place place, double millimetres);
 
-    // Curves of these buses go with them and are not kept, such as those of recordings.
+    // Curves of these buses go with them, such as those of recordings.
     void setPassing(const std::set<BusId> &buses);
 
-    QStringList state() const;              // to be kept
-    void restore(const QStringList &state); // ignores what it cannot read
+    QStringList state() const; // to be kept
+    // Ignores what it cannot read, and curves of a bus that has passed since.
+    void restore(const QStringList &state);
 
 Q_SIGNALS:
     void changed();

@@ -137,20 +137,25 @@ TEST_F(TrendRecordingsTest, TheMomentAtTheCursorIsAskedFor)
     EXPECT_THAT(asked, testing::ElementsAre(noon + 3s));
 }
 
-TEST_F(TrendRecordingsTest, ItsCurvesGoWithItAndAreNotKept)
+TEST_F(TrendRecordingsTest, ItsCurvesGoWithIt)
 {
     advance(1s);
     auto night = open(8);
     page.showTrack({baumer, Channel::position, {}});
     page.showTrack(position(8));
     page.tracks().setTravel(position(8).place, 5);
-    EXPECT_EQ(page.tracks().state().size(), 1);
+    const QStringList state = page.tracks().state();
+    page.tracks().restore({});
+    page.tracks().restore(state); // as in the window of another language
+    EXPECT_EQ(page.tracks().shown().size(), 2U);
     night.reset();
     EXPECT_EQ(page.tracks().shown().size(), 1U);
     EXPECT_FALSE(page.tracks().travel(position(8).place));
     EXPECT_FALSE(bar().isVisible());
     page.showFrame();
     EXPECT_EQ(view().scene().lanes.size(), 1U);
+    page.tracks().restore(state); // as after the next start
+    EXPECT_EQ(page.tracks().shown().size(), 1U);
 }
 
 TEST_F(TrendRecordingsTest, ABlockThatIsDamagedIsSaid)
