@@ -94,11 +94,11 @@ void RecordingAtWork::look()
     Q_EMIT changed();
 }
 
-// Where no bus is open any more, nothing tells the recorder that its time is over.
+// Where no bus is connected any more, nothing tells the recorder that its time is over.
 void RecordingAtWork::endIfOver()
 {
     const auto &span = m_recorder->span();
-    if (!span || span->to == Instant::max() || !m_buses.open().empty())
+    if (!span || span->to == Instant::max() || !m_buses.connected().empty())
         return;
     if (std::chrono::milliseconds(m_now().toMSecsSinceEpoch()) > span->to + afterTheEnd)
         m_recorder->end();

@@ -114,9 +114,8 @@ RecordingSubjects RecordingInWindow::subjects(RecordingEstimate &estimate) const
     RecordingSubjects subjects;
     subjects.encoders = encoders();
     subjects.now = plant.wallClock();
-    for (const BusAtWork *bus : plant.all())
-        if (bus->isOpen())
-            subjects.buses.emplace_back(bus->id(), plant.nameOf(bus->id()));
+    for (const EncoderBus *bus : plant.buses().connected())
+        subjects.buses.emplace_back(bus->id(), plant.nameOf(bus->id()));
     subjects.bytesPerSecond = [&estimate](const std::set<Place> &places, bool withTraffic) {
         return estimate.bytesPerSecond(places, withTraffic);
     };
@@ -135,11 +134,13 @@ std::vector<RecordableEncoder> RecordingInWindow::encoders() const
     EncoderScales scales(plant.buses(), m_parts.trend.tracks());
     scales.look();
     std::set<Place> places;
-    for (const Place place : plant.buses().places())
-        if (plant.buses().encoder(place) != nullptr)
-            places.insert(place);
+    for (const EncoderBus *bus : plant.buses().connected())
+        for (const Place place : bus->places())
+            if (bus->encoder(place) != nullptr)
+                places.insert(place);
     for (const Place place : plant.histories().places())
-        places.insert(place);
+        if (plant.histories().of(place) != nullptr)
+            places.insert(place);
     std::vector<RecordableEncoder> all;
     for (const Place place : places) {
         const EncoderSession *encoder = plant.buses().encoder(place);

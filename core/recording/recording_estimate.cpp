@@ -24,7 +24,7 @@ RecordingEstimate::RecordingEstimate(Buses &buses, const Histories &histories, Q
     , m_buses(buses)
     , m_histories(histories)
 {
-    for (EncoderBus *bus : buses.open()) {
+    for (EncoderBus *bus : buses.connected()) {
         m_passed[bus->id()].since = bus->now();
         connect(bus, &EncoderBus::trafficPassed, this, [this, id = bus->id()](const TrafficRow &row) {
             ++m_passed[id].rows[row.place.value_or(Place{id, {}})];

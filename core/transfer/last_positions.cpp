@@ -11,10 +11,10 @@ LastPositions::LastPositions(const Buses &buses, QObject *parent)
     , m_buses(buses)
 {
     connect(&buses, &Buses::updated, this, [this](BusId updated) {
-        if (const EncoderBus *bus = m_buses.open(updated))
+        if (const EncoderBus *bus = m_buses.open(updated); bus != nullptr && !bus->isReplay())
             look(*bus);
     });
-    for (const EncoderBus *bus : m_buses.open())
+    for (const EncoderBus *bus : m_buses.connected())
         look(*bus);
 }
 

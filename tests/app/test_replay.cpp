@@ -8,6 +8,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/monitor/word_line.h"
+#include "widgets/recording/recording_dialog.h"
 #include "widgets/replay/replay_bar.h"
 #include "widgets/replay/replay_slider.h"
 #include "widgets/structure/structure_view.h"
@@ -23,6 +24,9 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeWidgetItemIterator>
+
+#include <gmock/gmock.h>
 
 namespace codewheel {
 namespace {
@@ -314,6 +318,23 @@ TEST_F(ReplayInWindow, TheTrendShowsAllOfItAndFollowsTheMoment)
     QCoreApplication::processEvents();
     EXPECT_TRUE(trend.tracks().shown().empty());
     EXPECT_TRUE(shown->plant().histories().archives().empty());
+}
+
+TEST_F(ReplayInWindow, IsNotRecordedAgain)
+{
+    openRecording();
+    actions().record->trigger();
+    auto *dialog = window().findChild<RecordingDialog *>();
+    ASSERT_NE(dialog, nullptr);
+    QStringList offered;
+    for (QTreeWidgetItemIterator item(dialog->findChild<QTreeWidget *>()); *item != nullptr; ++item)
+        offered << (*item)->text(0);
+    EXPECT_THAT(offered.join(u'\n').toStdString(),
+                testing::AllOf(testing::HasSubstr("1.0"), testing::Not(testing::HasSubstr("night"))));
+    for (const auto *choice : dialog->findChildren<QComboBox *>())
+        for (int row = 0; row < choice->count(); ++row)
+            EXPECT_FALSE(choice->itemText(row).contains(QStringLiteral("night")));
+    dialog->reject();
 }
 
 } // namespace
