@@ -225,9 +225,8 @@ TEST_F(RecordingInWindowTest, OnlyTheTickedEncodersAreRecordedAndWhatWasChosenIs
     EXPECT_EQ(choices.before, 2500ms);
     EXPECT_EQ(choices.leastFree, 150);
     EXPECT_EQ(choices.folder, folder.path());
-    EXPECT_TRUE(field<QLineEdit>("recordingFile")
-                    .text()
-                    .startsWith(folder.filePath(QStringLiteral("2026-"))));
+    EXPECT_TRUE(
+        field<QLineEdit>("recordingFile").text().startsWith(folder.filePath(QStringLiteral("2026-"))));
 }
 
 TEST_F(RecordingInWindowTest, TheWheelChangesNothingWithoutTheFocusAndHalfANumberIsNotTaken)
