@@ -102,10 +102,15 @@ void Histories::note(Instant at, const QString &text)
 
 void Histories::insert(const Mark &mark)
 {
-    for (std::deque<Mark> *marks : {&m_ownMarks, &m_marks})
-        marks->insert(std::ranges::upper_bound(*marks, mark.at, {}, &Mark::at), mark);
+    const auto insertInto = [&mark](std::deque<Mark> &marks) {
+        marks.insert(std::ranges::upper_bound(marks, mark.at, {}, &Mark::at), mark);
+    };
+    insertInto(m_ownMarks);
+    if (!m_archives.empty())
+        insertInto(m_mixedMarks);
     if (m_ownMarks.size() > mostMarks) {
-        m_marks.erase(std::ranges::find(m_marks, m_ownMarks.front()));
+        if (!m_archives.empty())
+            m_mixedMarks.erase(std::ranges::find(m_mixedMarks, m_ownMarks.front()));
         m_ownMarks.pop_front();
     }
     Q_EMIT marksChanged();
@@ -113,12 +118,15 @@ void Histories::insert(const Mark &mark)
 
 void Histories::mixMarks()
 {
-    m_marks = m_ownMarks;
+    m_mixedMarks.clear();
+    if (m_archives.empty())
+        return;
+    m_mixedMarks = m_ownMarks;
     for (const Archive *archive : m_archives) {
         const std::vector<Mark> its = archive->marks();
-        const auto own = static_cast<std::ptrdiff_t>(m_marks.size());
-        m_marks.insert(m_marks.end(), its.begin(), its.end());
-        std::ranges::inplace_merge(m_marks, m_marks.begin() + own, {}, &Mark::at);
+        const auto own = static_cast<std::ptrdiff_t>(m_mixedMarks.size());
+        m_mixedMarks.insert(m_mixedMarks.end(), its.begin(), its.end());
+        std::ranges::inplace_merge(m_mixedMarks, m_mixedMarks.begin() + own, {}, &Mark::at);
     }
 }
 

@@ -29,8 +29,9 @@ public:
     // Null: nothing was ever shown there. What is kept stays when its bus is closed.
     const EncoderHistory *of(Place place) const; // here
     const History *of(Place place, Channel channel) const;
-    std::optional<TimeSpan> span() const;                     // of all that are here
-    const std::deque<Mark> &marks() const { return m_marks; } // oldest first, with those of the archives
+    std::optional<TimeSpan> span() const; // of all that are here
+    // Oldest first, with those of the archives.
+    const std::deque<Mark> &marks() const { return m_archives.empty() ? m_ownMarks : m_mixedMarks; }
     // What the user notes; an empty text removes the note of that moment.
     void note(Instant at, const QString &text);
 
@@ -81,7 +82,7 @@ private:
     std::map<Place, Watched> m_watched;
     std::vector<Archive *> m_archives;
     std::deque<Mark> m_ownMarks;
-    std::deque<Mark> m_marks; // with those of the archives
+    std::deque<Mark> m_mixedMarks; // with those of the archives, if there are any
     std::size_t m_limit = usualLimit;
     std::uint64_t m_dropped = 0;
 };
