@@ -142,17 +142,21 @@ Stored<Instant> RecordedChannel::startBefore(Instant at) const
 Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocksAfter(Instant from, qint64 id, Instant to,
                                                                          int most) const
 {
+    return blocks(
+        query(*m_database,
+              QStringLiteral("SELECT %1, data FROM block WHERE channel = ? AND (start, data) > (?, ?) "
+                             "AND start < ? ORDER BY start, data LIMIT ?")
+                  .arg(pieceSelection),
+              m_id, from.count(), id, to.count(), most));
+}
+
+Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocks(QSqlQuery rows) const
+{
     std::vector<Block> blocks;
-    return codewheel::read(
-               *m_database,
-               query(*m_database,
-                     QStringLiteral("SELECT %1, data FROM block WHERE channel = ? AND (start, data) > (?, ?) "
-                                    "AND start < ? ORDER BY start, data LIMIT ?")
-                         .arg(pieceSelection),
-                     m_id, from.count(), id, to.count(), most),
-               [&](const QSqlQuery &row) {
-                   blocks.push_back({row.value(10).toLongLong(), pieceOf(row)});
-               })
+    return codewheel::read(*m_database, std::move(rows),
+                           [&](const QSqlQuery &row) {
+                               blocks.push_back({row.value(10).toLongLong(), pieceOf(row)});
+                           })
         .map([&] { return std::move(blocks); });
 }
 
@@ -431,20 +435,14 @@ Stored<std::vector<RecordedChannel::Block>> RecordedChannel::blocksWithGaps(cons
     if (!behind)
         return behind;
     std::erase_if(*behind, [](const Block &row) { return !row.piece.column.hasGap; });
-    std::vector<Block> blocks;
-    return codewheel::read(
-               *m_database,
-               query(*m_database,
-                     QStringLiteral("SELECT %1, data FROM block WHERE channel = ? AND start >= ? AND "
-                                    "start < ? AND gap != 0 ORDER BY start, data")
-                         .arg(pieceSelection),
-                     m_id, start->count(), span.to.count()),
-               [&](const QSqlQuery &row) {
-                   blocks.push_back({row.value(10).toLongLong(), pieceOf(row)});
-               })
-        .map([&] {
-            blocks.insert(blocks.end(), behind->begin(), behind->end());
-            return std::move(blocks);
+    return blocks(query(*m_database,
+                        QStringLiteral("SELECT %1, data FROM block WHERE channel = ? AND start >= ? AND "
+                                       "start < ? AND gap != 0 ORDER BY start, data")
+                            .arg(pieceSelection),
+                        m_id, start->count(), span.to.count()))
+        .map([&](std::vector<Block> found) {
+            found.insert(found.end(), behind->begin(), behind->end());
+            return found;
         });
 }
 

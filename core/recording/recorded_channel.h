@@ -90,6 +90,7 @@ private:
     Stored<Unpacked> read(const Block &row);
     Stored<const AtHand *> blockWith(Instant at); // null: there is none, or it is damaged
     Unpacked keep(qint64 id, RecordedBlock block);
+    Stored<std::vector<Block>> blocks(QSqlQuery rows) const;
     Stored<std::vector<Block>> blocksWithGaps(const TimeSpan &span) const;
     Stored<std::vector<Block>> blocksAfter(Instant from, qint64 id, Instant to, int most) const;
     Stored<std::optional<Block>> blockAt(Instant at) const;
