@@ -18,6 +18,9 @@ enum class MessageId : std::uint8_t {
     busStarted,        //
     busStopped,        //
     alarmStop,         // all OUT words set to 0
+    zerosReadBack,     // of the ALARM STOP, on a gateway
+    zerosOverwritten,  // they were sent, but something else was read back
+    zerosSent,         // and cannot be read back
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed

@@ -26,6 +26,16 @@ constexpr std::array messageRows{
     MessageRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
     MessageRow{MessageId::alarmStop, "alarmStop",
                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring were set to 0.")},
+    MessageRow{MessageId::zerosReadBack, "zerosReadBack",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
+                                            "read back as 00000000.")},
+    MessageRow{MessageId::zerosOverwritten, "zerosOverwritten",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent, but OUT was read back as "
+                                            "something else. Somebody else may write to it: stop the "
+                                            "machine by its own means.")},
+    MessageRow{MessageId::zerosSent, "zerosSent",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
+                                            "cannot be read back on this link.")},
     MessageRow{MessageId::operateOn, "operateOn",
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",

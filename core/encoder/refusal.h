@@ -71,6 +71,9 @@ enum class RefusalId : std::uint8_t {
     passwordInAddress,     //
     noSizeOnServer,        //
     recordingEmpty,        // file
+    linkSettingWrong,      // setting, the text given, what is allowed
+    registerMapWrong,      // sentence about what is wrong
+    gatewayHasNoDevices,   //
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -87,6 +90,8 @@ enum class RefusalId : std::uint8_t {
     jobNotSupported,                // device name
     onlyRecorded,                   //
     masterServiceNotSupported,      // text of the service
+    outNotReadBack,                 //
+    noIdCycle,                      //
     encodersDiffer,                 // place, device name, place, device name
     // busy
     jobRunning,         // place
@@ -98,6 +103,7 @@ enum class RefusalId : std::uint8_t {
     noConfiguration,    //
     eepromBudgetUsed,   // place, writes by this program, budget
     eepromLimitPassed,  // place, writes by this program, limit
+    outNotOurs,         // place, Word OUT of ours, Word OUT found there
     // device
     wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
     unknownParameterNumber, // error 2
@@ -132,30 +138,38 @@ enum class RefusalId : std::uint8_t {
     escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place
     // link
-    linkFailed,     // text of the link
-    ringDiffers,    // place, configured, found
-    busFault,       // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
-    notInRing,      // place
-    databaseFailed, // file, reason
-    recordingGone,  // file
-    damagedBlocks,  // file, blocks of samples
-    diskAlmostFull, // file, free MB, MB that are to stay free
-    serverAway,     // address, reason, MB that wait
-    notAllSent,     // address, reason, MB that wait, file
-    portNotFound,   // port
-    portInUse,      // port
-    portNoRights,   // port, group that may use it, command that adds the user to it
-    portLost,       // port: the adapter was unplugged
-    portOfOther,    // port, the adapter that was expected
-    lineClosed,     //
-    notConnected,   // place
-    deviceDiffers,  // place, planned, connected
-    serialDiffers,  // place, serial number on the label, serial number reported by the encoder
+    linkFailed,          // text of the link
+    ringDiffers,         // place, configured, found
+    busFault,            // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    notInRing,           // place
+    databaseFailed,      // file, reason
+    recordingGone,       // file
+    damagedBlocks,       // file, blocks of samples
+    diskAlmostFull,      // file, free MB, MB that are to stay free
+    serverAway,          // address, reason, MB that wait
+    notAllSent,          // address, reason, MB that wait, file
+    portNotFound,        // port
+    portInUse,           // port
+    portNoRights,        // port, group that may use it, command that adds the user to it
+    portLost,            // port: the adapter was unplugged
+    portOfOther,         // port, the adapter that was expected
+    lineClosed,          //
+    hostNotFound,        // host
+    connectionRefused,   // address
+    connectionSilent,    // address, seconds
+    connectionClosed,    // address
+    registersUnanswered, // link, text of the registers, tries
+    registersRefused,    // link, text of the registers, code of the exception, its meaning
+    registersGarbled,    // link, text of the registers, what was wrong
+    notConnected,        // place
+    deviceDiffers,       // place, planned, connected
+    serialDiffers,       // place, serial number on the label, serial number reported by the encoder
     // stopped
     cancelled,      //
     alarmStop,      //
     busStopped,     //
     computerSlept,  //
+    outsOfOther,    // somebody else writes to the outputs of the bus
     stoppedInWrite, // command: whether it was carried out is not known
 };
 inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::stoppedInWrite) + 1;

@@ -149,6 +149,13 @@ constexpr std::array refusalRows{
                                             "to a size.")},
     RefusalRow{RefusalId::recordingEmpty, "recordingEmpty",
                QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
+    RefusalRow{RefusalId::linkSettingWrong, "linkSettingWrong",
+               QT_TRANSLATE_NOOP("Refusal", "The setting %1 of the link cannot be \"%2\". Allowed: %3.")},
+    RefusalRow{RefusalId::registerMapWrong, "registerMapWrong",
+               QT_TRANSLATE_NOOP("Refusal", "%1 Change the registers of the link.")},
+    RefusalRow{RefusalId::gatewayHasNoDevices, "gatewayHasNoDevices",
+               QT_TRANSLATE_NOOP("Refusal", "The project has no devices on this ring, and a gateway cannot "
+                                            "say which there are. Enter them in the bus structure first.")},
     // notSupported
     RefusalRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",
@@ -198,6 +205,12 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP(
             "Refusal",
             "This link does not reach the master: %1 is not possible. It shows the process data only.")},
+    RefusalRow{RefusalId::outNotReadBack, "outNotReadBack",
+               QT_TRANSLATE_NOOP("Refusal", "The OUT words cannot be read back: what is there now is not "
+                                            "known. Operate replaces it.")},
+    RefusalRow{RefusalId::noIdCycle, "noIdCycle",
+               QT_TRANSLATE_NOOP("Refusal", "A gateway cannot say which devices are in the ring: the project "
+                                            "does. Enter them there.")},
     RefusalRow{
         RefusalId::encodersDiffer, "encodersDiffer",
         QT_TRANSLATE_NOOP(
@@ -238,6 +251,9 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1: this program has written %2 times to its EEPROM; beyond %3 its "
                                  "manual guarantees nothing. Type the place to write nevertheless.")},
+    RefusalRow{RefusalId::outNotOurs, "outNotOurs",
+               QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to %1: OUT is %3 there instead of %2. The "
+                                            "bus is in Watch now. Stop the other program or PLC first.")},
     // device
     RefusalRow{
         RefusalId::wrongParameterData, "wrongParameterData",
@@ -443,6 +459,28 @@ constexpr std::array refusalRows{
                    "Refusal", "%1 is another adapter than %2. Choose the port again if you mean this one.")},
     RefusalRow{RefusalId::lineClosed, "lineClosed",
                QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
+    RefusalRow{RefusalId::hostNotFound, "hostNotFound",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "There is no host \"%1\" in this network. Check its name, or give "
+                                 "its address.")},
+    RefusalRow{RefusalId::connectionRefused, "connectionRefused",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 refuses the connection. Check the port, and whether Modbus/TCP "
+                                 "is switched on there.")},
+    RefusalRow{RefusalId::connectionSilent, "connectionSilent",
+               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be reached: no answer within %2 s. Check address, "
+                                            "cable and supply.")},
+    RefusalRow{RefusalId::connectionClosed, "connectionClosed",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 has closed the connection. It may serve only a few clients at "
+                                 "once.")},
+    RefusalRow{RefusalId::registersUnanswered, "registersUnanswered",
+               QT_TRANSLATE_NOOP("Refusal", "%1 does not answer (%2, tries: %3). Check unit number, settings "
+                                            "of the line, and supply.")},
+    RefusalRow{RefusalId::registersRefused, "registersRefused",
+               QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
+    RefusalRow{RefusalId::registersGarbled, "registersGarbled",
+               QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
     RefusalRow{RefusalId::notConnected, "notConnected",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 is not connected. Connect its bus, and look which devices are "
@@ -468,6 +506,9 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The job ended because the computer slept. Check in which state the encoder is, "
                           "and change to Operate before you write again.")},
+    RefusalRow{RefusalId::outsOfOther, "outsOfOther",
+               QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to the outputs of this bus: it is in Watch "
+                                            "now.")},
     RefusalRow{RefusalId::stoppedInWrite, "stoppedInWrite",
                QT_TRANSLATE_NOOP(
                    "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "

@@ -17,26 +17,7 @@ void LineCounter::note(const esc::ExchangeResult &result)
         return;
     }
     ++m_figures.answers;
-    noteTime(result.answerTime);
-}
-
-void LineCounter::noteTime(Instant time)
-{
-    if (m_times.size() < samples) {
-        m_times.push_back(time);
-    } else {
-        m_sorted.erase(std::ranges::lower_bound(m_sorted, m_times[m_oldest]));
-        m_times[m_oldest] = time;
-        m_oldest = (m_oldest + 1) % samples;
-    }
-    m_sorted.insert(std::ranges::upper_bound(m_sorted, time), time);
-
-    auto &told = m_figures.answerTime;
-    if (!told)
-        told = {.shortest = time, .median = time, .longest = time};
-    told->shortest = std::min(told->shortest, time);
-    told->median = m_sorted[m_sorted.size() / 2];
-    told->longest = std::max(told->longest, time);
+    m_figures.answerTime = m_times.note(result.answerTime);
 }
 
 Instant LineCounter::longestAnswer() const

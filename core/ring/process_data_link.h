@@ -5,11 +5,15 @@
 #include "encoder/refusal.h"
 #include "ring/participant.h"
 
+#include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace codewheel {
 
 class MasterLink;
+struct LinkFigures;
 
 // The contract of a link to a ring: one exchange of all process data is one bus cycle, and the ring's clock.
 // Blocking, bounded by the link's time-out; used by one thread, interrupt() by any. Words are in ring order,
@@ -23,10 +27,26 @@ public:
     // again.
     virtual Result<RingStructure> open() = 0;
     virtual void close() = 0;
-    // The OUT words currently on the peer, to show them on connecting.
+    // The OUT words currently on the peer, to show them on connecting. Refused with outNotReadBack: the peer
+    // does not tell them, but works.
     virtual Result<std::vector<Word>> readBackOut() = 0;
     // One cycle: out goes out, in is what came in during the same cycle (not yet the answer to out).
+    // Refused with outNotOurs, and nothing sent, if somebody else has changed OUT on the peer.
     virtual Result<void> exchange(std::span<const Word> out, std::span<Word> in) = 0;
+    // One cycle in Watch. Where the ring goes on without us (a gateway), nothing is sent, and `out` becomes
+    // what is on the peer. A ring that needs our words to go on gets them as they stand.
+    virtual Result<void> watch(std::span<Word> out, std::span<Word> in) { return exchange(out, in); }
+    // One cycle that sends 00000000 to all devices, whatever is there. Whether it was read back on the peer;
+    // empty: that cannot be said.
+    virtual Result<std::optional<bool>> sendZeros(std::span<Word> in)
+    {
+        const std::vector<Word> zeros(in.size());
+        return exchange(zeros, in).map([] { return std::optional<bool>(); });
+    }
+    // False: what the last cycle gave for this device is its word from an earlier one.
+    virtual bool isUpToDate(std::size_t /*device*/) const { return true; }
+    // Statistics, newly made now and then; null: it keeps none.
+    virtual std::shared_ptr<const LinkFigures> figures() const { return nullptr; }
     // The time on the ring's clock, which starts at 0 with the link and never goes back, whatever is closed
     // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes only in
     // wait().

@@ -16,10 +16,16 @@ RingRunner::Private::Private(ProcessDataLink &usedLink, Mail &usedMail)
 
 bool RingRunner::Private::carryOutCommands()
 {
-    while (!zerosAreDue || ring.state != MasterState::run)
+    while (!zerosGoNext())
         if (!carryOutNext())
             return true;
     return false;
+}
+
+// A gateway keeps the outputs as they are while nothing is exchanged.
+bool RingRunner::Private::zerosGoNext() const
+{
+    return zerosAreDue && ring.connected && (ring.state == MasterState::run || !link.boundsWordsToCycles());
 }
 
 bool RingRunner::Private::carryOutNext()
@@ -143,7 +149,8 @@ void RingRunner::Private::takeBackWhatMustNotStand()
 
 void RingRunner::Private::carryOut(command::AlarmStop)
 {
-    zerosAreDue = !ring.connected || (!master && ring.state == MasterState::run);
+    zerosAreDue =
+        !ring.connected || !link.boundsWordsToCycles() || (!master && ring.state == MasterState::run);
     if (master && ring.connected) {
         master->alarmStop();
         masterWatch.leftByService();
@@ -172,6 +179,8 @@ void RingRunner::Private::work()
         readInStep();
     else if (ring.state == MasterState::run)
         exchange();
+    else if (zerosGoNext())
+        zeroAtRest();
     else
         idle();
 }
@@ -179,6 +188,7 @@ void RingRunner::Private::work()
 void RingRunner::Private::publish()
 {
     ring.droppedRows = mail.droppedRows();
+    ring.figures = link.figures();
     for (std::size_t i = 0; i < ring.devices.size(); ++i) {
         const Snapshot::Device &device = ring.devices[i];
         tap.look(i, device.reading, ring.state == MasterState::run && device.inRing, ring.at,
@@ -191,16 +201,33 @@ void RingRunner::Private::publish()
 
 void RingRunner::Private::exchange()
 {
-    const auto exchanged = link.exchange(image, received);
+    const auto exchanged = zerosAreDue    ? sendZeros()
+                           : ring.operate ? link.exchange(image, received)
+                                          : link.watch(image, received);
     if (!exchanged) {
         fail(exchanged.error());
         return;
     }
     ++ring.cycle;
-    zerosAreDue = false;
     tellWritten();
     for (std::size_t i = 0; i < image.size(); ++i)
         step(i);
+}
+
+// A gateway repeats what it has last got, so whether the zeros got there is worth a message.
+Result<void> RingRunner::Private::sendZeros()
+{
+    const auto sent = link.sendZeros(received);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    zerosAreDue = false;
+    if (link.boundsWordsToCycles())
+        return {};
+    if (*sent == false)
+        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosOverwritten});
+    else
+        tellOfRing({.id = *sent ? MessageId::zerosReadBack : MessageId::zerosSent});
+    return {};
 }
 
 // `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link. Nor is it if the
@@ -208,16 +235,36 @@ void RingRunner::Private::exchange()
 void RingRunner::Private::fail(const Refusal &why)
 {
     const bool masterTellsIt = master && master->status().state != MasterState::run;
-    if (why.kind != RefusalKind::stopped && !masterTellsIt)
+    if (why.id == RefusalId::outNotOurs)
+        giveWay(why);
+    else if (why.kind != RefusalKind::stopped && !masterTellsIt)
         loseLink(why);
     lookAtMaster();
     showStandingWords();
+}
+
+void RingRunner::Private::zeroAtRest()
+{
+    if (const auto sent = sendZeros(); !sent)
+        fail(sent.error());
+    showStandingWords();
+}
+
+// Somebody else writes to the same outputs. Both would move the machine in turn, so we stop.
+void RingRunner::Private::giveWay(const Refusal &why)
+{
+    endJobs(RefusalId::outsOfOther);
+    goOnWithWhatWasExchanged();
+    ring.operate = false;
+    refuseOfRing(why);
 }
 
 // One device, after an exchange: its words, its driver's answer, its trace row.
 void RingRunner::Private::step(std::size_t i)
 {
     Snapshot::Device &device = ring.devices[i];
+    if (!link.boundsWordsToCycles())
+        device.inRing = link.isUpToDate(i);
     if (!device.inRing)
         return;
     const Word out = image[i];
@@ -379,8 +426,8 @@ void RingRunner::close()
 {
     d->ring.at = d->link.now();
     m_mail.post(command::StopBus{});
-    while (!d->carryOutCommands())
-        d->exchange();
+    while (!d->carryOutCommands() && d->ring.connected)
+        d->work();
     d->endJobs(RefusalId::busStopped);
     d->lookAtMaster();
     d->publish();

@@ -17,6 +17,11 @@ Result<RingFound> RingRunner::Private::find()
     if (!there)
         return tl::unexpected(there.error());
     auto out = link.readBackOut();
+    if (!out && out.error().id == RefusalId::outNotReadBack) {
+        auto nothing = found(*std::move(there), {});
+        nothing.outIsKnown = false;
+        return nothing;
+    }
     if (!out) {
         link.close();
         return tl::unexpected(out.error());
@@ -68,9 +73,20 @@ void RingRunner::Private::tryToReopen()
         tell(0, *std::move(there));
         return;
     }
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] = goesOn(i, there->out[i]);
+    if (there->outIsKnown)
+        for (std::size_t i = 0; i < image.size(); ++i)
+            image[i] = goesOn(i, there->out[i]);
+    else
+        tellOutIsUnknown();
     comeBack();
+}
+
+// It is sent once the user says Operate.
+void RingRunner::Private::tellOutIsUnknown()
+{
+    Message message{.severity = Severity::attention};
+    message.refusal = Refusal{RefusalKind::notSupported, RefusalId::outNotReadBack, {}};
+    tellOfRing(std::move(message));
 }
 
 // There is a ring that can run. An ALARM STOP that came too late for its link goes first.
@@ -124,6 +140,8 @@ Result<void> RingRunner::open(const std::stop_token &stop)
     d->tell(0, LinkOpened{opened});
     if (found) {
         d->ringIsOther = true;
+        if (!found->outIsKnown)
+            d->tellOutIsUnknown();
         d->tell(0, *std::move(found));
     }
     return opened;

@@ -20,6 +20,7 @@ struct RingRunner::Private
 
     // False: the zeros of an ALARM STOP have to go out first, and the rest waits.
     bool carryOutCommands();
+    bool zerosGoNext() const;
     bool carryOutNext(); // false: there is none
     void carryOut(command::UseRing &c);
     void carryOut(const command::SetOut &c);
@@ -41,7 +42,10 @@ struct RingRunner::Private
     void work();
     void publish();
     void exchange();
+    Result<void> sendZeros();
+    void zeroAtRest();
     void fail(const Refusal &why);
+    void giveWay(const Refusal &why);
     void step(std::size_t device);
     void tellWritten();
     void showStandingWords();
@@ -61,6 +65,7 @@ struct RingRunner::Private
     void waitForLink();
     void tryToReopen();
     void comeBack();
+    void tellOutIsUnknown();
 
     // With a master (ring_runner_master.cpp).
     bool reaches(MasterService service);

@@ -3,6 +3,7 @@
 
 #include "encoder/reading.h"
 #include "encoder/refusal.h"
+#include "ring/link_figures.h"
 #include "ring/master_status.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ struct RingState
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
     // What the master says, created anew when it changes; null: the link reaches no master.
     std::shared_ptr<const MasterStatus> master{};
+    std::shared_ptr<const LinkFigures> figures{}; // null: the link keeps none
 };
 
 // The ring after one cycle, with the bits that changed in any cycle since the last snapshot was taken.

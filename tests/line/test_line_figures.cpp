@@ -36,21 +36,19 @@ TEST(LineCounter, TellsShortestMedianAndLongestAnswerTime)
     LineCounter counter;
     for (const int time : {9'000, 4'000, 7'000})
         counter.note(answeredAfter(time));
-    EXPECT_EQ(counter.figures().answerTime,
-              (LineFigures::AnswerTime{Instant{4'000}, Instant{7'000}, Instant{9'000}}));
+    EXPECT_EQ(counter.figures().answerTime, (AnswerTime{Instant{4'000}, Instant{7'000}, Instant{9'000}}));
     EXPECT_EQ(counter.longestAnswer(), Instant{9'000});
 }
 
 TEST(LineCounter, MedianIsOfTheNewestAnswers)
 {
     LineCounter counter;
-    for (std::size_t i = 0; i < LineCounter::samples; ++i)
+    for (std::size_t i = 0; i < AnswerTimes::samples; ++i)
         counter.note(answeredAfter(1'000));
-    for (std::size_t i = 0; i < LineCounter::samples; ++i)
+    for (std::size_t i = 0; i < AnswerTimes::samples; ++i)
         counter.note(answeredAfter(2'000));
-    EXPECT_EQ(counter.figures().answerTime,
-              (LineFigures::AnswerTime{Instant{1'000}, Instant{2'000}, Instant{2'000}}));
-    EXPECT_EQ(counter.figures().answers, 2 * LineCounter::samples);
+    EXPECT_EQ(counter.figures().answerTime, (AnswerTime{Instant{1'000}, Instant{2'000}, Instant{2'000}}));
+    EXPECT_EQ(counter.figures().answers, 2 * AnswerTimes::samples);
 }
 
 TEST(LineCounter, CountsWhatNobodyAskedForAsGarbage)

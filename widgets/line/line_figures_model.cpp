@@ -15,7 +15,7 @@ struct FigureRow
 {
     const char *title;
     std::uint64_t LineFigures::*count;
-    Instant LineFigures::AnswerTime::*time;
+    Instant AnswerTime::*time;
 };
 
 constexpr FigureRow figureRows[] = {
@@ -28,13 +28,9 @@ constexpr FigureRow figureRows[] = {
     {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Late bytes"), &LineFigures::lateBytes, {}},
     {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, shortest, ms"),
      {},
-     &LineFigures::AnswerTime::shortest},
-    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, median, ms"),
-     {},
-     &LineFigures::AnswerTime::median},
-    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, longest, ms"),
-     {},
-     &LineFigures::AnswerTime::longest},
+     &AnswerTime::shortest},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, median, ms"), {}, &AnswerTime::median},
+    {QT_TRANSLATE_NOOP("codewheel::LineFiguresModel", "Answer time, longest, ms"), {}, &AnswerTime::longest},
 };
 constexpr int figureCount = static_cast<int>(std::size(figureRows));
 

@@ -25,7 +25,7 @@ LineSnapshot snapshot()
                     .unanswered = 1,
                     .garbageBytes = 7,
                     .lateBytes = 10,
-                    .answerTime = LineFigures::AnswerTime{5'100us, 6'200us, 31ms}};
+                    .answerTime = AnswerTime{5'100us, 6'200us, 31ms}};
     LineFigures ofOne;
     ofOne.requests = 4;
     line.devices.push_back({.address = {0x12}, .reading = {}, .figures = ofOne});

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "esc_line/serial_settings.h"
+#include "modbus/register_port.h"
+
+#include <map>
+#include <optional>
+
+namespace codewheel {
+
+// How a gateway that shows the process image of a ring as Modbus registers is reached, and where in its
+// registers the image is. The map is the product's own, so all of it can be set; it is kept in the project
+// (docs/protocols/modbus-gateway.md).
+struct GatewaySettings
+{
+    enum class Transport : std::uint8_t { tcp, rtu };
+
+    Transport transport = Transport::tcp;
+    QString host{}; // name or address
+    int tcpPort = modbus_limit::tcpPort;
+    QString serialPort{}; // "/dev/ttyUSB0"
+    SerialSettings serial{.baudRate = 19'200,
+                          .dataBits = 8,
+                          .parity = SerialSettings::Parity::even,
+                          .stopBits = 1,
+                          .lowLatency = true};
+    int unit = 1;
+
+    RegisterArea inArea = RegisterArea::input;
+    int inFirst = 0;
+    int outFirst = 0; // holding registers
+    // By function 23, together with reading IN, which is in holding registers then.
+    bool writesWithRead = false;
+    bool highWordFirst = true;            // the first register is D31..D16
+    std::optional<int> statusRegister{};  // in the area of IN; empty: none
+    std::optional<int> controlRegister{}; // holding register; empty: none
+    // Whether OUT can be read back by function 3. Without it nobody notices what somebody else writes.
+    bool readsBack = true;
+
+    Instant pollInterval{};  // from one exchange to the next; 0: as fast as the link
+    Instant reactionDelay{}; // after an exchange, until its words count as exchanged
+    Instant timeOut = std::chrono::milliseconds(500);
+    int retries = 2; // of a transaction without a valid answer
+
+    friend bool operator==(const GatewaySettings &, const GatewaySettings &) = default;
+};
+
+inline constexpr char modbusTcpLink[] = "modbus-tcp";
+inline constexpr char modbusRtuLink[] = "modbus-rtu";
+bool isGatewayLink(const QString &kind);
+
+// Limits of the settings, both ends included; those that no standard states are ours.
+namespace gateway_limits {
+struct Limits
+{
+    int least = 0;
+    int most = 0;
+
+    constexpr bool hold(int value) const { return value >= least && value <= most; }
+};
+inline constexpr Limits tcpPort{1, 65'535};
+inline constexpr Limits tcpUnit{0, modbus_limit::lastUnit};
+inline constexpr Limits rtuUnit{1, modbus_limit::lastSerialUnit};
+inline constexpr Limits registers{0, modbus_limit::lastRegister};
+inline constexpr Limits baudRate{1'200, 10'000'000};
+inline constexpr Limits interval{0, 10'000}; // ms
+inline constexpr Limits delay{0, 1'000};     // ms
+inline constexpr Limits timeOut{10, 10'000}; // ms
+inline constexpr Limits retries{0, 20};
+} // namespace gateway_limits
+
+// The settings by name, as projects keep them and the command line takes them: "unit" = "1". Only what
+// differs from the defaults; without transport, host and serial port.
+std::map<QString, QString> settingTexts(const GatewaySettings &settings);
+// Takes them over into `settings`, whose transport decides which there are. Refused: linkSettingWrong.
+Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QString> &texts);
+// All names for the transport, in the order of the table.
+QStringList settingNames(GatewaySettings::Transport transport);
+
+// The settings of a link as a project keeps it: all texts, with "host" and "port". Refused:
+// linkSettingWrong.
+Result<GatewaySettings> gatewaySettings(const QString &linkKind, const std::map<QString, QString> &texts);
+QString linkKindOf(const GatewaySettings &settings); // "modbus-tcp"
+std::map<QString, QString> linkTexts(const GatewaySettings &settings);
+// As known to the user: "192.168.0.5:502, unit 1".
+QString gatewayText(const GatewaySettings &settings);
+
+} // namespace codewheel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/register_refusal.h"
+
+#include "encoder/sentence.h"
+#include "modbus/gateway_texts.h"
+
+namespace codewheel {
+
+QString registersText(int function, const RegisterBlock &block)
+{
+    const QString of = QString::number(function);
+    if (block.count == 1)
+        return sentence(GatewayTexts::tr("function %1, register %2"), {of, QString::number(block.first)});
+    return sentence(GatewayTexts::tr("function %1, registers %2 to %3"),
+                    {of, QString::number(block.first), QString::number(block.end() - 1)});
+}
+
+QString exceptionText(int code)
+{
+    switch (code) {
+    case 1:
+        return GatewayTexts::tr("it does not have this function.");
+    case 2:
+        return GatewayTexts::tr(
+            "it does not have these registers. Its image is shorter, or begins elsewhere.");
+    case 3:
+        return GatewayTexts::tr("it does not accept this value or this number of registers.");
+    case 4:
+        return GatewayTexts::tr("it failed while carrying this out.");
+    case 5:
+        return GatewayTexts::tr("it has accepted the request and needs longer for it.");
+    case 6:
+        return GatewayTexts::tr("it is busy.");
+    case 8:
+        return GatewayTexts::tr("its memory is damaged.");
+    case 10:
+        return GatewayTexts::tr("the gateway has no path to the unit. Check the unit number.");
+    case 11:
+        return GatewayTexts::tr("the unit behind the gateway does not answer.");
+    default:
+        return GatewayTexts::tr("this code is not in the standard.");
+    }
+}
+
+Refusal registerRefusal(const RegisterError &error, const QString &port, int function,
+                        const RegisterBlock &block, int tries)
+{
+    const QString registers = registersText(function, block);
+    switch (error.kind) {
+    case RegisterError::Kind::noAnswer:
+        return {RefusalKind::link, RefusalId::registersUnanswered, {port, registers, std::int64_t{tries}}};
+    case RegisterError::Kind::exception:
+        return {RefusalKind::link,
+                RefusalId::registersRefused,
+                {port, registers, std::int64_t{error.exception}, exceptionText(error.exception)}};
+    case RegisterError::Kind::wrongAnswer:
+        return {RefusalKind::link, RefusalId::registersGarbled, {port, registers, error.text}};
+    case RegisterError::Kind::closed:
+        return {RefusalKind::link, RefusalId::connectionClosed, {port}};
+    case RegisterError::Kind::stopped:
+        return {RefusalKind::stopped, RefusalId::cancelled, {}};
+    }
+    return {RefusalKind::link, RefusalId::linkFailed, {error.text}};
+}
+
+} // namespace codewheel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "modbus/gateway_map.h"
+#include "modbus/register_port.h"
+
+namespace codewheel {
+
+// "function 4, registers 0 to 27", for sentences in the user's language.
+QString registersText(int function, const RegisterBlock &block);
+
+// What an exception code means (Modbus Application Protocol V1.1b3, 7); a sentence.
+QString exceptionText(int code);
+
+// Why a transaction failed for good. `tries`: how often it was sent.
+Refusal registerRefusal(const RegisterError &error, const QString &port, int function,
+                        const RegisterBlock &block, int tries);
+
+} // namespace codewheel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/word_gate.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace codewheel {
+namespace {
+
+// What is believed after each read; 0 before the first.
+std::vector<Word> believed(WordGate gate, const std::vector<Word> &reads)
+{
+    std::vector<Word> words;
+    for (const Word read : reads) {
+        gate.take(read);
+        words.push_back(gate.word());
+    }
+    return words;
+}
+
+const WordGate k3(Profile::k3, 2);
+
+TEST(WordGate, AHandshakeWordCountsAfterTwoEqualReads)
+{
+    EXPECT_EQ(believed(k3, {0xC200'00FF, 0xC200'00FF, 0xC400'00FF, 0xC400'1000, 0xC400'1000}),
+              (std::vector<Word>{0, 0xC200'00FF, 0xC200'00FF, 0xC200'00FF, 0xC400'1000}));
+}
+
+TEST(WordGate, APositionThatMovesIsBelievedOneReadLater)
+{
+    EXPECT_EQ(believed(k3, {100, 110, 120, 130}), (std::vector<Word>{0, 0, 110, 120}));
+}
+
+TEST(WordGate, APositionTornAtItsCarryIsNotBelieved)
+{
+    // high register first: 0000FFF0 -> 00010010 read as 00000010
+    EXPECT_EQ(believed(k3, {0xFFE0, 0xFFE8, 0xFFF0, 0x0010, 0x1'0018, 0x1'0020, 0x1'0028}),
+              (std::vector<Word>{0, 0, 0xFFE8, 0xFFE8, 0xFFE8, 0xFFE8, 0x1'0020}));
+    // low register first: read as 0001FFF8
+    EXPECT_EQ(believed(k3, {0xFFE0, 0xFFE8, 0xFFF0, 0x1'FFF8, 0x1'0010, 0x1'0018, 0x1'0020}),
+              (std::vector<Word>{0, 0, 0xFFE8, 0xFFE8, 0xFFE8, 0xFFE8, 0x1'0018}));
+}
+
+// A confirmation C20000FF that begins while the word is read, in either order.
+TEST(WordGate, AWordTornBetweenPositionAndHandshakeIsNotBelieved)
+{
+    EXPECT_EQ(believed(k3, {0x12'3450, 0x12'3456, 0x12'00FF, 0xC200'00FF, 0xC200'00FF}),
+              (std::vector<Word>{0, 0, 0x12'3456, 0x12'3456, 0xC200'00FF}));
+    EXPECT_EQ(believed(k3, {0x12'3456, 0x12'3456, 0xC200'3456, 0xC200'00FF, 0xC200'00FF}),
+              (std::vector<Word>{0, 0x12'3456, 0x12'3456, 0x12'3456, 0xC200'00FF}));
+    // and back
+    EXPECT_EQ(believed(k3, {0xC200'00FF, 0xC200'00FF, 0x12'00FF, 0x12'3456, 0x12'3456}),
+              (std::vector<Word>{0, 0xC200'00FF, 0xC200'00FF, 0xC200'00FF, 0x12'3456}));
+}
+
+TEST(WordGate, WithoutAProfileOnlyEqualReadsCount)
+{
+    EXPECT_EQ(believed(WordGate(std::nullopt, 2), {100, 110, 120, 120}), (std::vector<Word>{0, 0, 0, 120}));
+}
+
+TEST(WordGate, OneRegisterCannotBeTorn)
+{
+    EXPECT_EQ(believed(WordGate(Profile::k1, 1), {100, 50'000, 7}), (std::vector<Word>{100, 50'000, 7}));
+}
+
+TEST(WordGate, AfterAnInterruptionWhatWasReadBeforeSaysNothing)
+{
+    WordGate gate = k3;
+    gate.take(100);
+    gate.take(100);
+    EXPECT_TRUE(gate.hasWord());
+    gate.forget();
+    EXPECT_FALSE(gate.hasWord());
+    EXPECT_FALSE(gate.take(100));
+}
+
+} // namespace
+} // namespace codewheel
