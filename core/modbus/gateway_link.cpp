@@ -15,25 +15,6 @@ constexpr int readsInDoubt = 2;           // more in one exchange, while words a
 constexpr int exchangesInDoubt = 8;       // after that the word is not up to date any more
 constexpr Instant gatewayLag = 1s;        // until a word that was written must be read back (assumed)
 constexpr Instant betweenStatus = 500ms;  // between two looks at the status register
-constexpr int exceptionOfAcknowledge = 5; // in progress
-constexpr int exceptionOfBusy = 6;
-constexpr int exceptionOfSilentTarget = 11;
-constexpr int lastExceptionOfMap = 3; // illegal function, address, or value
-
-int readFunction(RegisterArea area)
-{
-    return area == RegisterArea::input ? 4 : 3;
-}
-
-bool isWorthRepeating(const RegisterError &error)
-{
-    using Kind = RegisterError::Kind;
-    if (error.kind == Kind::exception)
-        return error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
-               error.exception == exceptionOfSilentTarget;
-    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer;
-}
-
 tl::unexpected<Refusal> notConnectedYet()
 {
     return refuse(RefusalKind::link, RefusalId::lineClosed);
@@ -225,8 +206,7 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
         again = words;
         read = readOut(words);
     }
-    if (!read && read.error().id == RefusalId::registersRefused &&
-        std::get<std::int64_t>(read.error().arguments[2]) <= lastExceptionOfMap) {
+    if (!read && isOfMap(read.error())) {
         m_readsBack = false;
         return notRead;
     }

@@ -5,6 +5,28 @@
 #include "modbus/gateway_texts.h"
 
 namespace codewheel {
+namespace {
+
+constexpr int exceptionOfAcknowledge = 5; // in progress
+constexpr int exceptionOfBusy = 6;
+constexpr int exceptionOfSilentTarget = 11;
+constexpr int lastExceptionOfMap = 3; // illegal function, address, or value
+
+} // namespace
+
+int readFunction(RegisterArea area)
+{
+    return area == RegisterArea::input ? 4 : 3;
+}
+
+bool isWorthRepeating(const RegisterError &error)
+{
+    using Kind = RegisterError::Kind;
+    if (error.kind == Kind::exception)
+        return error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
+               error.exception == exceptionOfSilentTarget;
+    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer;
+}
 
 QString registersText(int function, const RegisterBlock &block)
 {
@@ -61,6 +83,12 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
         return {RefusalKind::stopped, RefusalId::cancelled, {}};
     }
     return {RefusalKind::link, RefusalId::linkFailed, {error.text}};
+}
+
+bool isOfMap(const Refusal &refusal)
+{
+    return refusal.id == RefusalId::registersRefused &&
+           std::get<std::int64_t>(refusal.arguments[2]) <= lastExceptionOfMap;
 }
 
 } // namespace codewheel

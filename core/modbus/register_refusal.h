@@ -13,8 +13,16 @@ QString registersText(int function, const RegisterBlock &block);
 // What an exception code means (Modbus Application Protocol V1.1b3, 7); a sentence.
 QString exceptionText(int code);
 
+int readFunction(RegisterArea area);
+
+// Whether another try may give a valid answer.
+bool isWorthRepeating(const RegisterError &error);
+
 // Why a transaction failed for good. `tries`: how often it was sent.
 Refusal registerRefusal(const RegisterError &error, const QString &port, int function,
                         const RegisterBlock &block, int tries);
+
+// The unit answers, but it does not have these registers, or not this function.
+bool isOfMap(const Refusal &refusal);
 
 } // namespace codewheel
