@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "modbus/gateway_check.h"
 #include "modbus/gateway_link.h"
 #include "project/project.h"
 
@@ -15,5 +16,8 @@ std::optional<Result<GatewaySettings>> plannedGateway(const Project &project, Bu
 
 // The ring behind a gateway, as planned: a gateway has no ID cycle.
 std::vector<GatewayDevice> gatewayDevices(const Project &project, BusId ring, const Catalog &catalog);
+
+// The same for GatewayCheck, with what the project knows of the encoders.
+std::vector<CheckedDevice> checkedDevices(const Project &project, BusId ring, const Catalog &catalog);
 
 } // namespace codewheel

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/gateway_check.h"
+
+#include "encoder/device_number.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "modbus/gateway_check_text.h"
+#include "modbus/gateway_texts.h"
+#include "modbus/register_refusal.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr int readsForSteady = 4; // of a word, until two in a row agree
+
+constexpr std::array stepKeys{"found", "connected", "answered", "inArea", "outArea", "status", "word"};
+
+RingStructure checkedRing(const std::vector<CheckedDevice> &devices)
+{
+    RingStructure ring;
+    for (const CheckedDevice &device : devices)
+        ring.push_back(device.participant);
+    return ring;
+}
+
+Result<GatewayMap> mapOf(const std::vector<CheckedDevice> &devices, const GatewaySettings &settings)
+{
+    if (devices.empty())
+        return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
+    return GatewayMap::of(checkedRing(devices), settings);
+}
+
+// What is missing is the place itself; any other refusal is about the connection to it.
+bool isAboutPlace(RefusalId id)
+{
+    return id == RefusalId::hostNotFound || id == RefusalId::portNotFound || id == RefusalId::cancelled;
+}
+
+RegisterBlock spanOf(const std::vector<RegisterBlock> &blocks)
+{
+    return {blocks.front().first, blocks.back().end() - blocks.front().first};
+}
+
+} // namespace
+
+QString gatewayStepKey(GatewayStep step)
+{
+    return QString::fromLatin1(stepKeys.at(static_cast<std::size_t>(step)));
+}
+
+GatewayCheck::GatewayCheck(RegisterPort &port, const GatewaySettings &settings,
+                           std::vector<CheckedDevice> devices, std::optional<NodeId> only)
+    : m_port(port)
+    , m_settings(settings)
+    , m_devices(std::move(devices))
+    , m_steps{{GatewayStep::found},
+              {GatewayStep::connected},
+              {GatewayStep::answered},
+              {GatewayStep::inArea},
+              {GatewayStep::outArea}}
+    , m_map(mapOf(m_devices, m_settings))
+{
+    if (m_settings.statusRegister)
+        m_steps.push_back({GatewayStep::status});
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (!only || m_devices[i].participant.number == *only)
+            m_steps.push_back({GatewayStep::word, i});
+}
+
+GatewayCheck::~GatewayCheck()
+{
+    m_port.close();
+}
+
+QString GatewayCheck::text(const Step &step) const
+{
+    const bool isWord = step.step == GatewayStep::word;
+    return gatewayStepText(step.step, m_settings.transport,
+                           isWord ? m_devices[step.device].participant.number : NodeId());
+}
+
+GatewayFinding GatewayCheck::passed(const QString &sentence) const
+{
+    return {m_steps[m_next].step, GatewayOutcome::passed, sentence};
+}
+
+GatewayFinding GatewayCheck::failed(const Refusal &why, const QString &more)
+{
+    m_isOver |= why.kind == RefusalKind::stopped || why.id == RefusalId::connectionClosed;
+    const QString sentence = refusalText(why);
+    return {m_steps[m_next].step, GatewayOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more,
+            why};
+}
+
+GatewayFinding GatewayCheck::skipped(const QString &sentence) const
+{
+    return {m_steps[m_next].step, GatewayOutcome::skipped, sentence};
+}
+
+GatewayFinding GatewayCheck::next()
+{
+    const Step step = m_steps[m_next];
+    GatewayFinding finding = skipped(GatewayTexts::tr("Not tested, because of what failed before."));
+    if (!m_isOver) {
+        switch (step.step) {
+        case GatewayStep::found:
+            finding = find();
+            break;
+        case GatewayStep::connected:
+            finding = connect();
+            break;
+        case GatewayStep::answered:
+            finding = ask();
+            break;
+        case GatewayStep::inArea:
+            finding = checkIn();
+            break;
+        case GatewayStep::outArea:
+            finding = checkOut();
+            break;
+        case GatewayStep::status:
+            finding = readStatus();
+            break;
+        case GatewayStep::word:
+            finding = checkWord(step.device);
+            break;
+        }
+    }
+    ++m_next;
+    if (isDone())
+        m_port.close();
+    return finding;
+}
+
+// A port looks for the place and connects in one call.
+GatewayFinding GatewayCheck::find()
+{
+    m_opened = m_port.open();
+    m_isOver = !m_opened && isAboutPlace(m_opened.error().id);
+    return m_isOver ? failed(m_opened.error()) : passed(foundText(m_settings));
+}
+
+GatewayFinding GatewayCheck::connect()
+{
+    m_isOver = !m_opened;
+    return m_opened ? passed(sentence(GatewayTexts::tr("Connected with %1."), {m_port.name()}))
+                    : failed(m_opened.error());
+}
+
+Result<void> GatewayCheck::read(RegisterArea area, const RegisterBlock &block, std::vector<Register> &to)
+{
+    to.assign(static_cast<std::size_t>(block.count), 0);
+    for (int tries = 1;; ++tries) {
+        const auto done = m_port.read(area, block.first, to);
+        if (done)
+            return {};
+        if (!isWorthRepeating(done.error()) || tries > m_settings.retries)
+            return tl::unexpected(
+                registerRefusal(done.error(), m_port.name(), readFunction(area), block, tries));
+    }
+}
+
+Result<void> GatewayCheck::readAll(RegisterArea area, const std::vector<RegisterBlock> &blocks)
+{
+    std::vector<Register> registers;
+    for (const RegisterBlock &block : blocks)
+        if (auto done = read(area, block, registers); !done)
+            return done;
+    return {};
+}
+
+// A unit that refuses a register is there.
+GatewayFinding GatewayCheck::ask()
+{
+    std::vector<Register> registers;
+    const Instant begun = m_port.now();
+    const auto answered = read(m_settings.inArea, {m_settings.inFirst, 1}, registers);
+    if (answered || isOfMap(answered.error()))
+        return passed(answeredText(m_settings.unit, m_port.now() - begun));
+    m_isOver = true;
+    return failed(answered.error());
+}
+
+// The first device whose registers cannot be read, found by halving: a gateway has one end.
+QString GatewayCheck::whereItEnds(RegisterArea area, Blocks of)
+{
+    std::vector<std::size_t> there;
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (((*m_map).*of)(i).count > 0)
+            there.push_back(i);
+    std::vector<Register> registers;
+    const auto first = std::ranges::partition_point(
+        there, [&](std::size_t device) { return read(area, ((*m_map).*of)(device), registers).has_value(); });
+    if (first == there.end() || first == there.begin())
+        return {};
+    return endsBeforeText(m_devices[*first].participant.number, ((*m_map).*of)(*first));
+}
+
+GatewayFinding GatewayCheck::checkIn()
+{
+    if (!m_map)
+        return failed(m_map.error());
+    if (m_map->inBlocks().empty())
+        return skipped(GatewayTexts::tr("No device of the project has IN words."));
+    const auto done = readAll(m_settings.inArea, m_map->inBlocks());
+    if (done)
+        return passed(readableText(readFunction(m_settings.inArea), spanOf(m_map->inBlocks())));
+    return failed(done.error(),
+                  isOfMap(done.error()) ? whereItEnds(m_settings.inArea, &GatewayMap::in) : QString());
+}
+
+GatewayFinding GatewayCheck::checkOut()
+{
+    if (!m_map)
+        return skipped(GatewayTexts::tr("Not tested, because of what failed before."));
+    if (m_map->readBackBlocks().empty())
+        return skipped(GatewayTexts::tr("No device of the project has OUT words."));
+    if (!m_settings.readsBack)
+        return skipped(GatewayTexts::tr("OUT is not read back, as the settings say, so nothing tells whether "
+                                        "its registers are there or who writes them."));
+    const auto done = readAll(RegisterArea::holding, m_map->readBackBlocks());
+    if (done)
+        return passed(readableText(readFunction(RegisterArea::holding), spanOf(m_map->readBackBlocks())));
+    return failed(done.error(),
+                  isOfMap(done.error()) ? whereItEnds(RegisterArea::holding, &GatewayMap::out) : QString());
+}
+
+GatewayFinding GatewayCheck::readStatus()
+{
+    std::vector<Register> registers;
+    const auto done = read(m_settings.inArea, {*m_settings.statusRegister, 1}, registers);
+    return done ? passed(sentence(GatewayTexts::tr("The status register is %1."),
+                                  {registerText(registers.front())}))
+                : failed(done.error());
+}
+
+// A word that moves is never the same twice; the last read counts then.
+Result<void> GatewayCheck::readSteady(const RegisterBlock &block, DeviceRegisters &to)
+{
+    std::vector<Register> before;
+    for (int reads = 0; reads < readsForSteady && !to.stoodStill; ++reads) {
+        before = to.inNow;
+        if (auto done = read(m_settings.inArea, block, to.inNow); !done)
+            return done;
+        to.stoodStill = before == to.inNow;
+    }
+    return {};
+}
+
+GatewayFinding GatewayCheck::checkWord(std::size_t device)
+{
+    if (!m_map)
+        return skipped(GatewayTexts::tr("Not tested, because of what failed before."));
+    const CheckedDevice &its = m_devices[device];
+    DeviceRegisters shown{
+        .place = its.participant.number, .in = m_map->in(device), .out = m_map->out(device)};
+    const auto read = shown.in.count > 0 ? readSteady(shown.in, shown) : Result<void>();
+    if (read && m_settings.readsBack && shown.out.count > 0 &&
+        !this->read(RegisterArea::holding, shown.out, shown.outNow))
+        shown.outNow.clear();
+    GatewayFinding finding = read ? judged(shown, its.sender) : failed(read.error());
+    if (!finding.shown)
+        finding.shown = shown;
+    return finding;
+}
+
+GatewayFinding GatewayCheck::judged(DeviceRegisters shown, const WordSender &sender) const
+{
+    shown.readings = wordReadings(shown.inNow, sender);
+    GatewayFinding finding{m_steps[m_next].step, wordOutcome(shown, m_settings), wordText(shown, m_settings)};
+    finding.shown = std::move(shown);
+    return finding;
+}
+
+} // namespace codewheel

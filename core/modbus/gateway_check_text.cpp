@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/gateway_check_text.h"
+
+#include "catalog/hex_code.h"
+#include "encoder/device_number.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "modbus/gateway_texts.h"
+#include "modbus/register_refusal.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr int registerDigits = 4;
+
+QString roundTripText(Instant time)
+{
+    constexpr double microseconds = 1'000; // a millisecond
+    return QLocale().toString(static_cast<double>(time.count()) / microseconds, 'f', 1);
+}
+
+WordOrder orderSet(const GatewaySettings &settings)
+{
+    return wordOrderOf(settings.highWordFirst);
+}
+
+// What the registers show in the order that is set.
+const WordReading *readingSet(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    return readingIn(shown.readings, orderSet(settings));
+}
+
+// The other order a setting gives; none for a word of one register.
+const WordReading *readingOtherwise(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    if (shown.readings.size() <= 2)
+        return nullptr;
+    return readingIn(shown.readings, wordOrderOf(!settings.highWordFirst));
+}
+
+bool fits(const WordReading *reading)
+{
+    return reading != nullptr && reading->plausibility == Plausibility::fits;
+}
+
+bool fitsExchanged(const DeviceRegisters &shown)
+{
+    return std::ranges::any_of(shown.readings, [](const WordReading &reading) {
+        return fits(&reading) && (reading.order == WordOrder::badc || reading.order == WordOrder::dcba);
+    });
+}
+
+QString orderText(bool highWordFirst)
+{
+    return highWordFirst ? GatewayTexts::tr("high word first") : GatewayTexts::tr("low word first");
+}
+
+QString whatToDo(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    if (const WordReading *other = readingOtherwise(shown, settings); fits(other))
+        return sentence(GatewayTexts::tr("It can with %1 (%2): change the word order."),
+                        {orderText(!settings.highWordFirst), hexWord(other->word)});
+    if (fitsExchanged(shown))
+        return GatewayTexts::tr("It can with the bytes of each register exchanged: set the gateway so that "
+                                "it does not exchange them.");
+    return sentence(GatewayTexts::tr("It can in no order. Check that its IN words begin at register %1."),
+                    {QString::number(shown.in.first)});
+}
+
+// Whether the order is proven by this word.
+QString whatItProves(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    const WordReading *set = readingSet(shown, settings);
+    const WordReading *other = readingOtherwise(shown, settings);
+    if (!fits(other))
+        return {};
+    if (set->word == other->word)
+        return GatewayTexts::tr("It is the same in both word orders. Test again with another position.");
+    return sentence(GatewayTexts::tr("With %1 it can be %2 as well. Test again with another position."),
+                    {orderText(!settings.highWordFirst), hexWord(other->word)});
+}
+
+QString spaced(const QString &one, const QString &other)
+{
+    return other.isEmpty() ? one : one + u' ' + other;
+}
+
+} // namespace
+
+QString gatewayStepText(GatewayStep step, GatewaySettings::Transport transport, NodeId place)
+{
+    switch (step) {
+    case GatewayStep::found:
+        return transport == GatewaySettings::Transport::tcp ? GatewayTexts::tr("Address")
+                                                            : GatewayTexts::tr("Serial port");
+    case GatewayStep::connected:
+        return GatewayTexts::tr("Connection");
+    case GatewayStep::answered:
+        return GatewayTexts::tr("Unit");
+    case GatewayStep::inArea:
+        return GatewayTexts::tr("IN registers");
+    case GatewayStep::outArea:
+        return GatewayTexts::tr("OUT registers");
+    case GatewayStep::status:
+        return GatewayTexts::tr("Status register");
+    case GatewayStep::word:
+        return sentence(GatewayTexts::tr("Word of %1"), {place.toString()});
+    }
+    return {};
+}
+
+QString foundText(const GatewaySettings &settings)
+{
+    if (settings.transport == GatewaySettings::Transport::tcp)
+        return sentence(GatewayTexts::tr("The host %1 is known."), {settings.host});
+    return sentence(GatewayTexts::tr("The port %1 is there."), {settings.serialPort});
+}
+
+QString answeredText(int unit, Instant after)
+{
+    return sentence(GatewayTexts::tr("Unit %1 answers after %2 ms."),
+                    {QString::number(unit), roundTripText(after)});
+}
+
+QString readableText(int function, const RegisterBlock &block)
+{
+    return sentence(GatewayTexts::tr("All registers of the project can be read (%1)."),
+                    {registersText(function, block)});
+}
+
+QString endsBeforeText(NodeId place, const RegisterBlock &its)
+{
+    return sentence(GatewayTexts::tr("What can be read ends before the registers of %1, which begin at %2."),
+                    {place.toString(), QString::number(its.first)});
+}
+
+QString registerText(Register word)
+{
+    return hexCode(word, registerDigits);
+}
+
+GatewayOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    const WordReading *set = readingSet(shown, settings);
+    if (set == nullptr || set->plausibility == Plausibility::notKnown)
+        return GatewayOutcome::skipped;
+    return fits(set) ? GatewayOutcome::passed : GatewayOutcome::failed;
+}
+
+QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    const WordReading *set = readingSet(shown, settings);
+    if (set == nullptr)
+        return GatewayTexts::tr("It has no IN word.");
+    const QString word = hexWord(set->word);
+    switch (set->plausibility) {
+    case Plausibility::fits:
+        return spaced(sentence(GatewayTexts::tr("IN is %1: %2."), {word, set->meaning}),
+                      whatItProves(shown, settings));
+    case Plausibility::unlikely:
+        return spaced(
+            sentence(GatewayTexts::tr("IN is %1, which is beyond the total range of the encoder."), {word}),
+            whatToDo(shown, settings));
+    case Plausibility::cannotBe:
+        return spaced(sentence(GatewayTexts::tr("IN is %1, which this encoder never sends."), {word}),
+                      whatToDo(shown, settings));
+    case Plausibility::notKnown:
+        break;
+    }
+    return sentence(GatewayTexts::tr("IN is %1. What this device sends is not described."), {word});
+}
+
+QString plausibilityKey(Plausibility plausibility)
+{
+    constexpr std::array keys{"fits", "unlikely", "cannotBe", "notKnown"};
+    return QString::fromLatin1(keys.at(static_cast<std::size_t>(plausibility)));
+}
+
+QString plausibilityText(Plausibility plausibility)
+{
+    switch (plausibility) {
+    case Plausibility::fits:
+        return GatewayTexts::tr("the encoder can send this");
+    case Plausibility::unlikely:
+        return GatewayTexts::tr("beyond its total range");
+    case Plausibility::cannotBe:
+        return GatewayTexts::tr("the encoder never sends this");
+    case Plausibility::notKnown:
+        break;
+    }
+    return GatewayTexts::tr("not known");
+}
+
+} // namespace codewheel

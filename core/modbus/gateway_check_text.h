@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "modbus/gateway_check.h"
+
+namespace codewheel {
+
+// The sentences of GatewayCheck, and how it judges a word.
+
+QString gatewayStepText(GatewayStep step, GatewaySettings::Transport transport, NodeId place);
+QString foundText(const GatewaySettings &settings);
+QString answeredText(int unit, Instant after);
+QString readableText(int function, const RegisterBlock &block);
+QString endsBeforeText(NodeId place, const RegisterBlock &its);
+QString registerText(Register word); // "00E0h"
+
+GatewayOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);
+QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings);
+
+// "fits": language-neutral.
+QString plausibilityKey(Plausibility plausibility);
+QString plausibilityText(Plausibility plausibility);
+
+} // namespace codewheel

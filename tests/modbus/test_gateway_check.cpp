@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "modbus/gateway_check.h"
+#include "tests/modbus/gateway_ring.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace test;
+using Outcome = GatewayOutcome;
+
+// A gateway that cannot be reached, or not always.
+class RefusingPort final : public RegisterBankPort
+{
+public:
+    using RegisterBankPort::RegisterBankPort;
+    Result<void> open() override { return refusal ? tl::unexpected(*refusal) : RegisterBankPort::open(); }
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        ++reads;
+        if (failures > 0 && failures-- > 0)
+            return failed(how);
+        return RegisterBankPort::read(area, first, to);
+    }
+
+    std::optional<Refusal> refusal;
+    RegisterError::Kind how = RegisterError::Kind::noAnswer;
+    int failures = 0;
+    int reads = 0;
+};
+
+class GatewayCheckTest : public testing::Test
+{
+protected:
+    static std::vector<CheckedDevice> frabaRing(int devices)
+    {
+        static const Catalog catalog = Catalog::builtIn();
+        std::vector<CheckedDevice> ring;
+        for (int i = 1; i <= devices; ++i)
+            ring.push_back({k3At(i).participant, {*catalog.find(u"fraba-ocd-ib"), 0x2000}});
+        return ring;
+    }
+    std::vector<GatewayFinding> run(std::vector<CheckedDevice> devices,
+                                    std::optional<NodeId> only = std::nullopt)
+    {
+        GatewayCheck check(port, settings, std::move(devices), only);
+        std::vector<GatewayFinding> findings;
+        while (!check.isDone())
+            findings.push_back(check.next());
+        EXPECT_EQ(findings.size(), check.steps());
+        EXPECT_EQ(bank->writes, 0);
+        return findings;
+    }
+    void show(int device, Word word)
+    {
+        bank->input[2 * device] = static_cast<Register>(word >> 16);
+        bank->input[2 * device + 1] = static_cast<Register>(word);
+    }
+    static std::vector<Outcome> outcomesOf(const std::vector<GatewayFinding> &findings)
+    {
+        std::vector<Outcome> all;
+        for (const GatewayFinding &finding : findings)
+            all.push_back(finding.outcome);
+        return all;
+    }
+
+    std::shared_ptr<RegisterBank> bank = std::make_shared<RegisterBank>();
+    RefusingPort port{bank};
+    GatewaySettings settings;
+};
+
+constexpr Outcome passed = Outcome::passed;
+constexpr Outcome failed = Outcome::failed;
+constexpr Outcome skipped = Outcome::skipped;
+
+TEST_F(GatewayCheckTest, AGoodGatewayPassesEveryStep)
+{
+    settings.statusRegister = 100;
+    bank->input[100] = 0x00E0;
+    show(0, 0x0000'1234);
+    show(1, 0xC200'00FF);
+    const auto findings = run(frabaRing(2));
+    EXPECT_EQ(outcomesOf(findings), std::vector(8, passed));
+    EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("00E0h"))) << findings[5].sentence.toStdString();
+    const DeviceRegisters shown = findings[7].shown.value();
+    EXPECT_EQ(shown.place, DeviceNumber({2, 0}).node());
+    EXPECT_EQ(shown.in, (RegisterBlock{2, 2}));
+    EXPECT_EQ(shown.inNow, (std::vector<Register>{0xC200, 0x00FF}));
+    EXPECT_EQ(shown.outNow, (std::vector<Register>{0, 0}));
+    EXPECT_TRUE(shown.stoodStill);
+    EXPECT_EQ(shown.readings.size(), 4U);
+}
+
+TEST_F(GatewayCheckTest, AnUnknownHostIsTheFirstThingMissing)
+{
+    port.refusal = Refusal{RefusalKind::link, RefusalId::hostNotFound, {QStringLiteral("nowhere")}};
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(outcomesOf(findings), (std::vector{failed, skipped, skipped, skipped, skipped, skipped}));
+    EXPECT_EQ(findings[0].why->id, RefusalId::hostNotFound);
+    EXPECT_EQ(port.reads, 0);
+}
+
+TEST_F(GatewayCheckTest, AHostThatRefusesIsKnown)
+{
+    port.refusal = Refusal{RefusalKind::link, RefusalId::connectionRefused, {QStringLiteral("here:502")}};
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(outcomesOf(findings), (std::vector{passed, failed, skipped, skipped, skipped, skipped}));
+}
+
+TEST_F(GatewayCheckTest, ASilentUnitEndsTheCheck)
+{
+    port.failures = 1'000;
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, failed, skipped, skipped, skipped}));
+    EXPECT_EQ(port.reads, settings.retries + 1);
+    EXPECT_EQ(findings[2].why->id, RefusalId::registersUnanswered);
+}
+
+TEST_F(GatewayCheckTest, ALostAnswerIsAskedForAgain)
+{
+    port.failures = settings.retries;
+    EXPECT_EQ(outcomesOf(run(frabaRing(1))), std::vector(6, passed));
+}
+
+TEST_F(GatewayCheckTest, StoppingLeavesTheRestOut)
+{
+    port.failures = 1;
+    port.how = RegisterError::Kind::stopped;
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(findings[2].why->kind, RefusalKind::stopped);
+    EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, failed, skipped, skipped, skipped}));
+}
+
+TEST_F(GatewayCheckTest, AShortImageIsSaidWithTheFirstDeviceThatIsMissing)
+{
+    bank->inputEnd = 7; // the last device has one of its two registers
+    const auto findings = run(frabaRing(4));
+    EXPECT_EQ(outcomesOf(findings),
+              (std::vector{passed, passed, passed, failed, passed, passed, passed, passed, failed}));
+    EXPECT_EQ(findings[3].why->id, RefusalId::registersRefused);
+    EXPECT_TRUE(findings[3].sentence.contains(QStringLiteral("4.0"))) << findings[3].sentence.toStdString();
+    EXPECT_TRUE(findings[8].shown.has_value());
+}
+
+TEST_F(GatewayCheckTest, AUnitWithoutAnyOfTheRegistersAnswersAllTheSame)
+{
+    bank->inputEnd = 0;
+    EXPECT_EQ(outcomesOf(run(frabaRing(1))), (std::vector{passed, passed, passed, failed, passed, failed}));
+}
+
+TEST_F(GatewayCheckTest, OutIsNotReadWhereTheSettingsSaySo)
+{
+    settings.readsBack = false;
+    bank->holdingEnd = 0;
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, passed, passed, skipped, passed}));
+    EXPECT_TRUE(findings[5].shown->outNow.empty());
+}
+
+TEST_F(GatewayCheckTest, AnImageThatCannotBeIsSaid)
+{
+    settings.inArea = RegisterArea::holding; // where OUT is
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(findings[3].why->id, RefusalId::registerMapWrong);
+    EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, passed, failed, skipped, skipped}));
+    EXPECT_EQ(run({})[3].why->id, RefusalId::gatewayHasNoDevices);
+}
+
+TEST_F(GatewayCheckTest, TheOtherWordOrderIsRecognized)
+{
+    settings.highWordFirst = false;
+    show(0, 0x0000'1234);
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(findings[5].outcome, failed);
+    EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("high word first (00001234)")))
+        << findings[5].sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, ExchangedBytesAreRecognized)
+{
+    show(0, 0x0000'3412);
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(findings[5].outcome, failed);
+    EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("bytes"))) << findings[5].sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, AWordThatFitsInNoOrderIsElsewhere)
+{
+    settings.inFirst = 10;
+    bank->input = {{10, 0x7777}, {11, 0x7777}};
+    const auto findings = run(frabaRing(1));
+    EXPECT_EQ(findings[5].outcome, failed);
+    EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("register 10")))
+        << findings[5].sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, AWordThatProvesNoOrderIsSaid)
+{
+    const auto findings = run(frabaRing(1)); // 00000000
+    EXPECT_EQ(findings[5].outcome, passed);
+    EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("same in both word orders")))
+        << findings[5].sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, OneDeviceCanBeReadAlone)
+{
+    show(1, 0x0000'0042);
+    const auto findings = run(frabaRing(3), DeviceNumber{2, 0}.node());
+    ASSERT_EQ(findings.size(), 6U);
+    EXPECT_EQ(findings[5].shown->place, DeviceNumber({2, 0}).node());
+    EXPECT_EQ(findings[5].shown->readings.front().word, 0x42U);
+}
+
+TEST_F(GatewayCheckTest, WhatIsNotDescribedIsShownAndNotJudged)
+{
+    const auto findings = run({{deviceAt(1, 1, 1).participant, {}}, {deviceAt(2, 0, 2).participant, {}}});
+    EXPECT_EQ(findings[5].outcome, skipped);
+    EXPECT_EQ(findings[5].shown->readings.size(), 2U);
+    EXPECT_EQ(findings[6].outcome, skipped);
+    EXPECT_TRUE(findings[6].shown->readings.empty());
+    EXPECT_EQ(findings[6].shown->out, (RegisterBlock{1, 2}));
+}
+
+} // namespace
+} // namespace codewheel
