@@ -96,4 +96,13 @@ std::optional<Refusal> portHindrance(const QString &path)
     return portRefusal(portRefusalOf(reason), path, QString::fromLocal8Bit(std::strerror(reason)));
 }
 
+Refusal lineSettingRefusal(const QString &setting)
+{
+    return {RefusalKind::badInput,
+            RefusalId::lineSettingWrong,
+            {setting, QCoreApplication::translate("SerialPortLink",
+                                                  "baud rates that the adapter has, 7 or 8 data bits, parity "
+                                                  "none, even or odd, 1 or 2 stop bits")}};
+}
+
 } // namespace codewheel

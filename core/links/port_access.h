@@ -21,4 +21,7 @@ Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
 // Why the user cannot open this port, as far as can be told without opening it; empty: no reason is known.
 std::optional<Refusal> portHindrance(const QString &path);
 
+// A setting that no serial port has (lineSettingWrong).
+Refusal lineSettingRefusal(const QString &setting);
+
 } // namespace codewheel

@@ -4,7 +4,6 @@
 #include "links/low_latency.h"
 #include "links/port_access.h"
 
-#include <QCoreApplication>
 #include <QEventLoop>
 #include <QSerialPort>
 
@@ -36,12 +35,9 @@ int errorNumberOf(QSerialPort::SerialPortError error)
     }
 }
 
-tl::unexpected<Refusal> settingRefused(const QString &setting)
+tl::unexpected<Refusal> settingRefused(int setting)
 {
-    return refuse(RefusalKind::badInput, RefusalId::lineSettingWrong,
-                  {setting, QCoreApplication::translate(
-                                "SerialPortLink", "baud rates that the adapter has, 7 or 8 data bits, parity "
-                                                  "none, even or odd, 1 or 2 stop bits")});
+    return tl::unexpected(lineSettingRefusal(QString::number(setting)));
 }
 
 QSerialPort::Parity parityOf(SerialSettings::Parity parity)
@@ -126,7 +122,7 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
         return tl::unexpected(
             portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
     if (port->serial.baudRate() != settings.baudRate)
-        return settingRefused(QString::number(settings.baudRate));
+        return settingRefused(settings.baudRate);
     port->serial.clear();
     m_lowLatency = settings.lowLatency ? askForLowLatency(static_cast<int>(port->serial.handle()))
                                        : LowLatency::notAsked;
@@ -139,13 +135,13 @@ Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, con
 {
     port.setPortName(path);
     if (settings.baudRate <= 0 || !port.setBaudRate(settings.baudRate))
-        return settingRefused(QString::number(settings.baudRate));
+        return settingRefused(settings.baudRate);
     if ((settings.dataBits != 7 && settings.dataBits != 8) ||
         !port.setDataBits(static_cast<QSerialPort::DataBits>(settings.dataBits)))
-        return settingRefused(QString::number(settings.dataBits));
+        return settingRefused(settings.dataBits);
     if ((settings.stopBits != 1 && settings.stopBits != 2) ||
         !port.setStopBits(static_cast<QSerialPort::StopBits>(settings.stopBits)))
-        return settingRefused(QString::number(settings.stopBits));
+        return settingRefused(settings.stopBits);
     port.setParity(parityOf(settings.parity));
     return {};
 }
@@ -160,7 +156,7 @@ Result<void> SerialPortLink::setBaudRate(int baudRate)
     if (!m_port)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (baudRate <= 0 || !m_port->serial.setBaudRate(baudRate))
-        return settingRefused(QString::number(baudRate));
+        return settingRefused(baudRate);
     return {};
 }
 

@@ -254,17 +254,30 @@ std::map<QString, QString> linkTexts(const GatewaySettings &settings)
 }
 
 // An IPv6 address stands in brackets before its port.
-QString gatewayText(const GatewaySettings &settings)
+QString gatewayAddress(const GatewaySettings &settings)
 {
-    const QString unit = sentence(GatewayTexts::tr("unit %1"), {QString::number(settings.unit)});
     if (settings.transport == Transport::rtu)
-        return QStringLiteral("%1, %2 Bd, %3, %4")
-            .arg(settings.serialPort)
-            .arg(settings.serial.baudRate)
-            .arg(formOf(settings), unit);
+        return settings.serialPort;
     const bool isIpv6 = settings.host.contains(u':');
     const QString host = isIpv6 ? QStringLiteral("[%1]").arg(settings.host) : settings.host;
-    return QStringLiteral("%1:%2, %3").arg(host).arg(settings.tcpPort).arg(unit);
+    return QStringLiteral("%1:%2").arg(host).arg(settings.tcpPort);
+}
+
+QString gatewayUnit(const GatewaySettings &settings)
+{
+    const QString unit = sentence(GatewayTexts::tr("unit %1"), {QString::number(settings.unit)});
+    return QStringLiteral("%1, %2").arg(gatewayAddress(settings), unit);
+}
+
+QString gatewayText(const GatewaySettings &settings)
+{
+    if (settings.transport == Transport::tcp)
+        return gatewayUnit(settings);
+    const QString unit = sentence(GatewayTexts::tr("unit %1"), {QString::number(settings.unit)});
+    return QStringLiteral("%1, %2 Bd, %3, %4")
+        .arg(settings.serialPort)
+        .arg(settings.serial.baudRate)
+        .arg(formOf(settings), unit);
 }
 
 } // namespace codewheel

@@ -84,7 +84,11 @@ QStringList settingNames(GatewaySettings::Transport transport);
 Result<GatewaySettings> gatewaySettings(const QString &linkKind, const std::map<QString, QString> &texts);
 QString linkKindOf(const GatewaySettings &settings); // "modbus-tcp"
 std::map<QString, QString> linkTexts(const GatewaySettings &settings);
-// As known to the user: "192.168.0.5:502, unit 1".
+// "192.168.0.5:502", "/dev/ttyUSB0".
+QString gatewayAddress(const GatewaySettings &settings);
+// "192.168.0.5:502, unit 1".
+QString gatewayUnit(const GatewaySettings &settings);
+// As known to the user: the same, with the settings of a serial line.
 QString gatewayText(const GatewaySettings &settings);
 
 } // namespace codewheel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "links/modbus_message.h"
+
+#include "encoder/sentence.h"
+#include "modbus/gateway_texts.h"
+
+#include <algorithm>
+
+namespace codewheel::modbus_message {
+namespace {
+
+constexpr std::uint8_t writeFunction = 16;
+constexpr std::uint8_t writeAndReadFunction = 23;
+constexpr std::uint8_t exceptionBit = 0x80;
+constexpr std::size_t readCountAt = 3; // in the requests 3, 4 and 23
+constexpr std::size_t echoLength = 5;  // function, first register, count
+
+void append(Message &message, std::size_t number)
+{
+    message.push_back(static_cast<std::uint8_t>(number >> 8 & 0xFF));
+    message.push_back(static_cast<std::uint8_t>(number & 0xFF));
+}
+
+void appendRegisters(Message &message, std::span<const Register> registers)
+{
+    append(message, registers.size());
+    message.push_back(static_cast<std::uint8_t>(2 * registers.size()));
+    for (const Register one : registers)
+        append(message, one);
+}
+
+Register registerAt(std::span<const std::uint8_t> bytes, std::size_t at)
+{
+    return static_cast<Register>(bytes[at] << 8 | bytes[at + 1]);
+}
+
+RegisterPort::Done takeException(std::span<const std::uint8_t> answer)
+{
+    if (answer.size() != 2)
+        return wrongAnswer(GatewayTexts::tr("an exception of the wrong length"));
+    return tl::unexpected(RegisterError{RegisterError::Kind::exception, answer[1], {}});
+}
+
+} // namespace
+
+Message read(int function, int first, std::size_t count)
+{
+    Message message{static_cast<std::uint8_t>(function)};
+    append(message, static_cast<std::size_t>(first));
+    append(message, count);
+    return message;
+}
+
+Message write(int first, std::span<const Register> registers)
+{
+    Message message{writeFunction};
+    append(message, static_cast<std::size_t>(first));
+    appendRegisters(message, registers);
+    return message;
+}
+
+Message writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst, std::size_t count)
+{
+    Message message{writeAndReadFunction};
+    append(message, static_cast<std::size_t>(readFirst));
+    append(message, count);
+    append(message, static_cast<std::size_t>(writeFirst));
+    appendRegisters(message, registers);
+    return message;
+}
+
+std::size_t answerLength(const Message &request)
+{
+    if (request.front() == writeFunction)
+        return echoLength;
+    return 2 + 2 * std::size_t{registerAt(request, readCountAt)};
+}
+
+RegisterPort::Done take(const Message &request, std::span<const std::uint8_t> answer,
+                        std::span<Register> registers)
+{
+    const std::uint8_t function = request.front();
+    if (!answer.empty() && answer[0] == (function | exceptionBit))
+        return takeException(answer);
+    if (answer.empty() || answer[0] != function)
+        return wrongAnswer(
+            sentence(GatewayTexts::tr("it is for function %1"),
+                     {answer.empty() ? QString() : QString::number(answer[0] & ~exceptionBit)}));
+    if (answer.size() != answerLength(request))
+        return wrongAnswer(
+            sentence(GatewayTexts::tr("%1 bytes instead of %2"),
+                     {QString::number(answer.size()), QString::number(answerLength(request))}));
+    if (function == writeFunction) {
+        if (!std::equal(answer.begin(), answer.end(), request.begin()))
+            return wrongAnswer(GatewayTexts::tr("it names other registers than those to be written"));
+        return {};
+    }
+    if (answer[1] != answer.size() - 2)
+        return wrongAnswer(GatewayTexts::tr("it counts its own bytes wrong"));
+    for (std::size_t i = 0; i < registers.size(); ++i)
+        registers[i] = registerAt(answer, 2 + 2 * i);
+    return {};
+}
+
+tl::unexpected<RegisterError> wrongAnswer(const QString &text)
+{
+    return tl::unexpected(RegisterError{RegisterError::Kind::wrongAnswer, 0, text});
+}
+
+} // namespace codewheel::modbus_message
