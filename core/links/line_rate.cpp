@@ -13,6 +13,8 @@ bool setLineRate(int port, int baudRate)
     termios2 settings = {};
     if (::ioctl(port, TCGETS2, &settings) != 0)
         return false;
+    if (static_cast<int>(settings.c_ospeed) == baudRate)
+        return true; // by a constant, which every driver knows
     settings.c_cflag = (settings.c_cflag & ~static_cast<tcflag_t>(CBAUD)) | BOTHER;
     settings.c_ispeed = static_cast<speed_t>(baudRate);
     settings.c_ospeed = static_cast<speed_t>(baudRate);

@@ -4,7 +4,7 @@
 #include "modbus/register_port.h"
 
 #include <memory>
-#include <modbus/modbus.h>
+#include <modbus.h>
 
 namespace codewheel {
 

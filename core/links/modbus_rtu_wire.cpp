@@ -102,7 +102,7 @@ Result<void> ModbusRtuWire::setUp(const QString &path)
     if (serial.lowLatency)
         askForLowLatency(port);
     ::tcflush(port, TCIOFLUSH);
-    m_isTrusted = true;
+    m_doubt = Doubt::none;
     m_lastByte = steady_clock::now();
     return {};
 }
@@ -129,35 +129,54 @@ tl::expected<Message, RegisterError> ModbusRtuWire::exchange(const Message &requ
         return failed(registerError(ErrorKind::closed));
     if (auto gap = waitForGap(); !gap)
         return failed(gap.error());
-    if (auto quiet = m_isTrusted ? RegisterPort::Done() : waitForQuiet(); !quiet)
+    if (auto quiet = m_doubt == Doubt::none ? RegisterPort::Done() : waitForQuiet(); !quiet)
         return failed(quiet.error());
+    const bool mayOldOneCome = std::exchange(m_doubt, Doubt::unanswered) == Doubt::unanswered;
+    auto answer = ask(request);
+    if (!answer)
+        return failed(answer.error());
+    m_doubt = Doubt::none;
+    m_lastByte = steady_clock::now();
+    if (auto gap = mayOldOneCome ? waitForGap() : RegisterPort::Done(); !gap)
+        return failed(gap.error());
+    if (m_doubt != Doubt::none) // whichever of the two is the right one
+        return modbus_message::wrongAnswer(GatewayTexts::tr("another one follows it"));
+    return answer;
+}
+
+tl::expected<Message, RegisterError> ModbusRtuWire::ask(const Message &request)
+{
     const auto timeOf = [this](std::size_t length) {
         return m_settings.serial.timeOf(static_cast<int>(length) + frameOverhead);
     };
     const Time until = steady_clock::now() + timeOf(request.size()) + m_settings.timeOut;
-    m_isTrusted = false;
     if (auto sent = send(request); !sent)
-        return failed(sent.error());
-    const Waited waited = waitFor(modbus_get_socket(m_modbus.get()), POLLIN, m_wake, until);
-    if (waited != Waited::ready)
-        return failed(registerError(waited == Waited::woken ? ErrorKind::stopped : ErrorKind::noAnswer));
-    auto answer = receive(std::chrono::ceil<Instant>(until - steady_clock::now()) +
-                          timeOf(modbus_message::answerLength(request)));
-    if (!answer)
-        return failed(answer.error());
-    m_isTrusted = true;
-    m_lastByte = steady_clock::now();
-    return answer;
+        return tl::unexpected(sent.error());
+    const auto silent = isQuietUntil(until);
+    if (!silent)
+        return tl::unexpected(silent.error());
+    if (*silent)
+        return tl::unexpected(registerError(ErrorKind::noAnswer));
+    return receive(std::chrono::ceil<Instant>(until - steady_clock::now()) +
+                   timeOf(modbus_message::answerLength(request)));
+}
+
+tl::expected<bool, RegisterError> ModbusRtuWire::isQuietUntil(Time time)
+{
+    const Waited waited = waitFor(modbus_get_socket(m_modbus.get()), POLLIN, m_wake, time);
+    if (waited == Waited::woken)
+        return tl::unexpected(registerError(ErrorKind::stopped));
+    return waited == Waited::timeOut;
 }
 
 RegisterPort::Done ModbusRtuWire::waitForGap()
 {
-    const Instant gap = std::max(m_settings.serial.timeOf(gapCharacters), shortestGap);
-    const Waited waited = waitFor(modbus_get_socket(m_modbus.get()), POLLIN, m_wake, m_lastByte + gap);
-    if (waited == Waited::woken)
-        return failed(registerError(ErrorKind::stopped));
-    if (waited == Waited::ready)
-        m_isTrusted = false;
+    const auto isQuiet =
+        isQuietUntil(m_lastByte + std::max(m_settings.serial.timeOf(gapCharacters), shortestGap));
+    if (!isQuiet)
+        return tl::unexpected(isQuiet.error());
+    if (!*isQuiet && m_doubt == Doubt::none)
+        m_doubt = Doubt::noise;
     return {};
 }
 
@@ -165,12 +184,11 @@ RegisterPort::Done ModbusRtuWire::waitForQuiet()
 {
     const Time end = steady_clock::now() + longestQuietWait * m_settings.timeOut;
     for (;;) {
-        const Waited waited = waitFor(modbus_get_socket(m_modbus.get()), POLLIN, m_wake,
-                                      steady_clock::now() + m_settings.timeOut);
-        if (waited == Waited::timeOut)
+        const auto isQuiet = isQuietUntil(steady_clock::now() + m_settings.timeOut);
+        if (!isQuiet)
+            return tl::unexpected(isQuiet.error());
+        if (*isQuiet)
             return {};
-        if (waited == Waited::woken)
-            return failed(registerError(ErrorKind::stopped));
         if (auto dropped = drop(); !dropped)
             return dropped;
         if (steady_clock::now() >= end)
@@ -185,7 +203,7 @@ RegisterPort::Done ModbusRtuWire::drop()
     const auto dropped = ::read(modbus_get_socket(m_modbus.get()), bytes.data(), bytes.size());
     if (dropped > 0 || (dropped < 0 && errno == EAGAIN))
         return {};
-    return failed(answerError(dropped < 0 ? errno : EIO));
+    return tl::unexpected(answerError(dropped < 0 ? errno : EIO));
 }
 
 RegisterPort::Done ModbusRtuWire::send(const Message &request)
@@ -196,8 +214,8 @@ RegisterPort::Done ModbusRtuWire::send(const Message &request)
         return {};
     // A line that takes no more, or not all: nobody will answer that.
     if (errno == EAGAIN || errno > MODBUS_ENOBASE)
-        return failed(registerError(ErrorKind::noAnswer));
-    return failed(answerError(errno));
+        return tl::unexpected(registerError(ErrorKind::noAnswer));
+    return tl::unexpected(answerError(errno));
 }
 
 // What has begun to come. The library checks its checksum, and answers 0 if another unit sent it.
@@ -207,7 +225,7 @@ tl::expected<Message, RegisterError> ModbusRtuWire::receive(Instant time)
     setAnswerTime(m_modbus.get(), time);
     const int received = modbus_receive_confirmation(m_modbus.get(), frame.data());
     if (received < 0)
-        return failed(answerError(errno));
+        return tl::unexpected(answerError(errno));
     if (received == 0 || frame[0] != m_settings.unit)
         return modbus_message::wrongAnswer(
             sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(frame[0])}));

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <modbus/modbus.h>
+#include <modbus.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
