@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "links/serial_port_link.h"
 #include "tests/support/pty_pair.h"
+#include "tests/support/without_rights.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -204,30 +205,6 @@ TEST_F(SerialLink, WhatIsNoPortIsRefused)
                         .endsWith(QString::fromLatin1(path) + QStringLiteral(" is not a serial port.")));
     }
 }
-
-// Without the rights of the user running the tests, or of root.
-class WithoutRights
-{
-public:
-    WithoutRights()
-    {
-        if (m_wasRoot) {
-            EXPECT_EQ(::setresuid(nobody, nobody, 0), 0);
-        }
-    }
-    ~WithoutRights()
-    {
-        if (m_wasRoot) {
-            EXPECT_EQ(::setresuid(0, 0, 0), 0);
-        }
-    }
-    WithoutRights(const WithoutRights &) = delete;
-    WithoutRights &operator=(const WithoutRights &) = delete;
-
-private:
-    static constexpr uid_t nobody = 65'534;
-    bool m_wasRoot = ::getuid() == 0;
-};
 
 TEST_F(SerialLink, MissingRightsAreToldWithTheGroupAndTheCommand)
 {

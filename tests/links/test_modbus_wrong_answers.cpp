@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The port with a peer that answers wrongly on purpose. Whatever it sent, the next request gets its own
+// answer: each register has its own number as its value, and no other is ever read.
+//
+// Where an answer is awaited the peer is asked again if it was too slow for the time-out; it shows the same
+// reaction each time.
+#include "links/modbus_port.h"
+#include "tests/links/crooked_peer.h"
+#include "tests/support/pty_pair.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using ErrorKind = RegisterError::Kind;
+using Registers = std::vector<Register>;
+
+constexpr quint8 unit = 9;
+constexpr int patientTries = 200;
+
+struct CrookedTcp
+{
+    static QByteArray frame(const SeenRequest &request, const QByteArray &message, quint8 from = unit)
+    {
+        return CrookedPeer::tcpFrame(request.transaction, from, message);
+    }
+
+    CrookedPeer peer{CrookedPeer::React()};
+    GatewaySettings settings{
+        .host = QStringLiteral("127.0.0.1"), .tcpPort = peer.port(), .unit = unit, .timeOut = 200ms};
+};
+
+struct CrookedLine
+{
+    static QByteArray frame(const SeenRequest &, const QByteArray &message, quint8 from = unit)
+    {
+        return CrookedPeer::lineFrame(from, message);
+    }
+
+    PtyPair pty{};
+    CrookedPeer peer{CrookedPeer::React(), pty.descriptor()};
+    GatewaySettings settings{.transport = GatewaySettings::Transport::rtu,
+                             .serialPort = pty.path(),
+                             .unit = unit,
+                             .timeOut = 200ms};
+};
+
+template <typename Way>
+class WrongAnswers : public testing::Test
+{
+protected:
+    WrongAnswers()
+    {
+        reactRightly();
+        EXPECT_TRUE(m_port.open());
+    }
+
+    static Reaction rightReaction(const SeenRequest &request)
+    {
+        return {Way::frame(request, rightAnswer(request.message))};
+    }
+    void reactRightly() { m_way.peer.reactBy(rightReaction); }
+    // With this message instead of the right one.
+    void reactWith(const std::function<QByteArray(QByteArray)> &change)
+    {
+        m_way.peer.reactBy([change](const SeenRequest &request) {
+            return Reaction{Way::frame(request, change(rightAnswer(request.message)))};
+        });
+    }
+
+    static RegisterError patient(const std::function<RegisterPort::Done()> &call)
+    {
+        for (int tries = 0; tries < patientTries; ++tries) {
+            const auto done = call();
+            if (done)
+                break;
+            if (done.error().kind != ErrorKind::noAnswer)
+                return done.error();
+        }
+        return {ErrorKind::noAnswer, 0, QStringLiteral("none of those expected")};
+    }
+    RegisterError readingFails()
+    {
+        return patient([&] {
+            Registers read(2, 0xBEEF);
+            auto done = m_port.read(RegisterArea::input, 20, read);
+            EXPECT_EQ(read, Registers(2, 0xBEEF)) << "nothing is taken from a wrong answer";
+            return done;
+        });
+    }
+    RegisterError writingFails()
+    {
+        return patient([&] { return m_port.write(40, Registers{1, 2, 3}); });
+    }
+    // Registers of any two requests in a row have as many values, but others.
+    void nextAnswersAreRight()
+    {
+        for (int first = 100, right = 0, tries = 0; right < 3; first += 10) {
+            ASSERT_LT(++tries, patientTries);
+            Registers read(2);
+            if (!m_port.read(RegisterArea::input, first, read))
+                continue;
+            EXPECT_EQ(read, (Registers{static_cast<Register>(first), static_cast<Register>(first + 1)}));
+            ++right;
+        }
+    }
+    void isWrong(const RegisterError &error)
+    {
+        EXPECT_EQ(error.kind, ErrorKind::wrongAnswer) << static_cast<int>(error.kind);
+        EXPECT_FALSE(error.text.isEmpty());
+        reactRightly();
+        nextAnswersAreRight();
+    }
+
+    Way m_way;
+    ModbusPort m_port{m_way.settings};
+};
+
+using CrookedWays = testing::Types<CrookedTcp, CrookedLine>;
+TYPED_TEST_SUITE(WrongAnswers, CrookedWays);
+
+TYPED_TEST(WrongAnswers, RightOnesAreTaken)
+{
+    this->nextAnswersAreRight();
+    EXPECT_TRUE(this->m_port.write(40, Registers{1, 2, 3}));
+}
+
+TYPED_TEST(WrongAnswers, ExceptionsAreToldByTheirCode)
+{
+    for (int code = 1; code <= 11; ++code) {
+        this->m_way.peer.reactBy([code](const SeenRequest &request) {
+            const QByteArray exception{QByteArray(1, static_cast<char>(request.message[0] | 0x80)) +
+                                       static_cast<char>(code)};
+            return Reaction{TypeParam::frame(request, exception)};
+        });
+        EXPECT_EQ(this->readingFails(), (RegisterError{ErrorKind::exception, code, {}}));
+        EXPECT_EQ(this->writingFails(), (RegisterError{ErrorKind::exception, code, {}}));
+    }
+    this->reactRightly();
+    this->nextAnswersAreRight();
+}
+
+TYPED_TEST(WrongAnswers, AnotherUnit)
+{
+    this->m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{TypeParam::frame(request, rightAnswer(request.message), unit + 1)};
+    });
+    const RegisterError error = this->readingFails();
+    EXPECT_TRUE(error.text.contains(QString::number(unit + 1))) << error.text.toStdString();
+    this->isWrong(error);
+}
+
+TYPED_TEST(WrongAnswers, AnotherFunction)
+{
+    this->reactWith([](QByteArray answer) { return answer.replace(0, 1, QByteArray(1, 3)); });
+    const RegisterError error = this->readingFails();
+    EXPECT_TRUE(error.text.contains(u'3')) << error.text.toStdString();
+    this->isWrong(error);
+}
+
+TYPED_TEST(WrongAnswers, AnExceptionOfAnotherFunction)
+{
+    this->reactWith([](const QByteArray &) { return QByteArray("\x83\x02"); });
+    this->isWrong(this->readingFails());
+}
+
+TYPED_TEST(WrongAnswers, FewerRegisters)
+{
+    this->reactWith([](const QByteArray &) { return QByteArray("\x04\x02\x12\x34"); });
+    this->isWrong(this->readingFails());
+}
+
+TYPED_TEST(WrongAnswers, MoreRegisters)
+{
+    this->reactWith([](const QByteArray &) { return QByteArray("\x04\x06\x12\x34\x56\x78\x11\x22"); });
+    this->isWrong(this->readingFails());
+}
+
+TYPED_TEST(WrongAnswers, BytesThatAreCountedWrong)
+{
+    for (const char count : {'\1', '\3', '\5', 'd', '\xFF'}) {
+        this->reactWith([count](QByteArray answer) { return answer.replace(1, 1, QByteArray(1, count)); });
+        this->isWrong(this->readingFails());
+    }
+}
+
+TYPED_TEST(WrongAnswers, AWriteOfOtherRegisters)
+{
+    for (const qsizetype byte : {1, 2, 3, 4}) { // of the first register and of the count
+        this->reactWith([byte](QByteArray answer) {
+            return answer.replace(byte, 1, QByteArray(1, static_cast<char>(answer[byte] ^ 1)));
+        });
+        this->isWrong(this->writingFails());
+    }
+}
+
+TYPED_TEST(WrongAnswers, Garbage)
+{
+    this->m_way.peer.reactBy([](const SeenRequest &) {
+        return Reaction{"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n"};
+    });
+    this->isWrong(this->readingFails());
+}
+
+TYPED_TEST(WrongAnswers, SilenceIsNoAnswerAndTakesTheTimeOut)
+{
+    this->m_way.peer.reactBy([](const SeenRequest &) { return Reaction{}; });
+    Registers read(2);
+    const Instant begun = this->m_port.now();
+    EXPECT_EQ(this->m_port.read(RegisterArea::input, 20, read).error().kind, ErrorKind::noAnswer);
+    EXPECT_GE(this->m_port.now() - begun, this->m_way.settings.timeOut);
+    this->reactRightly();
+    this->nextAnswersAreRight();
+}
+
+TYPED_TEST(WrongAnswers, HalfAnAnswer)
+{
+    for (const qsizetype cut : {1, 3, 5}) {
+        this->m_way.peer.reactBy([cut](const SeenRequest &request) {
+            Reaction half = WrongAnswers<TypeParam>::rightReaction(request);
+            half.bytes.chop(cut);
+            return half;
+        });
+        this->isWrong(this->readingFails());
+    }
+}
+
+// The second one must not be taken for the answer to the next request, which has the same form.
+TYPED_TEST(WrongAnswers, TwoAnswers)
+{
+    this->m_way.peer.reactBy([](const SeenRequest &request) {
+        const QByteArray frame = WrongAnswers<TypeParam>::rightReaction(request).bytes;
+        return Reaction{frame + frame};
+    });
+    this->nextAnswersAreRight();
+}
+
+// Each answer is sent when the next request has come, before the answer to that.
+TYPED_TEST(WrongAnswers, LateAnswers)
+{
+    const auto late = std::make_shared<QByteArray>();
+    const auto count = std::make_shared<int>(0);
+    this->m_way.peer.reactBy([late, count](const SeenRequest &request) {
+        const QByteArray right = WrongAnswers<TypeParam>::rightReaction(request).bytes;
+        if (++*count % 2 == 1) {
+            *late = right;
+            return Reaction{};
+        }
+        return Reaction{*late + right};
+    });
+    for (int first = 100, tries = 0; tries < 8; first += 10, ++tries) {
+        Registers read(2);
+        if (this->m_port.read(RegisterArea::input, first, read)) {
+            EXPECT_EQ(read, (Registers{static_cast<Register>(first), static_cast<Register>(first + 1)}));
+        }
+    }
+    this->reactRightly();
+    this->nextAnswersAreRight();
+}
+
+using WrongTcp = WrongAnswers<CrookedTcp>;
+
+TEST_F(WrongTcp, AnAnswerToALaterTransaction)
+{
+    m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{CrookedPeer::tcpFrame(static_cast<quint16>(request.transaction + 1), unit,
+                                              rightAnswer(request.message))};
+    });
+    isWrong(readingFails());
+}
+
+TEST_F(WrongTcp, ALateAnswerCostsNoConnection)
+{
+    const auto late = std::make_shared<QByteArray>();
+    m_way.peer.reactBy([late](const SeenRequest &request) {
+        const QByteArray right = rightReaction(request).bytes;
+        return Reaction{std::exchange(*late, right).isEmpty() ? QByteArray() : *late + right};
+    });
+    Registers read(2);
+    EXPECT_EQ(m_port.read(RegisterArea::input, 20, read).error().kind, ErrorKind::noAnswer);
+    nextAnswersAreRight();
+    EXPECT_EQ(m_way.peer.connections(), 1);
+}
+
+TEST_F(WrongTcp, HeadersThatAreNotModbus)
+{
+    const auto changed = [](qsizetype byte, char value) {
+        return [byte, value](const SeenRequest &request) {
+            return Reaction{rightReaction(request).bytes.replace(byte, 1, QByteArray(1, value))};
+        };
+    };
+    for (const auto &[byte, value] : {std::pair{2, 1}, {3, 1}, {4, 2}, {5, 0}, {5, 1}, {5, 4}, {5, 6}}) {
+        m_way.peer.reactBy(changed(byte, static_cast<char>(value)));
+        isWrong(readingFails());
+    }
+}
+
+TEST_F(WrongTcp, APeerThatHangsUpHasClosed)
+{
+    for (const qsizetype cut : {0, 1, 4, 8}) {
+        m_way.peer.reactBy([cut](const SeenRequest &request) {
+            return Reaction{rightReaction(request).bytes.left(cut), true};
+        });
+        EXPECT_EQ(readingFails().kind, ErrorKind::closed) << cut;
+        EXPECT_EQ(readingFails().kind, ErrorKind::closed) << "until it is opened";
+        reactRightly();
+        ASSERT_TRUE(m_port.open());
+        nextAnswersAreRight();
+    }
+}
+
+TEST_F(WrongTcp, AnAnswerBeforeHangingUpCounts)
+{
+    m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{rightReaction(request).bytes, true};
+    });
+    Registers read(2);
+    ASSERT_TRUE(m_port.read(RegisterArea::input, 20, read));
+    EXPECT_EQ(read, (Registers{20, 21}));
+    EXPECT_EQ(m_port.read(RegisterArea::input, 20, read).error().kind, ErrorKind::closed);
+}
+
+TEST_F(WrongTcp, AllUnitsCanBeAsked)
+{
+    for (const int number : {0, 1, 247, 248, 254, 255}) {
+        CrookedPeer peer([](const SeenRequest &request) {
+            return Reaction{
+                CrookedPeer::tcpFrame(request.transaction, request.unit, rightAnswer(request.message))};
+        });
+        ModbusPort port(
+            {.host = QStringLiteral("127.0.0.1"), .tcpPort = peer.port(), .unit = number, .timeOut = 10s});
+        ASSERT_TRUE(port.open());
+        Registers read(1);
+        EXPECT_TRUE(port.read(RegisterArea::input, 0, read)) << number;
+    }
+}
+
+using WrongLine = WrongAnswers<CrookedLine>;
+
+TEST_F(WrongLine, ADamagedAnswer)
+{
+    for (const qsizetype byte : {3, 5, 7, 8}) {
+        m_way.peer.reactBy([byte](const SeenRequest &request) {
+            Reaction damaged = rightReaction(request);
+            damaged.bytes[byte] = static_cast<char>(damaged.bytes[byte] ^ 4);
+            return damaged;
+        });
+        const RegisterError error = readingFails();
+        EXPECT_EQ(error.text, QStringLiteral("Invalid CRC"));
+        isWrong(error);
+    }
+}
+
+} // namespace
+} // namespace codewheel
