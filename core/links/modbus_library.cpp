@@ -17,19 +17,23 @@ void setAnswerTime(modbus_t *modbus, Instant time)
     modbus_set_error_recovery(modbus, MODBUS_ERROR_RECOVERY_NONE);
 }
 
-RegisterError answerError(int errorNumber)
-{
-    const QString text = QString::fromLocal8Bit(modbus_strerror(errorNumber));
-    if (errorNumber == ETIMEDOUT)
-        return {RegisterError::Kind::wrongAnswer, 0, GatewayTexts::tr("it is incomplete")};
-    if (errorNumber > MODBUS_ENOBASE)
-        return {RegisterError::Kind::wrongAnswer, 0, text};
-    return {RegisterError::Kind::closed, 0, text};
-}
-
 RegisterError registerError(RegisterError::Kind kind)
 {
     return {kind, 0, {}};
+}
+
+RegisterError closedError(int errorNumber)
+{
+    return {RegisterError::Kind::closed, 0, QString::fromLocal8Bit(modbus_strerror(errorNumber))};
+}
+
+RegisterError answerError(int errorNumber)
+{
+    if (errorNumber == ETIMEDOUT)
+        return {RegisterError::Kind::wrongAnswer, 0, GatewayTexts::tr("it is incomplete")};
+    if (errorNumber > MODBUS_ENOBASE)
+        return {RegisterError::Kind::wrongAnswer, 0, QString::fromLocal8Bit(modbus_strerror(errorNumber))};
+    return closedError(errorNumber);
 }
 
 } // namespace codewheel

@@ -22,9 +22,12 @@ using Modbus = std::unique_ptr<modbus_t, CloseModbus>; // closes its descriptor
 // reconnects nothing by itself.
 void setAnswerTime(modbus_t *modbus, Instant time);
 
+RegisterError registerError(RegisterError::Kind kind);
+
+// The connection is gone, by the system's error number.
+RegisterError closedError(int errorNumber);
+
 // What a failure of the library while it was reading an answer means, by its error number.
 RegisterError answerError(int errorNumber);
-
-RegisterError registerError(RegisterError::Kind kind);
 
 } // namespace codewheel

@@ -109,7 +109,7 @@ Result<void> ModbusRtuWire::setUp(const QString &path)
 
 void ModbusRtuWire::close()
 {
-    if (m_lock)
+    if (m_modbus) // which is there only if the port is ours
         ::ioctl(m_lock.get(), TIOCNXCL);
     m_modbus.reset();
     m_lock.close();
@@ -203,7 +203,7 @@ RegisterPort::Done ModbusRtuWire::drop()
     const auto dropped = ::read(modbus_get_socket(m_modbus.get()), bytes.data(), bytes.size());
     if (dropped > 0 || (dropped < 0 && errno == EAGAIN))
         return {};
-    return tl::unexpected(answerError(dropped < 0 ? errno : EIO));
+    return tl::unexpected(closedError(dropped < 0 ? errno : EIO));
 }
 
 RegisterPort::Done ModbusRtuWire::send(const Message &request)
@@ -215,7 +215,7 @@ RegisterPort::Done ModbusRtuWire::send(const Message &request)
     // A line that takes no more, or not all: nobody will answer that.
     if (errno == EAGAIN || errno > MODBUS_ENOBASE)
         return tl::unexpected(registerError(ErrorKind::noAnswer));
-    return tl::unexpected(answerError(errno));
+    return tl::unexpected(closedError(errno));
 }
 
 // What has begun to come. The library checks its checksum, and answers 0 if another unit sent it.

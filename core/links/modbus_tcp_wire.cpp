@@ -25,10 +25,17 @@ constexpr std::size_t unitAt = 6;
 constexpr std::size_t headerLength = 7;
 constexpr std::size_t shortest = headerLength + 1;
 constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
+constexpr int longestMemory = 1'000;    // transactions
 
 std::uint16_t numberAt(const Frame &frame, std::size_t at)
 {
     return static_cast<std::uint16_t>(frame[at] << 8 | frame[at + 1]);
+}
+
+bool hasHungUp(int socket)
+{
+    pollfd waited{socket, POLLRDHUP, 0};
+    return ::poll(&waited, 1, 0) > 0;
 }
 
 } // namespace
@@ -45,17 +52,20 @@ Result<void> ModbusTcpWire::open()
     if (!addresses)
         return tl::unexpected(addresses.error());
     m_addresses = *std::move(addresses);
-    return connect(std::max(m_settings.timeOut, shortestConnect));
+    auto connected = connect(std::max(m_settings.timeOut, shortestConnect));
+    m_isOpen = connected.has_value();
+    return connected;
 }
 
 void ModbusTcpWire::close()
 {
     m_modbus.reset();
+    m_isOpen = false;
 }
 
 Result<void> ModbusTcpWire::connect(Instant timeOut)
 {
-    close();
+    m_modbus.reset();
     auto socket = connectToHost(m_addresses, gatewayAddress(m_settings), timeOut, m_wake);
     if (!socket)
         return tl::unexpected(socket.error());
@@ -67,7 +77,7 @@ Result<void> ModbusTcpWire::connect(Instant timeOut)
     setAnswerTime(modbus.get(), 0us); // it is asked when the answer is there
     m_modbus = std::move(modbus);
     m_isOutOfStep = false;
-    m_requests = 0;
+    m_before = -1;
     m_wakesAt = 1;
     return {};
 }
@@ -87,9 +97,9 @@ ModbusTcpWire::Failed ModbusTcpWire::outOfStep(const QString &text)
 
 tl::expected<Message, RegisterError> ModbusTcpWire::exchange(const Message &request)
 {
-    if (!m_modbus)
+    if (!m_isOpen)
         return failed(registerError(ErrorKind::closed));
-    if (m_isOutOfStep)
+    if (!m_modbus || m_isOutOfStep)
         if (auto connected = connect(m_settings.timeOut); !connected)
             return failed(registerError(connected.error().kind == RefusalKind::stopped ? ErrorKind::stopped
                                                                                        : ErrorKind::closed));
@@ -104,7 +114,7 @@ tl::expected<Message, RegisterError> ModbusTcpWire::exchange(const Message &requ
 RegisterPort::Done ModbusTcpWire::send(const Message &request)
 {
     ++m_transaction;
-    ++m_requests;
+    m_before = std::min(m_before + 1, longestMemory);
     const std::size_t length = request.size() + 1; // with the unit
     Message frame{static_cast<std::uint8_t>(m_transaction >> 8),
                   static_cast<std::uint8_t>(m_transaction & 0xFF),
@@ -118,7 +128,7 @@ RegisterPort::Done ModbusTcpWire::send(const Message &request)
     if (sent == static_cast<ssize_t>(frame.size()))
         return {};
     if (sent < 0 && errno != EAGAIN)
-        return failed(answerError(errno));
+        return failed(closedError(errno));
     m_isOutOfStep = true; // whoever does not read does not answer either
     return failed(registerError(ErrorKind::noAnswer));
 }
@@ -152,9 +162,8 @@ tl::expected<Message, RegisterError> ModbusTcpWire::receive(Time until)
 // A transaction before this one, of this connection.
 bool ModbusTcpWire::isOver(std::uint16_t transaction) const
 {
-    constexpr int remembered = 1'000;
     const int before = static_cast<std::uint16_t>(m_transaction - transaction);
-    return before > 0 && before < std::min(m_requests, remembered);
+    return before > 0 && before <= m_before;
 }
 
 // Its length, as soon as all of it is there: the library, which then reads it, could not be interrupted.
@@ -177,8 +186,10 @@ tl::expected<std::size_t, RegisterError> ModbusTcpWire::waitForAnswer(Time until
         const auto seen = ::recv(socket, frame.data(), frame.size(), MSG_PEEK | MSG_DONTWAIT);
         if (seen < 0 && errno == EAGAIN)
             continue;
-        if (seen <= 0 || static_cast<std::size_t>(seen) < m_wakesAt) // the peer has closed
-            return tl::unexpected(answerError(seen < 0 ? errno : ECONNRESET));
+        if (seen <= 0)
+            return tl::unexpected(closedError(seen < 0 ? errno : ECONNRESET));
+        if (static_cast<std::size_t>(seen) < m_wakesAt && hasHungUp(socket)) // the rest will not come
+            return tl::unexpected(closedError(ECONNRESET));
         there = static_cast<std::size_t>(seen);
         std::size_t length = shortest;
         if (there >= shortest) {

@@ -14,6 +14,10 @@ namespace codewheel {
 // number of a transaction that is over and is dropped, while connecting anew would lose nothing but time, and
 // many gateways have room for few connections and give up an old one slowly. After a damaged or foreign
 // answer nobody knows where the next one begins; then the wire connects anew before the next request.
+//
+// What libmodbus does not check is checked here and by modbus_message::take(). Its version 3.1.6 takes an
+// answer of another unit, one whose header has another length or protocol, and one about a write to other
+// registers.
 class ModbusTcpWire final : public ModbusWire
 {
 public:
@@ -41,10 +45,11 @@ private:
     const GatewaySettings m_settings;
     WakeFlag &m_wake;
     std::vector<SocketAddress> m_addresses;
-    Modbus m_modbus; // null: closed
+    bool m_isOpen = false;
+    Modbus m_modbus; // null: to be connected anew
     bool m_isOutOfStep = false;
     std::uint16_t m_transaction = 0; // the last one
-    int m_requests = 0;              // since it is connected
+    int m_before = -1;               // transactions before it on this connection
     std::size_t m_wakesAt = 1;       // bytes that have come
 };
 

@@ -70,7 +70,7 @@ Result<std::vector<SocketAddress>> resolveHost(const QString &host, int port, Wa
         return lookup->addresses;
     try {
         std::thread([lookup] {
-            lookUp(*lookup, AI_ADDRCONFIG);
+            lookUp(*lookup, 0);
             lookup->done.raise();
         }).detach();
     } catch (const std::system_error &error) {

@@ -41,31 +41,58 @@ Refusal refusalOfOpening(const GatewaySettings &settings)
     return opened ? Refusal{} : opened.error();
 }
 
-// A port on which nobody answers at all: its queue of connections is full.
+sockaddr_in loopback(int port)
+{
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    return address;
+}
+
+int bindToLoopback(int socket)
+{
+    sockaddr_in address = loopback(0);
+    socklen_t length = sizeof address;
+    ::bind(socket, reinterpret_cast<sockaddr *>(&address), length);
+    ::getsockname(socket, reinterpret_cast<sockaddr *>(&address), &length);
+    return ntohs(address.sin_port);
+}
+
+// Clients that take all places of a server, so that nobody else gets an answer when connecting.
+class Crowd
+{
+public:
+    explicit Crowd(int port)
+    {
+        const sockaddr_in address = loopback(port);
+        for (int &client : m_clients) {
+            client = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+            ::connect(client, reinterpret_cast<const sockaddr *>(&address), sizeof address);
+        }
+    }
+    ~Crowd()
+    {
+        for (const int client : m_clients)
+            ::close(client);
+    }
+    Crowd(const Crowd &) = delete;
+    Crowd &operator=(const Crowd &) = delete;
+
+private:
+    std::array<int, 16> m_clients{};
+};
+
+// A port on which nobody answers at all.
 class BlackHole
 {
 public:
     BlackHole()
     {
-        sockaddr_in address = {};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t length = sizeof address;
-        ::bind(m_listener, reinterpret_cast<sockaddr *>(&address), length);
         ::listen(m_listener, 0);
-        ::getsockname(m_listener, reinterpret_cast<sockaddr *>(&address), &length);
-        m_port = ntohs(address.sin_port);
-        for (int &client : m_clients) {
-            client = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-            ::connect(client, reinterpret_cast<sockaddr *>(&address), length);
-        }
+        m_crowd.emplace(m_port);
     }
-    ~BlackHole()
-    {
-        for (const int client : m_clients)
-            ::close(client);
-        ::close(m_listener);
-    }
+    ~BlackHole() { ::close(m_listener); }
     BlackHole(const BlackHole &) = delete;
     BlackHole &operator=(const BlackHole &) = delete;
 
@@ -73,22 +100,17 @@ public:
 
 private:
     int m_listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    std::array<int, 4> m_clients{};
-    int m_port = 0;
+    int m_port = bindToLoopback(m_listener);
+    std::optional<Crowd> m_crowd;
 };
 
 // A port on this computer that nobody listens at.
 int deadPort()
 {
     const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = {};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof address;
-    ::bind(socket, reinterpret_cast<sockaddr *>(&address), length);
-    ::getsockname(socket, reinterpret_cast<sockaddr *>(&address), &length);
+    const int port = bindToLoopback(socket);
     ::close(socket);
-    return ntohs(address.sin_port);
+    return port;
 }
 
 TEST(ModbusConnect, AHostThatIsNotThereIsNamed)
@@ -187,6 +209,28 @@ TEST(ModbusConnect, InterruptEndsTheNextCallOnce)
     EXPECT_TRUE(port.read(RegisterArea::input, 1, read));
 }
 
+// After a wrong answer the port connects anew, which takes an hour here: others have all places of the peer.
+TEST(ModbusConnect, InterruptEndsConnectingAnewAndThePortGoesOn)
+{
+    std::atomic<bool> isWrong = true;
+    CrookedPeer peer([&](const SeenRequest &request) {
+        return Reaction{CrookedPeer::tcpFrame(request.transaction, isWrong ? 99 : request.unit,
+                                              rightAnswer(request.message))};
+    });
+    ModbusPort port(tcpTo(QStringLiteral("127.0.0.1"), peer.port()));
+    ASSERT_TRUE(port.open());
+    std::vector<Register> read(1);
+    EXPECT_EQ(port.read(RegisterArea::input, 1, read).error().kind, RegisterError::Kind::wrongAnswer);
+    isWrong = false;
+    {
+        const Crowd crowd(peer.port());
+        const std::jthread other([&] { port.interrupt(); });
+        EXPECT_EQ(port.read(RegisterArea::input, 1, read).error().kind, RegisterError::Kind::stopped);
+    }
+    ASSERT_TRUE(port.read(RegisterArea::input, 1, read));
+    EXPECT_EQ(read.front(), 1);
+}
+
 // Interrupts whoever waits for its answer, and sends only so many bytes of it.
 class InterruptedWait : public testing::TestWithParam<int>
 {
@@ -272,6 +316,7 @@ TEST(ModbusLine, APortInUseKeepsItsSettings)
     PtyPair pty;
     const int owner = ::open(pty.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     ASSERT_EQ(::flock(owner, LOCK_EX | LOCK_NB), 0);
+    ASSERT_EQ(::ioctl(owner, TIOCEXCL), 0);
     termios before = {};
     ASSERT_EQ(::tcgetattr(owner, &before), 0);
     EXPECT_EQ(refusalOfOpening(lineAt(pty.path())),
@@ -280,6 +325,10 @@ TEST(ModbusLine, APortInUseKeepsItsSettings)
     ASSERT_EQ(::tcgetattr(owner, &after), 0);
     EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
     EXPECT_EQ(after.c_iflag, before.c_iflag);
+    int isExclusive = 0;
+    EXPECT_EQ(::ioctl(owner, TIOCGEXCL, &isExclusive), 0);
+    EXPECT_NE(isExclusive, 0);
+    ::ioctl(owner, TIOCNXCL);
     ::close(owner);
     EXPECT_EQ(refusalOfOpening(lineAt(pty.path())), Refusal{});
 }
