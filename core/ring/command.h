@@ -13,6 +13,8 @@
 
 namespace codewheel {
 
+class RingGuests;
+
 // What the window asks of the bus thread, besides what a session asks its driver.
 namespace command {
 struct SetOut
@@ -69,11 +71,16 @@ struct AskKeptConfiguration
 {
     bool onConnecting;
 };
+// From now on these guests may read and write the ring; null: nobody.
+struct OfferTo
+{
+    std::shared_ptr<RingGuests> guests;
+};
 } // namespace command
-using Command =
-    std::variant<command::UseRing, command::SetOut, command::StartJob, command::Proceed, command::Cancel,
-                 command::SetKnown, command::SetDriver, command::StartBus, command::StopBus,
-                 command::SetOperate, command::AlarmStop, command::ReadIn, command::SwitchSegment,
-                 command::ConfirmDiagnostics, command::KeepConfiguration, command::AskKeptConfiguration>;
+using Command = std::variant<command::UseRing, command::SetOut, command::StartJob, command::Proceed,
+                             command::Cancel, command::SetKnown, command::SetDriver, command::StartBus,
+                             command::StopBus, command::SetOperate, command::AlarmStop, command::ReadIn,
+                             command::SwitchSegment, command::ConfirmDiagnostics, command::KeepConfiguration,
+                             command::AskKeptConfiguration, command::OfferTo>;
 
 } // namespace codewheel

@@ -48,6 +48,11 @@ struct WordWritten
 {
     Word word;
 };
+// A guest of the ring has changed the word (ring/ring_guests.h).
+struct GuestWrote
+{
+    Word word;
+};
 // A SetDriver was carried out: what comes from the device from now on is from its new driver.
 struct DriverTaken
 {};
@@ -57,8 +62,8 @@ using MasterEvent = std::variant<ReadInProgress, ReadInEnded, KeptConfigurationT
 struct RingEvent
 {
     std::size_t device = 0; // meaningless for what has no place
-    std::variant<Event, Exchange, Message, MasterEvent, RingFound, RingRefused, WordWritten, DriverTaken,
-                 Slept, LinkOpened>
+    std::variant<Event, Exchange, Message, MasterEvent, RingFound, RingRefused, WordWritten, GuestWrote,
+                 DriverTaken, Slept, LinkOpened>
         what;
     Instant at{};
     unsigned generation = 0;

@@ -38,20 +38,22 @@ bool RingRunner::Private::carryOutNext()
 
 void RingRunner::Private::carryOut(const command::SetOut &c)
 {
-    const auto allowed =
-        maySend(ring, c.device, structure[c.device].number.toString(), RefusalId::wordHeldByJob);
-    if (!allowed) {
+    if (const auto allowed = mayWrite(c.device, c.word); !allowed) {
         refuseWord(c.device, allowed.error());
-        return;
-    }
-    const CyclicDriver *driver = drivers[c.device].get();
-    if (driver && !driver->mayStand(c.word) && !link.boundsWordsToCycles()) {
-        refuseWord(c.device, {RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {c.word}});
         return;
     }
     image[c.device] = c.word;
     if (std::ranges::find(written, c.device) == written.end())
         written.push_back(c.device);
+}
+
+Result<void> RingRunner::Private::mayWrite(std::size_t device, Word word) const
+{
+    const auto allowed = maySend(ring, device, structure[device].number.toString(), RefusalId::wordHeldByJob);
+    const CyclicDriver *driver = drivers[device].get();
+    if (allowed && driver && !driver->mayStand(word) && !link.boundsWordsToCycles())
+        return refuse(RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {word});
+    return allowed;
 }
 
 void RingRunner::Private::refuseWord(std::size_t device, Refusal why)
@@ -400,9 +402,12 @@ void RingRunner::turn(Instant until)
 void RingRunner::cycle(Instant now)
 {
     d->ring.at = now;
-    d->carryOutCommands();
+    if (d->carryOutCommands())
+        d->carryOutGuestWords();
+    const std::uint64_t before = d->ring.cycle;
     d->work();
     d->lookAtMaster();
+    d->showGuests(d->ring.cycle != before);
     d->publish();
 }
 
@@ -431,6 +436,8 @@ void RingRunner::close()
     d->endJobs(RefusalId::busStopped);
     d->lookAtMaster();
     d->publish();
+    if (d->guests)
+        d->guests->leave();
     d->link.close();
 }
 

@@ -5,6 +5,7 @@
 #include "ring/exchange_trace.h"
 #include "ring/master_text.h"
 #include "ring/master_watch.h"
+#include "ring/ring_guests.h"
 #include "ring/ring_runner.h"
 #include "ring/ring_watch.h"
 
@@ -38,6 +39,7 @@ struct RingRunner::Private
     void carryOut(command::ConfirmDiagnostics);
     void carryOut(const command::KeepConfiguration &c);
     void carryOut(const command::AskKeptConfiguration &c);
+    void carryOut(command::OfferTo &c);
 
     void work();
     void publish();
@@ -53,6 +55,7 @@ struct RingRunner::Private
     void endJobs(RefusalId why);
     void goOnWithWhatWasExchanged();
     Word goesOn(std::size_t device, Word last) const;
+    Result<void> mayWrite(std::size_t device, Word word) const;
     void takeBackWhatMustNotStand();
     void zeroOut();
     void refuseWord(std::size_t device, Refusal why);
@@ -66,6 +69,13 @@ struct RingRunner::Private
     void tryToReopen();
     void comeBack();
     void tellOutIsUnknown();
+
+    // Guests (ring_runner_guests.cpp).
+    void carryOutGuestWords();
+    Result<void> takeGuestWords(std::vector<GuestWord> &words);
+    void showGuests(bool isExchanged);
+    void tellGuestWords(bool isExchanged);
+    std::uint16_t statusRegister() const;
 
     // With a master (ring_runner_master.cpp).
     bool reaches(MasterService service);
@@ -109,7 +119,16 @@ struct RingRunner::Private
     bool runsAgain = false;   // once there is a ring to run: it ran before, or was started meanwhile
     bool zerosAreDue = false; // of an ALARM STOP that came while the bus runs, or while its link was lost
     std::uint64_t alarmStops = 0;
-    Instant reopenAt{}; // of a lost link
+    struct GuestChange
+    {
+        std::size_t device;
+        Word word;
+        Word before; // what would have gone out
+    };
+    std::shared_ptr<RingGuests> guests{};    // null: the ring is offered to nobody
+    std::vector<GuestChange> guestChanges{}; // in this cycle
+    unsigned generationOfGuests = 0;         // of the ring that they were shown
+    Instant reopenAt{};                      // of a lost link
 };
 
 } // namespace codewheel

@@ -86,7 +86,15 @@ Result<void> RingSession::open(Start start, std::optional<Pacing> pacing)
     d->generation = 0;
     d->readingIn = false;
     d->crcHistory.clear();
-    return d->engine.open(std::make_unique<RingRunner>(*d->link), std::move(pacing));
+    auto runner = std::make_unique<RingRunner>(*d->link);
+    runner->post(command::OfferTo{d->guests});
+    return d->engine.open(std::move(runner), std::move(pacing));
+}
+
+void RingSession::offerTo(std::shared_ptr<RingGuests> guests)
+{
+    d->guests = std::move(guests);
+    post(command::OfferTo{d->guests});
 }
 
 void RingSession::close()
@@ -213,6 +221,9 @@ void RingSession::dispatch(const RingEvent &event)
     } else if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
         if (session)
             session->take(*ofDriver, event.at);
+    } else if (const auto *ofGuest = std::get_if<GuestWrote>(&event.what)) {
+        if (session)
+            Q_EMIT session->wordAboutToBeSent(ofGuest->word);
     } else if (const auto *ofMaster = std::get_if<MasterEvent>(&event.what)) {
         takeOfMaster(*ofMaster);
     } else if (const auto *slept = std::get_if<Slept>(&event.what)) {

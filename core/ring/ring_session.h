@@ -56,6 +56,9 @@ public:
     void advance(Instant duration) override;
     void pump() override;
 
+    // Guests read and write the ring beside us, from now on and after each opening; null: nobody does.
+    void offerTo(std::shared_ptr<RingGuests> guests);
+
     BusState state() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;

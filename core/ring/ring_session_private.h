@@ -60,6 +60,7 @@ struct RingSession::Private
     std::vector<std::unique_ptr<WordChannel>> retiredChannels;
     std::vector<int> renamings; // on their way to the bus thread: until then, the previous driver reports
 
+    std::shared_ptr<RingGuests> guests; // null: none
     Start start = Start::watching;
     unsigned generation = 0; // of the ring; 0: none is used yet
     bool readingIn = false;
