@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/served_clients.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+
+std::optional<unsigned> ServedClients::come(const QString &address, ServedClient::Time now)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_clients.size() >= m_most) {
+        ++m_refused;
+        tell(ClientNews::What::refused, {.address = address, .since = now});
+        return std::nullopt;
+    }
+    m_clients.push_back({.id = ++m_everCame, .address = address, .since = now});
+    tell(ClientNews::What::came, m_clients.back());
+    return m_everCame;
+}
+
+void ServedClients::took(unsigned id, int unit, const ServedUnits::Answer &answer, ServedClient::Time now)
+{
+    const std::scoped_lock lock(m_mutex);
+    count(m_total, answer);
+    const auto client = std::ranges::find(m_clients, id, &ServedClient::id);
+    if (client == m_clients.end())
+        return;
+    count(*client, answer);
+    client->unit = unit;
+    if (answer.written)
+        client->written = ServedClient::Written{unit, *answer.written, now};
+}
+
+void ServedClients::count(ServedClient &client, const ServedUnits::Answer &answer)
+{
+    ++client.requests;
+    client.refused += answer.isException ? 1 : 0;
+    client.writes += answer.isWrite && !answer.isException ? 1 : 0;
+}
+
+void ServedClients::leave(unsigned id)
+{
+    const std::scoped_lock lock(m_mutex);
+    const auto client = std::ranges::find(m_clients, id, &ServedClient::id);
+    if (client == m_clients.end())
+        return;
+    tell(ClientNews::What::left, *client);
+    m_clients.erase(client);
+}
+
+std::vector<ServedClient> ServedClients::clients() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_clients;
+}
+
+std::uint64_t ServedClients::everCame() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_everCame;
+}
+
+std::uint64_t ServedClients::refusedConnections() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_refused;
+}
+
+ServedClient ServedClients::total() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_total;
+}
+
+std::vector<ClientNews> ServedClients::takeNews()
+{
+    const std::scoped_lock lock(m_mutex);
+    return std::exchange(m_news, {});
+}
+
+void ServedClients::tell(ClientNews::What what, const ServedClient &client)
+{
+    if (m_news.size() < mostNews)
+        m_news.push_back({what, client});
+}
+
+} // namespace codewheel
