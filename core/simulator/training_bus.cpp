@@ -72,7 +72,14 @@ std::unique_ptr<SimulatedDevice> rodOf(const TrainingParticipant &planned)
     return rod;
 }
 
-std::unique_ptr<SimulatedDevice> deviceOf(const TrainingParticipant &planned)
+TrainingBus busOf(const std::shared_ptr<SimulatedRing> &ring)
+{
+    return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
+}
+
+} // namespace
+
+std::unique_ptr<SimulatedDevice> simulatedDevice(const TrainingParticipant &planned)
 {
     if (!planned.device)
         return std::make_unique<SimulatedBusTerminal>();
@@ -82,13 +89,6 @@ std::unique_ptr<SimulatedDevice> deviceOf(const TrainingParticipant &planned)
     encoder->setSpeed(static_cast<double>(planned.revolutionsPerMinute));
     return encoder;
 }
-
-TrainingBus busOf(const std::shared_ptr<SimulatedRing> &ring)
-{
-    return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
-}
-
-} // namespace
 
 TrainingPlan trainingPlan(const Catalog &catalog)
 {
@@ -106,7 +106,7 @@ TrainingBus makeTrainingBus(const TrainingPlan &plan)
 {
     auto ring = std::make_shared<SimulatedRing>();
     for (const TrainingParticipant &planned : plan)
-        ring->add(participantOf(planned), deviceOf(planned));
+        ring->add(participantOf(planned), simulatedDevice(planned));
     ring->keepConfiguration(QStringLiteral("training.json"));
     return busOf(ring);
 }

@@ -9,12 +9,17 @@
 
 namespace codewheel {
 
+class SimulatedDevice;
+
 // A simulated ring: the link to it and the trainer's controls. It starts the same in every process.
 struct TrainingBus
 {
     std::unique_ptr<ProcessDataLink> link;
     std::shared_ptr<TrainingControls> controls;
 };
+
+// The device of a participant; its description can be simulated (canBeSimulated()).
+std::unique_ptr<SimulatedDevice> simulatedDevice(const TrainingParticipant &planned);
 
 // The plant of resources/examples/training.json. The catalog must hold the built-in descriptions, and must
 // outlive the plan.

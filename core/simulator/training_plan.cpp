@@ -19,15 +19,6 @@ bool isRod(const DeviceDescription &device)
     return device.profile == Profile::la66;
 }
 
-bool canBeSimulated(const DeviceDescription &device)
-{
-    if (isRod(device))
-        return true;
-    const bool hasResolution = device.physicalStepsPerTurn > 0 && device.physicalTurns > 0;
-    const bool isK3 = device.profile == Profile::k3 && device.dialect != k3::Dialect::generic;
-    return hasResolution && (isK3 || onlyTellsPosition(device.profile));
-}
-
 // The rules of a training plan, row by row. One object per file.
 class TrainingPlanReader
 {
@@ -162,6 +153,15 @@ void TrainingPlanReader::refuseKeys(const JsonObject &row, std::initializer_list
 }
 
 } // namespace
+
+bool canBeSimulated(const DeviceDescription &device)
+{
+    if (isRod(device))
+        return true;
+    const bool hasResolution = device.physicalStepsPerTurn > 0 && device.physicalTurns > 0;
+    const bool isK3 = device.profile == Profile::k3 && device.dialect != k3::Dialect::generic;
+    return hasResolution && (isK3 || onlyTellsPosition(device.profile));
+}
 
 tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &json, const QString &file,
                                                             const Catalog &catalog)

@@ -25,6 +25,9 @@ struct TrainingParticipant
 };
 using TrainingPlan = std::vector<TrainingParticipant>; // in ring order
 
+// Whether there is a simulator for it.
+bool canBeSimulated(const DeviceDescription &device);
+
 // The plan in `json`, or the first thing wrong with it. Its form is documented in docs/training-plans.md. The
 // plan points into the catalog.
 tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &json, const QString &file,
