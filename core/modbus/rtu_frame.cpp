@@ -10,6 +10,24 @@ constexpr std::size_t unitBytes = 1;
 constexpr std::size_t crcBytes = 2;
 constexpr std::size_t shortest = unitBytes + 1 + crcBytes;
 
+using Bytes = std::span<const std::uint8_t>;
+
+RtuRequests::Request requestOf(Bytes frame)
+{
+    const Bytes pdu = frame.subspan(unitBytes, frame.size() - unitBytes - crcBytes);
+    return {frame.front(), {pdu.begin(), pdu.end()}};
+}
+
+// The frame of a request that these bytes begin with; empty: they do not.
+Bytes frameAt(Bytes bytes)
+{
+    const auto length = modbusRequestLength(bytes.subspan(unitBytes));
+    const std::size_t whole = unitBytes + length.value_or(0) + crcBytes;
+    if (!length || *length == 0 || bytes.size() < whole || modbusCrc(bytes.first(whole)) != 0)
+        return {};
+    return bytes.first(whole);
+}
+
 } // namespace
 
 std::uint16_t modbusCrc(std::span<const std::uint8_t> bytes)
@@ -34,35 +52,32 @@ ModbusBytes rtuFrame(int unit, const ModbusBytes &pdu)
     return frame;
 }
 
-std::optional<RtuRequests::Request> RtuRequests::take(std::span<const std::uint8_t> bytes)
+void RtuRequests::take(Bytes bytes)
 {
-    if (m_isSkipping)
-        return std::nullopt;
     m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
-    const auto pdu = std::span(m_bytes).subspan(unitBytes);
-    const auto length = modbusRequestLength(pdu);
-    if (m_bytes.size() > longest || (length && *length > 0 && pdu.size() >= *length + crcBytes))
-        return end();
+}
+
+std::optional<RtuRequests::Request> RtuRequests::next()
+{
+    for (std::size_t begin = 0; begin < m_bytes.size(); ++begin) {
+        const Bytes frame = frameAt(Bytes(m_bytes).subspan(begin));
+        if (frame.empty())
+            continue;
+        Request request = requestOf(frame);
+        m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(begin + frame.size()));
+        return request;
+    }
+    if (m_bytes.size() > longest) // the first of them begin no request any more
+        m_bytes.erase(m_bytes.begin(), m_bytes.end() - static_cast<std::ptrdiff_t>(longest));
     return std::nullopt;
 }
 
 std::optional<RtuRequests::Request> RtuRequests::silence()
 {
-    if (std::exchange(m_isSkipping, false) || m_bytes.empty())
-        return std::nullopt;
-    auto request = end();
-    m_isSkipping = false;
-    return request;
-}
-
-std::optional<RtuRequests::Request> RtuRequests::end()
-{
     const ModbusBytes frame = std::exchange(m_bytes, {});
-    if (frame.size() < shortest || frame.size() > longest || modbusCrc(frame) != 0) {
-        m_isSkipping = true;
+    if (frame.size() < shortest || modbusCrc(frame) != 0)
         return std::nullopt;
-    }
-    return Request{frame.front(), {frame.begin() + unitBytes, frame.end() - crcBytes}};
+    return requestOf(frame);
 }
 
 } // namespace codewheel

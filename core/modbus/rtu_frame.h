@@ -12,8 +12,8 @@ std::uint16_t modbusCrc(std::span<const std::uint8_t> bytes);
 ModbusBytes rtuFrame(int unit, const ModbusBytes &pdu);
 
 // Finds requests in what comes over a serial line: a request ends with its last byte if its function tells
-// how long it is, otherwise with the silence behind it. What is no request is skipped until the next
-// silence.
+// how long it is, otherwise with the silence behind it. Whatever else is on the line, such as the answers of
+// other units, is passed over.
 class RtuRequests
 {
 public:
@@ -25,19 +25,15 @@ public:
         ModbusBytes pdu{};
     };
 
-    // Bytes came; at most one request is complete, since a client waits for the answer.
-    std::optional<Request> take(std::span<const std::uint8_t> bytes);
-    // Nothing came for a while.
+    void take(std::span<const std::uint8_t> bytes);
+    // The next one that is complete; to be asked until there is none.
+    std::optional<Request> next();
+    // Nothing came for a while: what has come until now is complete, or will never be.
     std::optional<Request> silence();
-    // Whether silence() is to be told.
-    bool isWithin() const { return m_isSkipping || !m_bytes.empty(); }
-    bool isSkipping() const { return m_isSkipping; }
+    bool isWithin() const { return !m_bytes.empty(); } // silence() is to be told
 
 private:
-    std::optional<Request> end();
-
     ModbusBytes m_bytes;
-    bool m_isSkipping = false;
 };
 
 } // namespace codewheel

@@ -7,7 +7,8 @@
 namespace codewheel {
 
 // The ring of a project, simulated: its devices at their places, as their descriptions and labels say, with
-// factory settings, and turning slowly. A K3 of which nobody has said the make is a FRABA; a device without a
+// factory settings, and turning slowly. A K3 that is neither FRABA nor Baumer, or whose make nobody has
+// said, is simulated as a FRABA; a device without a
 // simulator shows its OUT word in IN.
 TrainingBus makePlannedRing(const Project &project, BusId ring, const Catalog &catalog);
 
