@@ -138,32 +138,35 @@ enum class RefusalId : std::uint8_t {
     escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place
     // link
-    linkFailed,          // text of the link
-    ringDiffers,         // place, configured, found
-    busFault,            // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
-    notInRing,           // place
-    databaseFailed,      // file, reason
-    recordingGone,       // file
-    damagedBlocks,       // file, blocks of samples
-    diskAlmostFull,      // file, free MB, MB that are to stay free
-    serverAway,          // address, reason, MB that wait
-    notAllSent,          // address, reason, MB that wait, file
-    portNotFound,        // port
-    portInUse,           // port
-    portNoRights,        // port, group that may use it, command that adds the user to it
-    portLost,            // port: the adapter was unplugged
-    portOfOther,         // port, the adapter that was expected
-    lineClosed,          //
-    hostNotFound,        // host
-    connectionRefused,   // address
-    connectionSilent,    // address, seconds
-    connectionClosed,    // address
-    registersUnanswered, // link, text of the registers, tries
-    registersRefused,    // link, text of the registers, code of the exception, its meaning
-    registersGarbled,    // link, text of the registers, what was wrong
-    notConnected,        // place
-    deviceDiffers,       // place, planned, connected
-    serialDiffers,       // place, serial number on the label, serial number reported by the encoder
+    linkFailed,           // text of the link
+    ringDiffers,          // place, configured, found
+    busFault,             // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    notInRing,            // place
+    databaseFailed,       // file, reason
+    recordingGone,        // file
+    damagedBlocks,        // file, blocks of samples
+    diskAlmostFull,       // file, free MB, MB that are to stay free
+    serverAway,           // address, reason, MB that wait
+    notAllSent,           // address, reason, MB that wait, file
+    portNotFound,         // port
+    portInUse,            // port
+    portNoRights,         // port, group that may use it, command that adds the user to it
+    portLost,             // port: the adapter was unplugged
+    portOfOther,          // port, the adapter that was expected
+    lineClosed,           //
+    hostNotFound,         // host
+    connectionRefused,    // address
+    connectionSilent,     // address, seconds
+    connectionClosed,     // address
+    serverPortTaken,      // port
+    serverPortPrivileged, // port
+    serverAddressNotOurs, // address
+    registersUnanswered,  // link, text of the registers, tries
+    registersRefused,     // link, text of the registers, code of the exception, its meaning
+    registersGarbled,     // link, text of the registers, what was wrong
+    notConnected,         // place
+    deviceDiffers,        // place, planned, connected
+    serialDiffers,        // place, serial number on the label, serial number reported by the encoder
     // stopped
     cancelled,      //
     alarmStop,      //

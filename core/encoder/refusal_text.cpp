@@ -474,6 +474,17 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 has closed the connection. It may serve only a few clients at "
                                  "once.")},
+    RefusalRow{
+        RefusalId::serverPortTaken, "serverPortTaken",
+        QT_TRANSLATE_NOOP("Refusal", "Port %1 is used by another program. End it, or take another port.")},
+    RefusalRow{RefusalId::serverPortPrivileged, "serverPortPrivileged",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "Only an administrator may serve at port %1. Take one from 1024 on, "
+                                 "such as 1502.")},
+    RefusalRow{RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "This computer does not have the address %1. Take one of its own, "
+                                 "or 0.0.0.0 for all it has.")},
     RefusalRow{RefusalId::registersUnanswered, "registersUnanswered",
                QT_TRANSLATE_NOOP("Refusal", "%1 does not answer (%2, tries: %3). Check unit number, settings "
                                             "of the line, and supply.")},
