@@ -62,9 +62,11 @@ public:
             ::connect(m_socket.get(), reinterpret_cast<sockaddr *>(&address), sizeof address) == 0;
     }
     bool isConnected() const { return m_isConnected; }
-    void send(const QByteArray &bytes)
+    // False: the server has closed the connection.
+    bool send(const QByteArray &bytes)
     {
-        (void)::send(m_socket.get(), bytes.constData(), static_cast<std::size_t>(bytes.size()), MSG_NOSIGNAL);
+        return ::send(m_socket.get(), bytes.constData(), static_cast<std::size_t>(bytes.size()),
+                      MSG_NOSIGNAL) == bytes.size();
     }
     // As many bytes; fewer if the server closes the connection before.
     QByteArray receive(int count)
@@ -308,6 +310,16 @@ TEST_F(ModbusTcpServerTest, RequestsAreSeparatedByTheLengthInTheirHeader)
     EXPECT_EQ(peer.receive(11), QByteArray("\0\2\0\0\0\5\1\4\2\0\xE0", 11));
     peer.send(QByteArray("\1\4\x20\0\0\1", 6));
     EXPECT_EQ(peer.receive(11), QByteArray("\0\3\0\0\0\5\1\4\2\0\xE0", 11));
+}
+
+TEST_F(ModbusTcpServerTest, WhoFetchesNoAnswersIsDisconnected)
+{
+    Peer peer(port());
+    const QByteArray request("\0\1\0\0\0\6\1\4\0\0\0\x08", 12);
+    while (peer.send(request.repeated(1'000))) // until all buffers are full, and for a while
+        ;
+    EXPECT_TRUE(nobodyIsThere());
+    expectToServe();
 }
 
 TEST_F(ModbusTcpServerTest, AThousandConnectionsOneAfterTheOther)

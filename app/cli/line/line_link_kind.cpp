@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array lineCommands{&terminalCommand, &serveCommand};
+constexpr std::array lineCommands{&terminalCommand};
 
 std::vector<BusId> linesOf(const Project &project)
 {

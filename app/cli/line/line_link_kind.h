@@ -6,7 +6,6 @@
 namespace codewheel {
 
 extern const Subcommand terminalCommand;
-extern const Subcommand serveCommand;
 
 std::unique_ptr<const LinkKind> lineLinkKind();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/line/line_link_kind.h"
+#include "cli/line/serve_line.h"
+
 #include "cli/line/pseudo_terminal.h"
 #include "cli/line/served_line.h"
 #include "cli/stop_signals.h"
@@ -13,32 +14,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *serveExamples[] = {"serve esc", "serve esc --corrupted 10 --seed 7",
-                                         "serve esc --echo --silent 05"};
-
 constexpr int ofThousand = 1'000;
 constexpr int longestDelay = 10'000; // ms
 constexpr Instant longestWait{500'000};
-
-constexpr std::array serveOptions{
-    Option{"--lost", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are lost")},
-    Option{"--corrupted", "N",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are wrong in one bit")},
-    Option{"--doubled", "N",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many come twice")},
-    Option{"--delayed", "N",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "of 1000 bytes, so many come later, with all that follow them")},
-    Option{"--delay", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how much later (20)")},
-    Option{"--answer-delay", "MS",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "from a request to its answer (0)")},
-    Option{"--echo", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "send back what comes in, as a half-duplex adapter")},
-    Option{"--silent", "ADDRESS",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "an encoder that does not answer; several as 03,12; all for all of them")},
-    Option{"--seed", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "another run of the same faults (1)")},
-};
 
 struct ServePlan
 {
@@ -135,21 +113,16 @@ void serve(ServedLine &line, const PseudoTerminal &port, StopSignals &stop)
     }
 }
 
-Checked<Answer> runServe(const Call &call)
+} // namespace
+
+Checked<Answer> serveLine(const Call &call)
 {
-    const QString what = call.arguments.rest.front();
-    if (what != QStringLiteral("esc"))
-        return badInput(QStringLiteral("unknownService"),
-                        CommandLine::tr("\"%1\" cannot be served. There is: esc."), {what});
     const auto plan = planOf(call.arguments);
     if (!plan)
         return tl::unexpected(plan.error());
     auto port = PseudoTerminal::make();
     if (!port)
-        return tl::unexpected(complaintAbout(
-            {RefusalKind::link,
-             RefusalId::linkFailed,
-             {CommandLine::tr("This computer gives no pseudo terminal. Close programs that use some.")}}));
+        return tl::unexpected(noPseudoTerminal());
     SimulatedLine line(trainingLine(), plan->seed);
     prepare(line, *plan);
     ServedLine served(line, *port);
@@ -160,25 +133,12 @@ Checked<Answer> runServe(const Call &call)
     return Answer{{}, {{QStringLiteral("port"), port->path()}}};
 }
 
-} // namespace
-
-const Subcommand serveCommand{
-    .name = "serve",
-    .usage = "esc [--lost N] [--corrupted N] [--doubled N] [--delayed N] [--delay MS] [--answer-delay MS] "
-             "[--echo] [--silent ADDRESS] [--seed N]",
-    .summary =
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "offer the simulated serial line to other programs"),
-    .details = QT_TRANSLATE_NOOP(
-        "codewheel::CommandLine",
-        "Prints the path of a pseudo terminal, which any program on this computer opens as a serial port, "
-        "and serves the\nencoders 03, 05 and 12 there, at the speed of a real line, until it is ended with "
-        "Ctrl+C (SIGINT or SIGTERM).\nBaud rates other than that of the encoders give junk."),
-    .examples = serveExamples,
-    .options = serveOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
-    .run = runServe,
-};
+Complaint noPseudoTerminal()
+{
+    return complaintAbout(
+        {RefusalKind::link,
+         RefusalId::linkFailed,
+         {CommandLine::tr("This computer gives no pseudo terminal. Close programs that use some.")}});
+}
 
 } // namespace codewheel
