@@ -72,6 +72,7 @@ enum class RefusalId : std::uint8_t {
     noSizeOnServer,        //
     recordingEmpty,        // file
     linkSettingWrong,      // setting, the text given, what is allowed
+    linkSettingUnknown,    // setting, the settings there are
     registerMapWrong,      // sentence about what is wrong
     gatewayHasNoDevices,   //
     // notSupported

@@ -151,6 +151,8 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
     RefusalRow{RefusalId::linkSettingWrong, "linkSettingWrong",
                QT_TRANSLATE_NOOP("Refusal", "The setting %1 of the link cannot be \"%2\". Allowed: %3.")},
+    RefusalRow{RefusalId::linkSettingUnknown, "linkSettingUnknown",
+               QT_TRANSLATE_NOOP("Refusal", "The link has no setting \"%1\". Its settings are: %2.")},
     RefusalRow{RefusalId::registerMapWrong, "registerMapWrong",
                QT_TRANSLATE_NOOP("Refusal", "%1 Change the registers of the link.")},
     RefusalRow{RefusalId::gatewayHasNoDevices, "gatewayHasNoDevices",

@@ -199,7 +199,8 @@ Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QS
             return isOf(its, settings.transport) && name == QLatin1String(its.name);
         });
         if (setting == all.end())
-            return settingWrong(name, text, settingNames(settings.transport).join(QStringLiteral(", ")));
+            return refuse(RefusalKind::badInput, RefusalId::linkSettingUnknown,
+                          {name, settingNames(settings.transport).join(QStringLiteral(", "))});
         if (!setting->take(wanted, text))
             return settingWrong(name, text, setting->allowed);
     }

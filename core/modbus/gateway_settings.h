@@ -74,13 +74,14 @@ inline constexpr Limits retries{0, 20};
 // The settings by name, as projects keep them and the command line takes them: "unit" = "1". Only what
 // differs from the defaults; without transport, host and serial port.
 std::map<QString, QString> settingTexts(const GatewaySettings &settings);
-// Takes them over into `settings`, whose transport decides which there are. Refused: linkSettingWrong.
+// Takes them over into `settings`, whose transport decides which there are. Refused: linkSettingWrong,
+// linkSettingUnknown; the first argument is the name.
 Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QString> &texts);
 // All names for the transport, in the order of the table.
 QStringList settingNames(GatewaySettings::Transport transport);
 
-// The settings of a link as a project keeps it: all texts, with "host" and "port". Refused:
-// linkSettingWrong.
+// The settings of a link as a project keeps it: all texts, with "host" and "port". Refused
+// likewise.
 Result<GatewaySettings> gatewaySettings(const QString &linkKind, const std::map<QString, QString> &texts);
 QString linkKindOf(const GatewaySettings &settings); // "modbus-tcp"
 std::map<QString, QString> linkTexts(const GatewaySettings &settings);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/check_project.h"
 
+#include "encoder/refusal_text.h"
+#include "project/gateway_plan.h"
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
 #include "ring/numbering.h"
@@ -129,6 +131,18 @@ void Check::localBusDevices()
                 CheckProject::tr("Devices with this ID code belong on the local bus of a bus terminal."));
 }
 
+// Why the image of the ring cannot be in the registers of its gateway; empty: it can, or it has none.
+std::optional<Refusal> whyNotInGateway(const Project &project, BusId ring)
+{
+    const auto gateway = plannedGateway(project, ring);
+    if (!gateway)
+        return std::nullopt;
+    const auto map = gateway->and_then([&](const GatewaySettings &settings) {
+        return GatewayMap::of(structureOf(project, ring), settings);
+    });
+    return map ? std::nullopt : std::optional(map.error());
+}
+
 } // namespace
 
 std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses,
@@ -140,6 +154,8 @@ std::vector<Finding> checkProject(const Project &project, const std::vector<Devi
     for (const RingFinding &finding : checkRing(structure))
         check.add(Severity::fault, finding.device, ringFindingText(finding, structure));
     check.localBusDevices();
+    if (const auto why = whyNotInGateway(project, ring); why && !structure.empty())
+        check.add(Severity::fault, 0, refusalText(*why));
     for (const Direction &direction : directions) {
         check.overlaps(direction);
         check.alignment(direction);

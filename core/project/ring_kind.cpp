@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/project-files.md
 #include "catalog/hex_code.h"
+#include "encoder/refusal_text.h"
+#include "modbus/gateway_settings.h"
 #include "project/bus_kind.h"
 #include "project/process_addresses.h"
 #include "project/project_keys.h"
@@ -32,9 +34,17 @@ std::optional<int> address(const JsonObject &json, const char *key)
     return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
+// The settings of a kind of link that this program does not have are kept as they are.
 ProjectLink readLink(const JsonObject &json)
 {
-    return {json.text("kind"), json.textsByKey("settings")};
+    ProjectLink link{json.text("kind"), json.textsByKey("settings")};
+    if (!isGatewayLink(link.kind))
+        return link;
+    if (const auto settings = gatewaySettings(link.kind, link.settings); !settings)
+        json.objectOfAny("settings")
+            .report(std::get<QString>(settings.error().arguments.front()).toUtf8().constData(),
+                    refusalText(settings.error()));
+    return link;
 }
 
 AddressRules readAddresses(const JsonObject &json)
@@ -167,6 +177,9 @@ QString RingKind::linkText(const KindData &settings) const
     const auto *plan = settings.as<RingPlan>();
     if (isTraining(settings))
         return tr("training bus (simulated)");
+    if (isGatewayLink(plan->link.kind))
+        if (const auto gateway = gatewaySettings(plan->link.kind, plan->link.settings))
+            return gatewayText(*gateway);
     QStringList parts{plan->link.kind};
     for (const auto &[name, value] : plan->link.settings)
         parts << QStringLiteral("%1 = %2").arg(name, value);

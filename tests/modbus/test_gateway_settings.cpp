@@ -58,14 +58,27 @@ TEST(GatewaySettings, ASettingThatIsWrongIsRefusedAndNothingIsTaken)
         {{QStringLiteral("order"), QStringLiteral("up")}},
         {{QStringLiteral("write"), QStringLiteral("15")}},
         {{QStringLiteral("status"), QString()}},
-        {{QStringLiteral("baud"), QStringLiteral("9600")}},
-        {{QStringLiteral("speed"), QStringLiteral("1")}}};
+    };
     for (const Texts &texts : wrong) {
         GatewaySettings settings;
         const auto applied = applySettings(settings, texts);
         ASSERT_FALSE(applied) << texts.begin()->first.toStdString();
         EXPECT_EQ(applied.error().id, RefusalId::linkSettingWrong);
         EXPECT_EQ(settings, GatewaySettings());
+    }
+}
+
+TEST(GatewaySettings, ASettingThatThereIsNotIsRefusedWithThoseThereAre)
+{
+    GatewaySettings tcp;
+    for (const char *name : {"baud", "speed", ""}) { // one of RTU, none, nothing
+        const auto applied = applySettings(tcp, {{QLatin1String(name), QStringLiteral("1")}});
+        ASSERT_FALSE(applied) << name;
+        EXPECT_EQ(applied.error().id, RefusalId::linkSettingUnknown);
+        EXPECT_EQ(applied.error().arguments,
+                  (std::vector<RefusalArgument>{
+                      QLatin1String(name),
+                      settingNames(GatewaySettings::Transport::tcp).join(QStringLiteral(", "))}));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "tests/project/made_up_project.h"
 
 #include "cams/check_cams.h"
+#include "modbus/gateway_settings.h"
 #include "project/process_addresses.h"
 #include "ring/numbering.h"
 #include "tests/support/plans.h"
@@ -35,6 +36,8 @@ private:
     void addValues(ProjectDevice &device);
     void addCams(ProjectDevice &device);
     LinePlan line();
+    ProjectLink gateway();
+    ProjectLink otherLink();
     std::vector<ProjectDevice> encodersOfLine();
 
     std::mt19937 &m_random;
@@ -153,15 +156,39 @@ std::vector<ProjectDevice> Maker::encodersOfLine()
     return encoders;
 }
 
+ProjectLink Maker::gateway()
+{
+    GatewaySettings settings;
+    settings.transport = maybe() ? GatewaySettings::Transport::tcp : GatewaySettings::Transport::rtu;
+    if (settings.transport == GatewaySettings::Transport::tcp)
+        settings.host = text();
+    else
+        settings.serialPort = text();
+    settings.unit = static_cast<int>(1 + below(247));
+    settings.highWordFirst = maybe();
+    settings.inFirst = static_cast<int>(below(65'536));
+    if (maybe())
+        settings.statusRegister = static_cast<int>(below(65'536));
+    return {linkKindOf(settings), linkTexts(settings)};
+}
+
+// The training, or of a newer program.
+ProjectLink Maker::otherLink()
+{
+    ProjectLink link;
+    link.kind = maybe() ? QStringLiteral("training") : QStringLiteral("opc-ua");
+    for (std::int64_t n = below(3); n > 0; --n)
+        link.settings[text()] = text();
+    return link;
+}
+
 Project Maker::project(std::size_t devices)
 {
     Project project;
     project.title = text();
     project.note = text();
     RingPlan ring;
-    ring.link.kind = maybe() ? QStringLiteral("training") : QStringLiteral("modbus-tcp");
-    for (std::int64_t n = below(3); n > 0; --n)
-        ring.link.settings[text()] = text();
+    ring.link = maybe() ? gateway() : otherLink();
     ring.addresses = {maybe() ? AddressRules::Unit::byte : AddressRules::Unit::word,
                       static_cast<int>(below(512)), maybe()};
     ring.cableKilometres = static_cast<double>(below(12'800)) / 1000;
