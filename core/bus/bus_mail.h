@@ -48,6 +48,12 @@ public:
         return next;
     }
 
+    bool hasCommands() const
+    {
+        const std::scoped_lock lock(m_mutex);
+        return !m_commands.empty();
+    }
+
     void tell(Event event)
     {
         const std::scoped_lock lock(m_mutex);

@@ -21,6 +21,7 @@ enum class MessageId : std::uint8_t {
     zerosReadBack,     // of the ALARM STOP, on a gateway
     zerosOverwritten,  // they were sent, but something else was read back
     zerosSent,         // and cannot be read back
+    zerosWait,         // the link is lost: they go out first once it is back
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed

@@ -36,6 +36,11 @@ constexpr std::array messageRows{
     MessageRow{MessageId::zerosSent, "zerosSent",
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
                                             "cannot be read back on this link.")},
+    MessageRow{MessageId::zerosWait, "zerosWait",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The link is lost, so the zeros of the ALARM STOP have not arrived: "
+                                 "they go out first once it is back. Stop the machine by its own "
+                                 "means.")},
     MessageRow{MessageId::operateOn, "operateOn",
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",

@@ -6,6 +6,7 @@
 #include "modbus/word_gate.h"
 #include "ring/process_data_link.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,9 +24,11 @@ struct GatewayDevice
 // words and reads all IN words, in as few transactions as possible; transactions without a valid answer are
 // repeated. The gateway runs the ring by itself, so words are not bounded to its cycles.
 //
-// Nothing is ever written but by exchange() and sendZeros(). Before each write OUT is read back: what
-// somebody else has put there is not overwritten (outNotOurs). An IN word counts once the reads agree
-// (WordGate).
+// Nothing is ever written but by exchange() and sendZeros(). Before each write of exchange() OUT is read
+// back: what somebody else has put there is not overwritten (outNotOurs). Between this read and the write
+// there is a gap of one transaction, in which Modbus gives no hold on the registers: a word that somebody
+// else writes just then is overwritten unseen; the next one of a peer that writes again and again is not. An
+// IN word counts once the reads agree (WordGate).
 class GatewayLink final : public ProcessDataLink
 {
 public:
@@ -40,34 +43,58 @@ public:
     Result<std::vector<Word>> readBackOut() override;
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
     Result<void> watch(std::span<Word> out, std::span<Word> in) override;
+    // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag).
     Result<std::optional<bool>> sendZeros(std::span<Word> in) override;
     bool isUpToDate(std::size_t device) const override;
+    std::optional<Instant> age(std::size_t device) const override;
     std::shared_ptr<const LinkFigures> figures() const override { return m_counter.figures(); }
     Instant now() const override { return m_port->now(); }
-    // While open: until the next exchange is due.
+    // While open: no longer than until the next exchange is due; not at all if it is.
     void wait(Instant until) override;
+    bool isDue() const override { return !m_map || now() >= m_nextExchange; }
     bool boundsWordsToCycles() const override { return false; }
     void interrupt() override { m_port->interrupt(); }
 
 private:
     struct Device;
-    enum class Write : std::uint8_t { none, alone, withRead };
+    enum class Overwrites : std::uint8_t { ours, anything };
 
     Result<void> checkUse(std::size_t outWords, std::size_t inWords) const;
+    void settle(Instant begun);
+
+    // IN (gateway_link_words.cpp)
     Result<void> readIn();
     Result<void> readDoubtfulAgain();
     Result<void> readBlock(const RegisterBlock &block);
     void takeBlock(const RegisterBlock &block);
-    Result<void> readOut(std::vector<Word> &words);
-    Result<void> checkIsOurs();
-    Result<void> writeOut(std::span<const Word> out);
-    Result<void> exchangeWords(std::span<const Word> out, std::span<Word> in);
-    Result<void> readStatus();
+    void beginToRead();
     void showIn(std::span<Word> in);
-    void settle(Instant begun);
     bool isDoubtful(std::size_t device) const;
-    template <class Call>
-    Result<void> transact(int function, const RegisterBlock &block, Call call);
+    bool hasDoubtful(const RegisterBlock &block) const;
+    void countDoubts();
+    Result<void> readStatus();
+
+    // OUT (gateway_link_out.cpp)
+    Result<void> readOut(std::vector<Word> &words);
+    Result<void> readOutUntilItAgrees(std::vector<Word> &words);
+    bool cannotReadBack(const Refusal &why) const;
+    Result<void> checkIsOurs();
+    std::vector<std::size_t> notOurs(const std::vector<Word> &there);
+    Result<void> writeOut(std::span<const Word> out, Overwrites overwrites);
+    bool putOut(std::span<const Word> out);
+    Result<void> writeBlocks(Overwrites overwrites);
+    Result<void> writeBlock(const RegisterBlock &block, Overwrites overwrites);
+    Result<void> writeAndReadBlock(const RegisterBlock &block, const RegisterBlock &in,
+                                   Overwrites overwrites);
+    Result<bool> areZerosThere();
+
+    // Transactions (gateway_link_words.cpp).
+    RegisterPort::Done transact(const std::function<RegisterPort::Done()> &call, bool again);
+    Result<void> ask(int function, const RegisterBlock &block,
+                     const std::function<RegisterPort::Done()> &call);
+    Result<bool> send(int function, const RegisterBlock &block,
+                      const std::function<RegisterPort::Done()> &call, Overwrites overwrites);
+    bool isToBeRepeated(const RegisterPort::Done &done, int failures) const;
 
     const std::unique_ptr<RegisterPort> m_port;
     const GatewaySettings m_settings;
@@ -75,10 +102,14 @@ private:
     std::vector<Device> m_devices;
     std::optional<GatewayMap> m_map; // empty: not open
     bool m_readsBack = false;        // OUT, as far as the gateway lets it be
+    bool m_hasReadBack = false;      // it did so once, so it can
     std::vector<Register> m_inRegisters;
-    std::vector<Register> m_outRegisters;
+    std::vector<Register> m_outRegisters;  // to be written
+    std::vector<Register> m_backRegisters; // as read back
     GatewayCounter m_counter;
+    Instant m_answeredAt{}; // the last transaction: half-way between request and answer
     Instant m_nextExchange{};
+    bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};
 };
 

@@ -8,14 +8,9 @@
 namespace codewheel {
 namespace {
 
-constexpr int registerBits = 16;
-constexpr int nearBy = 0x8000; // steps between two reads in a row
-
-// The low registers, without a carry into the high ones.
-bool areNear(Word one, Word other)
+bool isNear(std::int64_t steps)
 {
-    const int distance = static_cast<int>(one & 0xFFFF) - static_cast<int>(other & 0xFFFF);
-    return (one >> registerBits) == (other >> registerBits) && distance < nearBy && -distance < nearBy;
+    return steps < WordGate::nearBy && -steps < WordGate::nearBy;
 }
 
 } // namespace
@@ -45,26 +40,33 @@ bool WordGate::mayMove(Word word) const
     return false;
 }
 
-bool WordGate::isBetween(Word before, Word word, Word after) const
+// The shaft was there: it came by on its way from the one to the other.
+bool WordGate::isOnTheWay(const Read &before, const Read &read, const Read &after) const
 {
-    return mayMove(before) && mayMove(word) && mayMove(after) && areNear(before, word) &&
-           areNear(word, after);
+    if (!mayMove(before.word) || !mayMove(read.word) || !mayMove(after.word) ||
+        after.at - before.at > longestMovement)
+        return false;
+    const std::int64_t there = std::int64_t{read.word} - before.word;
+    const std::int64_t on = std::int64_t{after.word} - read.word;
+    return isNear(there) && isNear(on) && there * on >= 0;
 }
 
-bool WordGate::believe(Word word)
+bool WordGate::believe(const Read &read)
 {
-    m_word = word;
+    m_word = read.word;
+    m_wordAt = read.at;
     m_hasWord = true;
     return true;
 }
 
-bool WordGate::take(Word read)
+bool WordGate::take(Word word, Instant at)
 {
+    const Read read{word, at};
     const auto last = std::exchange(m_last, read);
     const auto beforeLast = std::exchange(m_beforeLast, last);
-    if (!m_canTear || last == read)
+    if (!m_canTear || (last && last->word == word))
         return believe(read);
-    return last && beforeLast && isBetween(*beforeLast, *last, read) && believe(*last);
+    return last && beforeLast && isOnTheWay(*beforeLast, *last, read) && believe(*last);
 }
 
 void WordGate::forget()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/profile.h"
+#include "encoder/instant.h"
 #include "words/k3_word.h"
 
 #include <optional>
@@ -11,31 +12,43 @@ namespace codewheel {
 // Whether a word read from a gateway can be believed. The gateway may tear a 32-bit word: one register is
 // from before a change, the other from after it. A word of a handshake is believed when two reads in a row
 // give it (spec modbus-gateway.md). A position that moves never does that; it is believed when it is the
-// middle one of three reads in a row that are positions with the same high register and low registers that
-// are near each other: whatever tears a word changes one of these.
+// middle one of three reads in a row that are positions, one behind the other and near each other: a word
+// torn at the carry from one register into the other is not between its neighbours, or 65536 steps away.
 class WordGate
 {
 public:
+    static constexpr int nearBy = 0x8000; // steps between two reads in a row (assumed)
+    // Three reads that take longer than this say nothing about the one in the middle (assumed).
+    static constexpr Instant longestMovement = std::chrono::milliseconds(500);
+
     // Empty: not known, so no word is taken for a moving position. `registers`: a word of one cannot be torn.
     WordGate(std::optional<Profile> profile, int registers);
 
     // Takes what one read gave, and says whether there is a word that can be believed; it is word() then.
-    bool take(Word read);
+    bool take(Word read, Instant at);
     Word word() const { return m_word; } // the last one that could be believed; 0: none yet
+    Instant readAt() const { return m_wordAt; }
     bool hasWord() const { return m_hasWord; }
     // The reads so far say nothing any more: the connection was interrupted.
     void forget();
 
 private:
+    struct Read
+    {
+        Word word = 0;
+        Instant at{};
+    };
+
     bool mayMove(Word word) const;
-    bool isBetween(Word before, Word word, Word after) const;
-    bool believe(Word word);
+    bool isOnTheWay(const Read &before, const Read &read, const Read &after) const;
+    bool believe(const Read &read);
 
     std::optional<Profile> m_profile;
     bool m_canTear;
-    std::optional<Word> m_last;
-    std::optional<Word> m_beforeLast;
+    std::optional<Read> m_last;
+    std::optional<Read> m_beforeLast;
     Word m_word = 0;
+    Instant m_wordAt{};
     bool m_hasWord = false;
 };
 

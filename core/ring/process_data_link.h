@@ -43,7 +43,10 @@ public:
         const std::vector<Word> zeros(in.size());
         return exchange(zeros, in).map([] { return std::optional<bool>(); });
     }
-    // False: what the last cycle gave for this device is its word from an earlier one.
+    // How old the word is that the last cycle gave for this device, at the end of the cycle. Empty: the cycle
+    // gave none, and `in` has that of an earlier one.
+    virtual std::optional<Instant> age(std::size_t /*device*/) const { return Instant{}; }
+    // False: that has been so for too long.
     virtual bool isUpToDate(std::size_t /*device*/) const { return true; }
     // Statistics, newly made now and then; null: it keeps none.
     virtual std::shared_ptr<const LinkFigures> figures() const { return nullptr; }
@@ -51,9 +54,10 @@ public:
     // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes only in
     // wait().
     virtual Instant now() const = 0;
-    // Lets time pass, even on a closed link: until the next cycle. No longer than a cycle takes, so there is
-    // nothing to interrupt.
+    // Lets time pass, even on a closed link, no longer than until the next cycle is due.
     virtual void wait(Instant until) = 0;
+    // Whether it is. A link with a pace of its own may be driven by turns that are shorter than its cycles.
+    virtual bool isDue() const { return true; }
     // Whether each word given to exchange() goes out in that one bus cycle and in no other. A gateway that
     // runs the ring by itself repeats a word until it gets the next one.
     virtual bool boundsWordsToCycles() const = 0;

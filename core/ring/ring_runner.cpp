@@ -162,6 +162,8 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     endJobs(RefusalId::alarmStop);
     zeroOut();
     tellOfRing({.severity = Severity::attention, .id = MessageId::alarmStop});
+    if (!ring.connected)
+        tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
@@ -211,6 +213,8 @@ void RingRunner::Private::exchange()
         return;
     }
     ++ring.cycle;
+    ring.at = std::max(ring.at, link.now()); // a gateway takes its time
+    ring.outIsKnown = ring.outIsKnown || ring.operate;
     tellWritten();
     for (std::size_t i = 0; i < image.size(); ++i)
         step(i);
@@ -223,6 +227,7 @@ Result<void> RingRunner::Private::sendZeros()
     if (!sent)
         return tl::unexpected(sent.error());
     zerosAreDue = false;
+    ring.outIsKnown = true;
     if (link.boundsWordsToCycles())
         return {};
     if (*sent == false)
@@ -275,16 +280,20 @@ void RingRunner::Private::step(std::size_t i)
     device.inEdges = ring.cycle == 1 ? 0 : device.in ^ in;
     device.out = out;
     device.in = in;
+    const auto age = link.age(i);
+    if (!age)
+        return; // its driver waits
 
+    const Instant at = ring.at - *age;
     CyclicDriver *driver = drivers[i].get();
     if (driver) {
-        const Word next = driver->cycle(in, out, ring.at);
+        const Word next = driver->cycle(in, out, at);
         if (ring.operate) // in Watch nothing changes OUT
             image[i] = next;
         device.reading = driver->reading();
         device.heldByJob = driver->busy();
     } else {
-        device.reading.at = ring.at;
+        device.reading.at = at;
         device.reading.in = in;
     }
     if (trace.isRow(i, out, in))
@@ -393,10 +402,12 @@ RingRunner::RingRunner(ProcessDataLink &link)
 
 RingRunner::~RingRunner() = default;
 
+// What was posted does not wait until the next cycle is due.
 void RingRunner::turn(Instant until)
 {
     d->link.wait(until);
-    cycle(d->link.now());
+    if (d->link.isDue() || m_mail.hasCommands())
+        cycle(d->link.now());
 }
 
 void RingRunner::cycle(Instant now)

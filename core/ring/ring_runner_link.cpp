@@ -67,6 +67,7 @@ void RingRunner::Private::tryToReopen()
     ring.operate = false;
     ring.state = MasterState::active;
     runsAgain = runsAgain && (!master || master->status().state == MasterState::run);
+    ring.outIsKnown = there->outIsKnown;
     tellOfRing({.id = MessageId::linkBack});
     ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
     if (ringIsOther) {
@@ -136,6 +137,7 @@ Result<void> RingRunner::open(const std::stop_token &stop)
     auto found = openUnlessStopped(stop, [this] { return d->find(); });
     d->ring.at = d->link.now();
     d->ring.connected = found.has_value();
+    d->ring.outIsKnown = !found || found->outIsKnown;
     Result<void> opened = found ? Result<void>() : tl::unexpected(found.error());
     d->tell(0, LinkOpened{opened});
     if (found) {

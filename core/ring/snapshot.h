@@ -22,6 +22,7 @@ struct RingState
     Instant at{};
     MasterState state = MasterState::ready;
     bool operate = false;              // writing is allowed
+    bool outIsKnown = true;            // false: the peer does not tell its OUT words, and we sent none yet
     Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand

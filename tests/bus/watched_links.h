@@ -67,8 +67,27 @@ public:
         m_watch.changes += std::ranges::any_of(out, [](Word word) { return word != 0; }) ? 1 : 0;
         return m_link->exchange(out, in);
     }
+    // A link that bounds words to cycles sends them in Watch too.
+    Result<void> watch(std::span<Word> out, std::span<Word> in) override
+    {
+        if (m_link->boundsWordsToCycles())
+            return exchange(out, in);
+        if (m_watch.isGone)
+            return gone();
+        return m_link->watch(out, in);
+    }
+    Result<std::optional<bool>> sendZeros(std::span<Word> in) override
+    {
+        if (m_watch.isGone)
+            return gone();
+        return m_link->sendZeros(in);
+    }
+    std::optional<Instant> age(std::size_t device) const override { return m_link->age(device); }
+    bool isUpToDate(std::size_t device) const override { return m_link->isUpToDate(device); }
+    std::shared_ptr<const LinkFigures> figures() const override { return m_link->figures(); }
     Instant now() const override { return m_link->now(); }
     void wait(Instant until) override { m_link->wait(until); }
+    bool isDue() const override { return m_link->isDue(); }
     bool boundsWordsToCycles() const override { return m_link->boundsWordsToCycles(); }
     bool isSimulated() const override { return m_link->isSimulated(); }
     void interrupt() override

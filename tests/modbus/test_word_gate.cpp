@@ -11,8 +11,9 @@ namespace {
 std::vector<Word> believed(WordGate gate, const std::vector<Word> &reads)
 {
     std::vector<Word> words;
+    Instant at{};
     for (const Word read : reads) {
-        gate.take(read);
+        gate.take(read, at += std::chrono::milliseconds(1));
         words.push_back(gate.word());
     }
     return words;
@@ -31,6 +32,33 @@ TEST(WordGate, APositionThatMovesIsBelievedOneReadLater)
     EXPECT_EQ(believed(k3, {100, 110, 120, 130}), (std::vector<Word>{0, 0, 110, 120}));
 }
 
+TEST(WordGate, AFastShaftIsBelievedAcrossTheCarry)
+{
+    EXPECT_EQ(believed(k3, {0xB000, 0x1'2000, 0x1'8FFF, 0x2'0000}),
+              (std::vector<Word>{0, 0, 0x1'2000, 0x1'8FFF}));
+    EXPECT_EQ(believed(k3, {0x2'0000, 0x1'9000, 0x1'2001}), (std::vector<Word>{0, 0, 0x1'9000}));
+}
+
+// Neither torn nor late words are on the way from one neighbour to the other.
+TEST(WordGate, AWordThatIsNotOnTheWayIsNotBelieved)
+{
+    EXPECT_EQ(believed(k3, {100, 90, 110}), (std::vector<Word>{0, 0, 0}));
+    EXPECT_EQ(believed(k3, {100, 120, 110}), (std::vector<Word>{0, 0, 0}));
+    EXPECT_EQ(believed(k3, {100, 100 + WordGate::nearBy, 101 + WordGate::nearBy}),
+              (std::vector<Word>{0, 0, 0}));
+}
+
+TEST(WordGate, TheMiddleOfThreeReadsIsOnlyBelievedIfItIsNew)
+{
+    WordGate gate = k3;
+    gate.take(100, {});
+    gate.take(110, std::chrono::milliseconds(10));
+    EXPECT_FALSE(gate.take(120, WordGate::longestMovement + std::chrono::milliseconds(1)));
+    EXPECT_TRUE(gate.take(130, WordGate::longestMovement + std::chrono::milliseconds(2)));
+    EXPECT_EQ(gate.word(), 120u);
+    EXPECT_EQ(gate.readAt(), WordGate::longestMovement + std::chrono::milliseconds(1));
+}
+
 TEST(WordGate, APositionTornAtItsCarryIsNotBelieved)
 {
     // high register first: 0000FFF0 -> 00010010 read as 00000010
@@ -45,7 +73,7 @@ TEST(WordGate, APositionTornAtItsCarryIsNotBelieved)
 TEST(WordGate, AWordTornBetweenPositionAndHandshakeIsNotBelieved)
 {
     EXPECT_EQ(believed(k3, {0x12'3450, 0x12'3456, 0x12'00FF, 0xC200'00FF, 0xC200'00FF}),
-              (std::vector<Word>{0, 0, 0x12'3456, 0x12'3456, 0xC200'00FF}));
+              (std::vector<Word>{0, 0, 0, 0, 0xC200'00FF}));
     EXPECT_EQ(believed(k3, {0x12'3456, 0x12'3456, 0xC200'3456, 0xC200'00FF, 0xC200'00FF}),
               (std::vector<Word>{0, 0x12'3456, 0x12'3456, 0x12'3456, 0xC200'00FF}));
     // and back
@@ -66,12 +94,12 @@ TEST(WordGate, OneRegisterCannotBeTorn)
 TEST(WordGate, AfterAnInterruptionWhatWasReadBeforeSaysNothing)
 {
     WordGate gate = k3;
-    gate.take(100);
-    gate.take(100);
+    gate.take(100, {});
+    gate.take(100, {});
     EXPECT_TRUE(gate.hasWord());
     gate.forget();
     EXPECT_FALSE(gate.hasWord());
-    EXPECT_FALSE(gate.take(100));
+    EXPECT_FALSE(gate.take(100, {}));
 }
 
 } // namespace

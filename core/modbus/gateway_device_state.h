@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "modbus/gateway_link.h"
+#include "modbus/own_word.h"
+#include "modbus/word_gate.h"
+
+#include <span>
+#include <vector>
+
+namespace codewheel {
+
+// What the files of GatewayLink share: what it knows of one device.
+struct GatewayLink::Device
+{
+    WordGate in;
+    WordGate out;          // in Watch: what somebody else writes may be torn too
+    bool believed = false; // the last exchange gave a word
+    int doubts = 0;        // exchanges in a row without a word that could be believed
+    OwnWord own{};
+};
+
+namespace gateway {
+inline constexpr int readInput = 4; // functions
+inline constexpr int readHolding = 3;
+inline constexpr int writeHolding = 16;
+inline constexpr int writeAndReadHolding = 23;
+
+inline int readFunction(RegisterArea area)
+{
+    return area == RegisterArea::input ? readInput : readHolding;
+}
+// The part of an image that begins at register `first`.
+inline std::span<Register> part(std::vector<Register> &image, const RegisterBlock &block, int first)
+{
+    return std::span(image).subspan(static_cast<std::size_t>(block.first - first),
+                                    static_cast<std::size_t>(block.count));
+}
+inline bool holds(const RegisterBlock &block, const RegisterBlock &device)
+{
+    return device.count > 0 && device.first >= block.first && device.end() <= block.end();
+}
+} // namespace gateway
+
+} // namespace codewheel

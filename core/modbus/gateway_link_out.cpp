@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OUT on a gateway: reading it back, and writing it.
+#include "modbus/gateway_device_state.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int readsToAgree = 5;        // of OUT, when connecting (assumed)
+constexpr int readsOfForeign = 3;      // before a word is somebody else's (assumed)
+constexpr int refusalsOfReadBack = 3;  // until a gateway cannot read OUT back (assumed)
+constexpr int lastExceptionOfMap = 3;  // illegal function, address, or value
+constexpr Instant betweenReads = 10ms; // while zeros are waited for
+
+} // namespace
+
+Result<void> GatewayLink::readOut(std::vector<Word> &words)
+{
+    for (const RegisterBlock &block : m_map->readBackBlocks()) {
+        const auto registers = gateway::part(m_backRegisters, block, m_settings.outFirst);
+        auto read = ask(gateway::readHolding, block,
+                        [&] { return m_port->read(RegisterArea::holding, block.first, registers); });
+        if (!read)
+            return read;
+    }
+    words.resize(m_devices.size());
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        words[i] = m_map->word(gateway::part(m_backRegisters, m_map->out(i), m_settings.outFirst));
+    return {};
+}
+
+// Two reads of each word that agree, so that no torn one is taken over. One that somebody else changes with
+// every read stays as last read: it is noticed before the first write, if not before.
+Result<void> GatewayLink::readOutUntilItAgrees(std::vector<Word> &words)
+{
+    std::vector<bool> agrees(m_devices.size());
+    for (int reads = 0; reads < readsToAgree && std::ranges::find(agrees, false) != agrees.end(); ++reads) {
+        std::vector<Word> read;
+        if (auto done = readOut(read); !done)
+            return done;
+        words.resize(read.size());
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            const bool isAgreed = m_devices[i].out.take(read[i], m_answeredAt);
+            if (isAgreed || !agrees[i])
+                words[i] = read[i];
+            agrees[i] = agrees[i] || isAgreed || m_map->out(i).count == 0;
+        }
+    }
+    return {};
+}
+
+// One refusal of a gateway that has told OUT before is a failure like any other.
+bool GatewayLink::cannotReadBack(const Refusal &why) const
+{
+    return !m_hasReadBack && why.id == RefusalId::registersRefused &&
+           std::get<std::int64_t>(why.arguments[2]) <= lastExceptionOfMap;
+}
+
+Result<std::vector<Word>> GatewayLink::readBackOut()
+{
+    if (!m_map)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    const auto notRead = refuse(RefusalKind::notSupported, RefusalId::outNotReadBack);
+    if (!m_readsBack)
+        return notRead;
+    std::vector<Word> words;
+    auto read = readOutUntilItAgrees(words);
+    for (int refusals = 1; !read && cannotReadBack(read.error()); ++refusals) {
+        if (refusals == refusalsOfReadBack) {
+            m_readsBack = false;
+            return notRead;
+        }
+        read = readOutUntilItAgrees(words);
+    }
+    if (!read)
+        return tl::unexpected(read.error());
+    m_hasReadBack = true;
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        m_devices[i].own.found(words[i]);
+    return words;
+}
+
+std::vector<std::size_t> GatewayLink::notOurs(const std::vector<Word> &there)
+{
+    std::vector<std::size_t> devices;
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (m_map->out(i).count > 0 && !m_devices[i].own.takes(there[i], m_port->now()))
+            devices.push_back(i);
+    return devices;
+}
+
+// Somebody else's word shows in two reads that agree; so does a word that is another one in each read.
+Result<void> GatewayLink::checkIsOurs()
+{
+    std::vector<Word> there;
+    std::vector<Word> before;
+    std::vector<std::size_t> suspects;
+    for (int reads = 0; reads < readsOfForeign; ++reads) {
+        if (auto read = readOut(there); !read)
+            return read;
+        suspects = notOurs(there);
+        if (suspects.empty())
+            return {};
+        if (!before.empty() && before[suspects.front()] == there[suspects.front()])
+            break;
+        before = there;
+    }
+    const std::size_t device = suspects.front();
+    return refuse(
+        RefusalKind::busy, RefusalId::outNotOurs,
+        {DeviceNumber::of(m_ring[device].number).toString(), m_devices[device].own.word(), there[device]});
+}
+
+// Whether any word is another one than before.
+bool GatewayLink::putOut(std::span<const Word> out)
+{
+    bool changes = false;
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        Device &device = m_devices[i];
+        m_map->put(out[i], gateway::part(m_outRegisters, m_map->out(i), m_settings.outFirst));
+        changes = changes || !device.own.isKnown() || device.own.word() != out[i];
+        device.own.write(out[i], m_port->now());
+        device.out.forget();
+    }
+    return changes;
+}
+
+Result<void> GatewayLink::writeBlock(const RegisterBlock &block, Overwrites overwrites)
+{
+    const auto registers = gateway::part(m_outRegisters, block, m_settings.outFirst);
+    return send(
+               gateway::writeHolding, block, [&] { return m_port->write(block.first, registers); },
+               overwrites)
+        .map([](bool) {});
+}
+
+// Its IN words are from before the reaction to these OUT words: the function writes before it reads.
+Result<void> GatewayLink::writeAndReadBlock(const RegisterBlock &block, const RegisterBlock &in,
+                                            Overwrites overwrites)
+{
+    const auto from = gateway::part(m_outRegisters, block, m_settings.outFirst);
+    const auto to = gateway::part(m_inRegisters, in, m_settings.inFirst);
+    auto sent = send(
+        gateway::writeAndReadHolding, block,
+        [&] { return m_port->writeAndRead(block.first, from, in.first, to); }, overwrites);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    if (*sent) // otherwise the answer may be a late one
+        takeBlock(in);
+    return {};
+}
+
+// With function 23 IN is read along; what is read after a change of OUT may be the reaction to it already.
+Result<void> GatewayLink::writeOut(std::span<const Word> out, Overwrites overwrites)
+{
+    const bool changes = putOut(out);
+    auto written = writeBlocks(overwrites);
+    if (!written || !m_settings.writesWithRead)
+        return written;
+    if (!changes)
+        return readDoubtfulAgain();
+    countDoubts();
+    return {};
+}
+
+Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
+{
+    const auto &ins = m_map->inBlocks();
+    const std::size_t together = m_settings.writesWithRead ? ins.size() : 0;
+    std::size_t k = 0;
+    for (const RegisterBlock &block : m_map->outBlocks()) {
+        auto written =
+            k < together ? writeAndReadBlock(block, ins[k], overwrites) : writeBlock(block, overwrites);
+        if (!written)
+            return written;
+        ++k;
+    }
+    for (; k < together; ++k) {
+        if (auto read = readBlock(ins[k]); !read)
+            return read;
+        takeBlock(ins[k]);
+    }
+    return {};
+}
+
+Result<bool> GatewayLink::areZerosThere()
+{
+    const Instant end = m_port->now() + OwnWord::gatewayLag;
+    for (;;) {
+        std::vector<Word> there;
+        if (auto read = readOut(there); !read)
+            return tl::unexpected(read.error());
+        if (std::ranges::all_of(there, [](Word word) { return word == 0; }))
+            return true;
+        if (m_port->now() >= end)
+            return false;
+        m_port->wait(m_port->now() + betweenReads);
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The transactions of a gateway, and IN.
+#include "modbus/gateway_device_state.h"
+#include "modbus/register_refusal.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int readsInDoubt = 2; // more in one exchange, while words are not believed (assumed)
+constexpr Instant betweenStatus = std::chrono::milliseconds(500); // two looks at the status register
+constexpr int exceptionOfAcknowledge = 5;                         // in progress
+constexpr int exceptionOfBusy = 6;
+constexpr int exceptionOfSilentTarget = 11;
+
+bool isWorthRepeating(const RegisterError &error)
+{
+    using Kind = RegisterError::Kind;
+    if (error.kind == Kind::exception)
+        return error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
+               error.exception == exceptionOfSilentTarget;
+    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer;
+}
+
+} // namespace
+
+RegisterPort::Done GatewayLink::transact(const std::function<RegisterPort::Done()> &call, bool again)
+{
+    const Instant begun = m_port->now();
+    RegisterPort::Done done = call();
+    const Instant ended = m_port->now();
+    m_answeredAt = begun + (ended - begun) / 2;
+    m_counter.transaction(done, begun, ended, again);
+    return done;
+}
+
+bool GatewayLink::isToBeRepeated(const RegisterPort::Done &done, int failures) const
+{
+    return isWorthRepeating(done.error()) && failures <= m_settings.retries;
+}
+
+// A read. The first answer after one that was missing may be that one, come late, which a serial line cannot
+// tell: the next one counts.
+Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
+                              const std::function<RegisterPort::Done()> &call)
+{
+    int failures = 0;
+    bool mayBeLate = false;
+    for (;;) {
+        const RegisterPort::Done done = transact(call, failures > 0);
+        if (done && !mayBeLate)
+            return {};
+        if (!done && !isToBeRepeated(done, ++failures))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, failures));
+        mayBeLate = !done;
+    }
+}
+
+// A write, which may have been carried out although its answer is missing, and somebody else may have written
+// since: OUT is read back before it is sent again. Whether the first one was answered.
+Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
+                               const std::function<RegisterPort::Done()> &call, Overwrites overwrites)
+{
+    for (int failures = 0;;) {
+        const RegisterPort::Done done = transact(call, failures > 0);
+        if (done)
+            return failures == 0;
+        if (!isToBeRepeated(done, ++failures))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, failures));
+        for (Device &device : m_devices)
+            device.own.wasNotAnswered(m_port->now());
+        if (m_readsBack && overwrites == Overwrites::ours)
+            if (auto ours = checkIsOurs(); !ours)
+                return tl::unexpected(ours.error());
+    }
+}
+
+Result<void> GatewayLink::readBlock(const RegisterBlock &block)
+{
+    const auto registers = gateway::part(m_inRegisters, block, m_settings.inFirst);
+    return ask(gateway::readFunction(m_settings.inArea), block,
+               [&] { return m_port->read(m_settings.inArea, block.first, registers); });
+}
+
+void GatewayLink::takeBlock(const RegisterBlock &block)
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        const RegisterBlock &its = m_map->in(i);
+        if (!gateway::holds(block, its))
+            continue;
+        const Word read = m_map->word(gateway::part(m_inRegisters, its, m_settings.inFirst));
+        m_devices[i].believed |= m_devices[i].in.take(read, m_answeredAt);
+    }
+}
+
+void GatewayLink::beginToRead()
+{
+    for (Device &device : m_devices)
+        device.believed = false;
+}
+
+Result<void> GatewayLink::readIn()
+{
+    for (const RegisterBlock &block : m_map->inBlocks()) {
+        if (auto read = readBlock(block); !read)
+            return read;
+        takeBlock(block);
+    }
+    return {};
+}
+
+bool GatewayLink::isDoubtful(std::size_t device) const
+{
+    return m_map && m_map->in(device).count > 0 && !m_devices[device].believed;
+}
+
+bool GatewayLink::hasDoubtful(const RegisterBlock &block) const
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)))
+            return true;
+    return false;
+}
+
+// Whole blocks: their length is what tells late answers apart.
+Result<void> GatewayLink::readDoubtfulAgain()
+{
+    for (int again = 0; again < readsInDoubt; ++again)
+        for (const RegisterBlock &block : m_map->inBlocks()) {
+            if (!hasDoubtful(block))
+                continue;
+            if (auto read = readBlock(block); !read)
+                return read;
+            takeBlock(block);
+        }
+    countDoubts();
+    return {};
+}
+
+void GatewayLink::countDoubts()
+{
+    std::size_t torn = 0;
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        m_devices[i].doubts = isDoubtful(i) ? m_devices[i].doubts + 1 : 0;
+        torn += isDoubtful(i) ? 1 : 0;
+    }
+    m_counter.torn(torn);
+}
+
+void GatewayLink::showIn(std::span<Word> in)
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        in[i] = m_devices[i].in.word();
+}
+
+Result<void> GatewayLink::readStatus()
+{
+    if (!m_settings.statusRegister || m_port->now() < m_nextStatus)
+        return {};
+    Register status = 0;
+    const RegisterBlock block{*m_settings.statusRegister, 1};
+    auto read = ask(gateway::readFunction(m_settings.inArea), block,
+                    [&] { return m_port->read(m_settings.inArea, block.first, std::span(&status, 1)); });
+    if (read) {
+        m_counter.status(status);
+        m_nextStatus = m_port->now() + betweenStatus;
+    }
+    return read;
+}
+
+} // namespace codewheel

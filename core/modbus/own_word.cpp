@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modbus/own_word.h"
+
+#include <iterator>
+
+namespace codewheel {
+
+void OwnWord::found(Word word)
+{
+    m_words.assign(1, {word});
+}
+
+void OwnWord::write(Word word, Instant now)
+{
+    if (isKnown() && m_words.back().word == word)
+        return;
+    if (isKnown())
+        m_words.back().replacedAt = now;
+    while (m_words.size() > 1 && now - m_words.front().replacedAt >= gatewayLag)
+        m_words.erase(m_words.begin());
+    m_words.push_back({word});
+}
+
+void OwnWord::wasNotAnswered(Instant now)
+{
+    if (m_words.size() > 1)
+        m_words[m_words.size() - 2].replacedAt = now;
+}
+
+bool OwnWord::takes(Word there, Instant now)
+{
+    if (!isKnown())
+        return true;
+    // The newest of those that are equal: it has arrived.
+    auto own = m_words.end();
+    while (own != m_words.begin()) {
+        --own;
+        const bool isLast = std::next(own) == m_words.end();
+        if (own->word == there && (isLast || now - own->replacedAt < gatewayLag)) {
+            m_words.erase(m_words.begin(), own);
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace codewheel
