@@ -267,7 +267,7 @@ GatewayFinding GatewayCheck::checkWord(std::size_t device)
     return finding;
 }
 
-GatewayFinding GatewayCheck::judged(DeviceRegisters shown, const WordSender &sender) const
+GatewayFinding GatewayCheck::judged(DeviceRegisters shown, const SendingEncoder &sender) const
 {
     shown.readings = wordReadings(shown.inNow, sender);
     GatewayFinding finding{m_steps[m_next].step, wordOutcome(shown, m_settings), wordText(shown, m_settings)};

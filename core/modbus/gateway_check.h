@@ -51,7 +51,7 @@ struct GatewayFinding
 struct CheckedDevice
 {
     Participant participant;
-    WordSender sender{};
+    SendingEncoder sender{};
 };
 
 // Tests a gateway step by step: whether it can be reached, whether its registers are long enough for the
@@ -99,7 +99,7 @@ private:
     using Blocks = const RegisterBlock &(GatewayMap::*)(std::size_t device) const;
     QString whereItEnds(RegisterArea area, Blocks of);
     Result<void> readSteady(const RegisterBlock &block, DeviceRegisters &to);
-    GatewayFinding judged(DeviceRegisters shown, const WordSender &sender) const;
+    GatewayFinding judged(DeviceRegisters shown, const SendingEncoder &sender) const;
 
     RegisterPort &m_port;
     const GatewaySettings m_settings;

@@ -21,15 +21,9 @@ struct GatewayLink::Device
 };
 
 namespace gateway {
-inline constexpr int readInput = 4; // functions
-inline constexpr int readHolding = 3;
+inline constexpr int readHolding = 3; // functions
 inline constexpr int writeHolding = 16;
 inline constexpr int writeAndReadHolding = 23;
-
-inline int readFunction(RegisterArea area)
-{
-    return area == RegisterArea::input ? readInput : readHolding;
-}
 // The part of an image that begins at register `first`.
 inline std::span<Register> part(std::vector<Register> &image, const RegisterBlock &block, int first)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OUT on a gateway: reading it back, and writing it.
 #include "modbus/gateway_device_state.h"
+#include "modbus/register_refusal.h"
 
 #include <algorithm>
 
@@ -12,7 +13,6 @@ using namespace std::chrono_literals;
 constexpr int readsToAgree = 5;        // of OUT, when connecting (assumed)
 constexpr int readsOfForeign = 3;      // before a word is somebody else's (assumed)
 constexpr int refusalsOfReadBack = 3;  // until a gateway cannot read OUT back (assumed)
-constexpr int lastExceptionOfMap = 3;  // illegal function, address, or value
 constexpr Instant betweenReads = 10ms; // while zeros are waited for
 
 } // namespace
@@ -55,8 +55,7 @@ Result<void> GatewayLink::readOutUntilItAgrees(std::vector<Word> &words)
 // One refusal of a gateway that has told OUT before is a failure like any other.
 bool GatewayLink::cannotReadBack(const Refusal &why) const
 {
-    return !m_hasReadBack && why.id == RefusalId::registersRefused &&
-           std::get<std::int64_t>(why.arguments[2]) <= lastExceptionOfMap;
+    return !m_hasReadBack && isOfMap(why);
 }
 
 Result<std::vector<Word>> GatewayLink::readBackOut()

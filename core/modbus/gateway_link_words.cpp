@@ -10,18 +10,6 @@ namespace {
 
 constexpr int readsInDoubt = 2; // more in one exchange, while words are not believed (assumed)
 constexpr Instant betweenStatus = std::chrono::milliseconds(500); // two looks at the status register
-constexpr int exceptionOfAcknowledge = 5;                         // in progress
-constexpr int exceptionOfBusy = 6;
-constexpr int exceptionOfSilentTarget = 11;
-
-bool isWorthRepeating(const RegisterError &error)
-{
-    using Kind = RegisterError::Kind;
-    if (error.kind == Kind::exception)
-        return error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
-               error.exception == exceptionOfSilentTarget;
-    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer;
-}
 
 } // namespace
 
@@ -79,7 +67,7 @@ Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
 Result<void> GatewayLink::readBlock(const RegisterBlock &block)
 {
     const auto registers = gateway::part(m_inRegisters, block, m_settings.inFirst);
-    return ask(gateway::readFunction(m_settings.inArea), block,
+    return ask(readFunction(m_settings.inArea), block,
                [&] { return m_port->read(m_settings.inArea, block.first, registers); });
 }
 
@@ -160,7 +148,7 @@ Result<void> GatewayLink::readStatus()
         return {};
     Register status = 0;
     const RegisterBlock block{*m_settings.statusRegister, 1};
-    auto read = ask(gateway::readFunction(m_settings.inArea), block,
+    auto read = ask(readFunction(m_settings.inArea), block,
                     [&] { return m_port->read(m_settings.inArea, block.first, std::span(&status, 1)); });
     if (read) {
         m_counter.status(status);

@@ -171,13 +171,20 @@ tl::unexpected<Refusal> settingWrong(const QString &name, const QString &text, c
 
 } // namespace
 
-std::map<QString, QString> settingTexts(const GatewaySettings &settings)
+std::map<QString, QString> allSettingTexts(const GatewaySettings &settings)
 {
-    const GatewaySettings usual{.transport = settings.transport};
     std::map<QString, QString> texts;
     for (const Setting &setting : makeSettings())
-        if (isOf(setting, settings.transport) && setting.text(settings) != setting.text(usual))
+        if (isOf(setting, settings.transport))
             texts[QString::fromLatin1(setting.name)] = setting.text(settings);
+    return texts;
+}
+
+std::map<QString, QString> settingTexts(const GatewaySettings &settings)
+{
+    std::map<QString, QString> texts = allSettingTexts(settings);
+    const auto usual = allSettingTexts({.transport = settings.transport});
+    std::erase_if(texts, [&usual](const auto &text) { return usual.at(text.first) == text.second; });
     return texts;
 }
 

@@ -74,6 +74,7 @@ inline constexpr Limits retries{0, 20};
 // The settings by name, as projects keep them and the command line takes them: "unit" = "1". Only what
 // differs from the defaults; without transport, host and serial port.
 std::map<QString, QString> settingTexts(const GatewaySettings &settings);
+std::map<QString, QString> allSettingTexts(const GatewaySettings &settings); // defaults too
 // Takes them over into `settings`, whose transport decides which there are. Refused: linkSettingWrong,
 // linkSettingUnknown; the first argument is the name.
 Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QString> &texts);

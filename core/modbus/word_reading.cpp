@@ -78,7 +78,7 @@ bool isBeyond(const Meaning &meaning, Word word, std::int64_t totalRange)
     }
 }
 
-Plausibility judged(const WordSender &sender, Word word)
+Plausibility judged(const SendingEncoder &sender, Word word)
 {
     if (!sender.device)
         return Plausibility::notKnown;
@@ -101,7 +101,7 @@ WordOrder wordOrderOf(bool highWordFirst)
     return highWordFirst ? WordOrder::abcd : WordOrder::cdab;
 }
 
-std::vector<WordReading> wordReadings(std::span<const Register> registers, const WordSender &sender)
+std::vector<WordReading> wordReadings(std::span<const Register> registers, const SendingEncoder &sender)
 {
     if (registers.empty())
         return {};

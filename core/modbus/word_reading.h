@@ -37,14 +37,14 @@ struct WordReading
 };
 
 // An encoder as far as its words can be judged.
-struct WordSender
+struct SendingEncoder
 {
     std::optional<DeviceDescription> device{}; // empty: none describes it
     std::optional<std::int64_t> totalRange{};  // positions; empty: not known
 };
 
 // The IN word of an encoder in all orders there are for so many registers; more than two are left out.
-std::vector<WordReading> wordReadings(std::span<const Register> registers, const WordSender &sender);
+std::vector<WordReading> wordReadings(std::span<const Register> registers, const SendingEncoder &sender);
 
 // The one in this order; a word of 16 bits has the same with its low word first. Null: there is no word.
 const WordReading *readingIn(const std::vector<WordReading> &readings, WordOrder order);

@@ -25,7 +25,7 @@ std::optional<std::int64_t> rangeOf(const ProjectDevice &device, const DeviceDes
     return physical > 0 ? std::optional(physical) : std::nullopt;
 }
 
-WordSender senderOf(const ProjectDevice &device, const Catalog &catalog)
+SendingEncoder senderOf(const ProjectDevice &device, const Catalog &catalog)
 {
     const DeviceDescription *described =
         catalog.find(device.participant.deviceKey, device.participant.deviceCode);

@@ -86,13 +86,20 @@ QString masterToolTip(const StateWord &state)
 
 } // namespace
 
+bool RingOutline::isBehindGateway() const
+{
+    return m_bus.latest().figures != nullptr;
+}
+
 QString RingOutline::title() const
 {
-    return masterTitle();
+    return isBehindGateway() ? tr("Gateway") : masterTitle();
 }
 
 QString RingOutline::toolTip() const
 {
+    if (isBehindGateway())
+        return tr("The gateway to the ring: %1. It does not tell the state of the master.").arg(state().word);
     return masterToolTip(state());
 }
 
@@ -109,6 +116,9 @@ StateWord RingOutline::state() const
         return {Role::fault, tr("link lost")};
     if (!m_bus.isOpen())
         return offline();
+    if (isBehindGateway())
+        return m_bus.isRunning() ? StateWord{Role::running, tr("connected")}
+                                 : StateWord{Role::inactive, tr("stopped")};
     return {masterRole(m_bus.latest()), masterStateName(m_bus.latest().state)};
 }
 

@@ -29,6 +29,7 @@ public:
     QString toolTip(std::size_t node, const QString &called) const override;
 
 private:
+    bool isBehindGateway() const;
     StateWord shown(std::size_t node) const;
     std::optional<StateWord> faultOf(std::size_t node) const;
     bool isSwitchedOff(std::size_t node) const;

@@ -97,6 +97,12 @@ void RingSession::offerTo(std::shared_ptr<RingGuests> guests)
     post(command::OfferTo{d->guests});
 }
 
+std::unique_ptr<ProcessDataLink> RingSession::useLink(std::unique_ptr<ProcessDataLink> link)
+{
+    close(); // an open that was refused leaves its runner behind
+    return std::exchange(d->link, std::move(link));
+}
+
 void RingSession::close()
 {
     if (!d->engine.close())

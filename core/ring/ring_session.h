@@ -47,6 +47,8 @@ public:
     // bus is `opening` until pump() reports the end; without one it is done at once, and the first cycle
     // comes with startThread() or advance().
     Result<void> open(Start start, std::optional<Pacing> pacing = {});
+    // Closes the bus, which has this link from its next open() on; returns the one it had.
+    std::unique_ptr<ProcessDataLink> useLink(std::unique_ptr<ProcessDataLink> link);
     void close() override;
 
     // Cycles driven by a thread of its own, on absolute deadlines ...

@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-WordSender senderNamed(const char16_t *key, std::optional<std::int64_t> totalRange = std::nullopt)
+SendingEncoder senderNamed(const char16_t *key, std::optional<std::int64_t> totalRange = std::nullopt)
 {
     static const Catalog catalog = Catalog::builtIn();
     return {*catalog.find(key), totalRange};
