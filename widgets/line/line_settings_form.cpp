@@ -2,6 +2,7 @@
 #include "widgets/line/line_settings_form.h"
 
 #include "encoder/sentence.h"
+#include "widgets/connect/port_field.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
@@ -10,9 +11,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/layouts.h"
-#include "widgets/look/wrapped_label.h"
 
-#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -24,14 +23,12 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
-#include <QStyledItemDelegate>
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
 
-constexpr int longestPort = 4'096;           // characters of a path
 constexpr int widestForm = 160 * grid::unit; // in a wide window its fields stay near their labels
 
 int wholeMilliseconds(Instant time)
@@ -44,31 +41,6 @@ void choose(QComboBox &box, int value)
     box.setCurrentIndex(std::max(0, box.findData(value)));
 }
 
-// What tells it from others, beside the name of its port.
-QString adapterText(const PortRow &port)
-{
-    QStringList parts;
-    if (!port.description.isEmpty())
-        parts << port.description;
-    if (!port.serialNumber.isEmpty())
-        parts << sentence(LineSettingsForm::tr("serial number %1"), {port.serialNumber});
-    return parts.join(QStringLiteral(", "));
-}
-
-// In the opened list a port is told with its adapter.
-class WholePort final : public QStyledItemDelegate
-{
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->text = index.data(Qt::AccessibleTextRole).toString();
-    }
-};
-
 void setPeriod(QSpinBox &field)
 {
     field.setSuffix(LineSettingsForm::tr(" ms", "unit of a time"));
@@ -79,7 +51,7 @@ void setPeriod(QSpinBox &field)
 LineSettingsForm::LineSettingsForm(QWidget *parent)
     : Page(parent)
     , m_content(new QWidget(this))
-    , m_trouble(new InlineMessage(m_content))
+    , m_port(new PortField(m_content))
     , m_rateTold(new InlineMessage(m_content))
     , m_problem(new InlineMessage(m_content))
     , m_keep(new QPushButton(lineIcon(Icon::save), tr("&Keep in project"), m_content))
@@ -117,11 +89,9 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     area->setWidget(m_content);
     layOutColumn(this, {area}, {.margins = QMargins()});
     setFocusProxy(m_port);
-    for (const QComboBox *box : {m_port, m_baudRate}) // the field that is typed into
-        describe(box->lineEdit(), box->accessibleName(), box->toolTip());
+    describe(m_baudRate->lineEdit(), m_baudRate->accessibleName(), m_baudRate->toolTip());
     connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
     setSettings({});
-    showPorts();
 }
 
 void LineSettingsForm::setAbout(const QString &line)
@@ -164,34 +134,9 @@ QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, c
 
 void LineSettingsForm::makePort(QFormLayout &form)
 {
-    m_port = describe(new QComboBox(m_content), tr("Port"),
-                      tr("Choose the adapter, or type the path of a port or a pseudo terminal"));
-    m_port->setEditable(true);
-    m_port->setLineEdit(new TextField(m_port));
-    m_port->setInsertPolicy(QComboBox::NoInsert);
-    m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_port->setMinimumContentsLength(20);
-    m_port->setItemDelegate(new WholePort(m_port));
-    m_port->lineEdit()->setMaxLength(longestPort);
-    m_port->lineEdit()->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
-    m_refresh = new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), m_content);
-    m_refresh->setAutoDefault(false);
-    m_refresh->setToolTip(tr("Looks for serial ports again (Alt+R)"));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(grid::unit);
-    row->addWidget(m_port, 1);
-    row->addWidget(m_refresh);
-    m_adapter = wrappedLabel(m_content, "adapter");
-    m_adapter->setTextFormat(Qt::PlainText);
-    auto *port = layOutColumn({row, m_adapter}, {.spacing = grid::unit});
-    form.addRow(tr("&Port"), port);
-    qobject_cast<QLabel *>(form.labelForField(port))->setBuddy(m_port);
-    form.addRow(m_trouble);
-    connect(m_port, &QComboBox::editTextChanged, this, &LineSettingsForm::showAdapter);
-    connect(m_refresh, &QPushButton::clicked, this, &LineSettingsForm::refreshWanted);
-    connect(m_port, &QComboBox::editTextChanged, m_problem, &InlineMessage::withdraw);
-    connect(m_port, &QComboBox::activated, this, &LineSettingsForm::pick);
-    connect(m_port->lineEdit(), &QLineEdit::textEdited, this, &LineSettingsForm::pick);
+    m_port->addTo(form, tr("&Port"));
+    connect(m_port, &PortField::refreshWanted, this, &LineSettingsForm::refreshWanted);
+    connect(m_port, &PortField::edited, m_problem, &InlineMessage::withdraw);
     connect(m_problem, &InlineMessage::actionTriggered, this, &LineSettingsForm::connectOther);
 }
 
@@ -285,60 +230,16 @@ void LineSettingsForm::setFractionBits(int bits)
     m_fractionBits->setValue(bits);
 }
 
-QString LineSettingsForm::chosenPort() const
-{
-    return m_port->currentText().trimmed();
-}
-
 void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
 {
-    const QString chosen = chosenPort();
-    const bool isPicked = m_isPicked;
-    m_ports = ports;
-    showPorts();
-    LineSettings kept = settings();
-    kept.port = chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen;
-    setSettings(kept);
-    m_isPicked = isPicked;
-    if (!trouble.isEmpty())
-        m_trouble->showMessage(Role::attention, trouble);
-    else if (ports.empty())
-        m_trouble->showMessage(Role::attention,
-                               tr("No serial port was found. Plug the adapter in and refresh the "
-                                  "list, or type the path of a port."));
-    else
-        m_trouble->withdraw();
-}
-
-void LineSettingsForm::showPorts()
-{
-    m_port->clear();
-    int widest = 0;
-    for (const PortRow &port : m_ports) {
-        const QString adapter = adapterText(port);
-        const QString whole =
-            adapter.isEmpty() ? port.name : QStringLiteral("%1, %2").arg(port.name, adapter);
-        m_port->addItem(port.name);
-        m_port->setItemData(m_port->count() - 1, whole, Qt::AccessibleTextRole);
-        widest = std::max(widest, m_port->fontMetrics().horizontalAdvance(whole));
-    }
-    m_port->view()->setMinimumWidth(widest + 2 * grid::groupGap);
-}
-
-// Of whatever adapter there is; its name alone stands in the field.
-void LineSettingsForm::showAdapter()
-{
-    const auto port = std::ranges::find(m_ports, chosenPort(), &PortRow::name);
-    m_adapter->setText(port == m_ports.end() ? QString() : adapterText(*port));
-    m_adapter->setVisible(!m_adapter->text().isEmpty());
-    m_port->setAccessibleDescription(m_adapter->text());
+    m_port->setPorts(ports, trouble);
 }
 
 LineSettings LineSettingsForm::settings() const
 {
     using std::chrono::milliseconds;
     LineSettings settings;
-    settings.port = chosenPort();
+    settings.port = m_port->port();
     settings.timing = m_timing;
     settings.serial.baudRate = m_baudRate->currentText().toInt();
     settings.serial.dataBits = m_dataBits->currentData().toInt();
@@ -358,12 +259,7 @@ LineSettings LineSettingsForm::settings() const
 
 void LineSettingsForm::setPort(const QString &port)
 {
-    const int listed = m_port->findText(port);
-    m_port->setCurrentIndex(listed);
-    if (listed < 0)
-        m_port->setEditText(port);
-    showAdapter();
-    m_isPicked = false;
+    m_port->setPort(port);
 }
 
 void LineSettingsForm::setSettings(const LineSettings &settings)
@@ -451,7 +347,7 @@ void LineSettingsForm::connectNow()
     if (!takeTyped())
         return;
     if (const LineSettings wanted = settings(); isComplete(wanted))
-        Q_EMIT connectWanted(wanted, m_isPicked);
+        Q_EMIT connectWanted(wanted, m_port->isPicked());
 }
 
 // A line may be planned before anybody knows its port.
@@ -460,7 +356,7 @@ void LineSettingsForm::keep()
     if (!takeTyped())
         return;
     if (const LineSettings wanted = settings(); hasRate(wanted)) {
-        Q_EMIT keepWanted(wanted, m_isPicked);
+        Q_EMIT keepWanted(wanted, m_port->isPicked());
         m_problem->showMessage(Role::running, tr("Port and settings are in the project."));
     }
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "esc_line/line_limits.h"
-#include "widgets/line/port_row.h"
 #include "widgets/look/page.h"
 
 #include <optional>
@@ -12,13 +11,14 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
-class QLabel;
 class QPushButton;
 class QSpinBox;
 
 namespace codewheel {
 
 class InlineMessage;
+class PortField;
+struct PortRow;
 
 // How a serial line is to be opened: the port from a list or by its path, the format of the bytes, and the
 // times the manual leaves open. Does not find ports itself: the list is given.
@@ -72,7 +72,6 @@ private:
     QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                         line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
-    QString chosenPort() const;
     bool takeTyped();
     bool isComplete(const LineSettings &settings);
     bool hasRate(const LineSettings &settings);
@@ -80,18 +79,10 @@ private:
     void keep();
     void connectOther();
     void takeRate();
-    void pick() { m_isPicked = true; }
-    void showPorts();
-    void showAdapter();
 
     QString m_about;
-    std::vector<PortRow> m_ports;
     QWidget *m_content;
-    QComboBox *m_port = nullptr;
-    bool m_isPicked = false; // the port, since setPort()
-    QPushButton *m_refresh = nullptr;
-    QLabel *m_adapter = nullptr;
-    InlineMessage *m_trouble;
+    PortField *m_port;
     QComboBox *m_baudRate = nullptr;
     InlineMessage *m_rateTold;
     std::optional<int> m_rateWanted;

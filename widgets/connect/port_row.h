@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "esc_line/line_settings.h"
+#include <QString>
 
 namespace codewheel {
 

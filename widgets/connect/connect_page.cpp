@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connect/connect_page.h"
+
+#include "widgets/connect/check_list.h"
+#include "widgets/connect/link_form.h"
+#include "widgets/input/form_fields.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/wrapped_label.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace codewheel {
+namespace {
+
+constexpr int widestPage = 180 * grid::unit; // in a wide window fields stay near their labels
+
+} // namespace
+
+ConnectPage::ConnectPage(QWidget *parent)
+    : Page(parent)
+    , m_area(new QScrollArea(this))
+    , m_content(new QWidget(this))
+    , m_link(describe(new QComboBox(m_content), "link", tr("Link"), tr("How this bus is reached")))
+    , m_sentence(wrappedLabel(m_content, "linkSentence"))
+    , m_forms(new QStackedWidget(m_content))
+    , m_problem(new InlineMessage(this))
+    , m_steps(new CheckList(m_content))
+    , m_test(new QPushButton(lineIcon(Icon::search), tr("&Test"), this))
+    , m_keep(new QPushButton(lineIcon(Icon::save), tr("&Keep in project"), this))
+    , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), this))
+{
+    setAccessibleName(title());
+    m_content->setMaximumWidth(widestPage);
+    auto *column = layOut<QVBoxLayout>(m_content, grid::margin, grid::margin);
+    auto *link = new QFormLayout;
+    link->setHorizontalSpacing(grid::groupGap);
+    link->addRow(tr("&Link"), m_link);
+    column->addLayout(link);
+    column->addWidget(m_sentence);
+    column->addWidget(m_forms);
+    column->addWidget(m_steps);
+    column->addStretch(1);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setWidgetResizable(true);
+    m_area->setWidget(m_content);
+    // What they say and do is in sight, however far the form is scrolled.
+    auto *foot = layOutColumn({m_problem, makeButtons()},
+                              {.spacing = grid::margin, .margins = allAround(grid::margin)});
+    layOutColumn(this, {{m_area, 1}, foot}, {.margins = QMargins()});
+    setFocusProxy(m_link);
+    connect(m_link, &QComboBox::currentIndexChanged, this, &ConnectPage::choose);
+    connect(m_link, &QComboBox::activated, m_problem, &InlineMessage::withdraw);
+    connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &ConnectPage::scrollToSteps);
+    showButtons();
+}
+
+QWidget *ConnectPage::makeButtons()
+{
+    auto *buttons = new QWidget(this);
+    buttons->setMaximumWidth(widestPage);
+    for (QPushButton *button : {m_test, m_keep, m_connect})
+        button->setAutoDefault(false);
+    m_keep->setToolTip(tr("Plans this connection in the project. Nothing is opened (Alt+K)"));
+    connect(m_test, &QPushButton::clicked, this, &ConnectPage::test);
+    connect(m_keep, &QPushButton::clicked, this, &ConnectPage::keep);
+    connect(m_connect, &QPushButton::clicked, this, &ConnectPage::connectNow);
+    layOutRow(buttons, {Stretch{1}, m_test, m_keep, m_connect}, {.margins = QMargins()});
+    return buttons;
+}
+
+QString ConnectPage::effect() const
+{
+    return tr("Testing and connecting only read. Nothing is written to a device.");
+}
+
+void ConnectPage::addForm(LinkForm *form)
+{
+    m_forms->addWidget(form);
+    m_link->addItem(form->title());
+    connect(form, &LinkForm::edited, m_problem, &InlineMessage::withdraw);
+    connect(form, &LinkForm::portsWanted, this, &ConnectPage::portsWanted);
+    choose(m_link->currentIndex());
+}
+
+LinkForm *ConnectPage::form() const
+{
+    return static_cast<LinkForm *>(m_forms->currentWidget());
+}
+
+// A stack is as high as its highest page; here only the chosen one counts.
+void ConnectPage::choose(int chosen)
+{
+    for (int i = 0; i < m_forms->count(); ++i)
+        m_forms->widget(i)->setSizePolicy(QSizePolicy::Preferred,
+                                          i == chosen ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    m_forms->setCurrentIndex(chosen);
+    m_sentence->setText(form()->sentence());
+    showButtons();
+}
+
+void ConnectPage::setAbout(const QString &bus)
+{
+    m_about = bus;
+    Q_EMIT headChanged();
+}
+
+void ConnectPage::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+{
+    for (int i = 0; i < m_forms->count(); ++i)
+        static_cast<LinkForm *>(m_forms->widget(i))->setPorts(ports, trouble);
+}
+
+void ConnectPage::show(const KindData &plan)
+{
+    for (int i = 0; i < m_forms->count(); ++i)
+        if (static_cast<LinkForm *>(m_forms->widget(i))->show(plan))
+            m_link->setCurrentIndex(i);
+    m_problem->withdraw();
+}
+
+KindData ConnectPage::plan() const
+{
+    return form()->plan();
+}
+
+void ConnectPage::setConnecting(bool on)
+{
+    m_isConnecting = on;
+    showButtons();
+}
+
+void ConnectPage::setConnected(bool on)
+{
+    m_isConnected = on;
+    showButtons();
+}
+
+void ConnectPage::setProblem(const QString &sentence)
+{
+    if (sentence.isEmpty())
+        m_problem->withdraw();
+    else
+        m_problem->showMessage(Role::fault, sentence);
+}
+
+void ConnectPage::tell(const QString &sentence)
+{
+    m_problem->showMessage(Role::running, sentence);
+}
+
+void ConnectPage::setTesting(bool on)
+{
+    m_isTesting = on;
+    if (on) {
+        m_steps->clear();
+        setResult(nullptr);
+    }
+    showButtons();
+}
+
+void ConnectPage::addStep(Role role, const QString &what, const QString &sentence)
+{
+    m_steps->add(role, what, sentence);
+}
+
+// The first step at the top, as soon as there is room below it.
+void ConnectPage::scrollToSteps()
+{
+    if (m_steps->count() > 0)
+        m_area->verticalScrollBar()->setValue(m_steps->y());
+}
+
+void ConnectPage::setResult(QWidget *table)
+{
+    delete m_result;
+    m_result = table;
+    if (table != nullptr) {
+        auto *column = static_cast<QVBoxLayout *>(m_content->layout());
+        column->insertWidget(column->count() - 1, table);
+    }
+}
+
+void ConnectPage::showButtons()
+{
+    const bool canTest = form() != nullptr && form()->canBeTested();
+    m_test->setVisible(canTest);
+    m_test->setText(m_isTesting ? tr("Cancel &test") : tr("&Test"));
+    m_test->setToolTip(m_isTesting ? tr("Ends the test after its present step (Alt+T)")
+                       : m_isConnected
+                           ? tr("Disconnect first: a gateway may have room for one client only")
+                           : tr("Tries these settings step by step, and says what answers and what does "
+                                "not. Only reads (Alt+T)"));
+    m_test->setEnabled(!m_isConnecting && !m_isConnected);
+    m_connect->setEnabled(!m_isConnecting && !m_isTesting && !m_isConnected);
+    m_connect->setText(m_isConnecting ? tr("Connecting…") : tr("&Connect"));
+    m_connect->setToolTip(m_isConnected
+                              ? tr("This bus is connected. Disconnect it first")
+                              : tr("Keeps these settings in the project, and connects. Nothing is written "
+                                   "(Alt+C)"));
+    m_keep->setEnabled(!m_isConnecting);
+}
+
+// What is half typed is taken first, or nothing is done.
+bool ConnectPage::takeTyped()
+{
+    const QString wrong = takeFields(*form());
+    if (!wrong.isEmpty())
+        m_problem->showMessage(Role::attention, wrong);
+    return wrong.isEmpty();
+}
+
+bool ConnectPage::isComplete()
+{
+    if (!takeTyped())
+        return false;
+    const QString missing = form()->complaint();
+    if (!missing.isEmpty())
+        m_problem->showMessage(Role::attention, missing);
+    return missing.isEmpty();
+}
+
+void ConnectPage::connectNow()
+{
+    if (isComplete())
+        Q_EMIT connectWanted(plan());
+}
+
+void ConnectPage::keep()
+{
+    if (takeTyped())
+        Q_EMIT keepWanted(plan());
+}
+
+void ConnectPage::test()
+{
+    if (m_isTesting)
+        Q_EMIT testCancelled();
+    else if (isComplete())
+        Q_EMIT testWanted(plan());
+}
+
+} // namespace codewheel

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/role.h"
+#include "project/kind_data.h"
+#include "widgets/connect/port_row.h"
+#include "widgets/look/page.h"
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+
+namespace codewheel {
+
+class CheckList;
+class InlineMessage;
+class LinkForm;
+
+// How a bus is connected: which kind of link, its settings, a test of them step by step. Knows no kind of
+// bus: each brings its forms (LinkForm), and the views of the bus carry out what is wanted.
+class ConnectPage : public Page
+{
+    Q_OBJECT
+
+public:
+    explicit ConnectPage(QWidget *parent = nullptr);
+
+    void addForm(LinkForm *form);
+    void setAbout(const QString &bus); // its name
+    QString title() const override { return tr("Connection"); }
+    QString about() const override { return m_about; }
+    QString effect() const override;
+
+    void setPorts(const std::vector<PortRow> &ports, const QString &trouble);
+    // Chooses the form of its link and shows it there.
+    void show(const KindData &plan);
+    KindData plan() const; // as entered
+    void setConnecting(bool on);
+    // Settings of a bus that is connected are for the next time.
+    void setConnected(bool on);
+    void setProblem(const QString &sentence); // empty: none
+    void tell(const QString &sentence);
+
+    void setTesting(bool on); // begins a new list of steps
+    void addStep(Role role, const QString &what, const QString &sentence);
+    // Below the steps; null: none.
+    void setResult(QWidget *table);
+    const CheckList &steps() const { return *m_steps; }
+
+Q_SIGNALS:
+    void portsWanted();
+    void connectWanted(const codewheel::KindData &plan);
+    void keepWanted(const codewheel::KindData &plan);
+    void testWanted(const codewheel::KindData &plan);
+    void testCancelled();
+
+private:
+    QWidget *makeButtons();
+    LinkForm *form() const; // the chosen one
+    bool takeTyped();
+    bool isComplete();
+    void choose(int form);
+    void connectNow();
+    void keep();
+    void test();
+    void showButtons();
+    void scrollToSteps();
+
+    QString m_about;
+    QScrollArea *m_area; // for low windows
+    QWidget *m_content;
+    QComboBox *m_link;
+    QLabel *m_sentence;
+    QStackedWidget *m_forms;
+    InlineMessage *m_problem;
+    CheckList *m_steps;
+    QWidget *m_result = nullptr;
+    QPushButton *m_test;
+    QPushButton *m_keep;
+    QPushButton *m_connect;
+    bool m_isTesting = false;
+    bool m_isConnecting = false;
+    bool m_isConnected = false;
+};
+
+} // namespace codewheel

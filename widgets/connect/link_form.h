@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/kind_data.h"
+#include "widgets/connect/port_row.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace codewheel {
+
+// One kind of link in ConnectPage: what it is called, its settings, and its part of a plan, whose meaning
+// only the kind of bus knows.
+class LinkForm : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    virtual QString title() const = 0;    // in the list of links: "Modbus/TCP gateway"
+    virtual QString sentence() const = 0; // what it is, and what connecting does
+    virtual bool canBeTested() const { return false; }
+
+    // Whether the plan is of this kind of link; shows it then.
+    virtual bool show(const KindData &plan) = 0;
+    // What is entered. Fields must have been taken.
+    virtual KindData plan() const = 0;
+    // What is missing for connecting; a sentence, empty: nothing.
+    virtual QString complaint() const { return {}; }
+    virtual void setPorts(const std::vector<PortRow> &, const QString & /*trouble*/) {}
+
+Q_SIGNALS:
+    void edited();
+    void portsWanted(); // the list, anew
+};
+
+} // namespace codewheel

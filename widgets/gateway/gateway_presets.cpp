@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/gateway/gateway_presets.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+struct GatewayPresetTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::GatewayPreset)
+};
+
+} // namespace
+
+std::vector<GatewayPreset> gatewayPresets()
+{
+    using Texts = GatewayPresetTexts;
+    return {
+        {Texts::tr("High word first"),
+         Texts::tr("IN in input registers, OUT in holding registers, both from 0"),
+         {}},
+        {Texts::tr("Low word first"),
+         Texts::tr("The same, but the first register of each encoder is the low half of its word"),
+         {{QStringLiteral("order"), QStringLiteral("low")}}},
+        {Texts::tr("Holding registers only"),
+         Texts::tr("IN from 0 and OUT from 512, read by function 3 and written by function 16"),
+         {{QStringLiteral("in-area"), QStringLiteral("holding")},
+          {QStringLiteral("out"), QStringLiteral("512")}}},
+        {Texts::tr("Holding registers, function 23"),
+         Texts::tr("The same, but OUT is written and IN is read in one transaction"),
+         {{QStringLiteral("in-area"), QStringLiteral("holding")},
+          {QStringLiteral("out"), QStringLiteral("512")},
+          {QStringLiteral("write"), QStringLiteral("23")}}},
+        {Texts::tr("A training bus of Codewheel"),
+         Texts::tr("As another Codewheel offers its training bus; the state of the ring is in register 8192"),
+         {{QStringLiteral("status"), QStringLiteral("8192")}}},
+    };
+}
+
+} // namespace codewheel
