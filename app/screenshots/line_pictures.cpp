@@ -4,6 +4,7 @@
 #include "app/screenshots/scene.h"
 #include "catalog/device_description.h"
 #include "esc/esc_request.h"
+#include "widgets/connect/port_row.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "links/serial_ports.h"
-#include "widgets/line/port_row.h"
+#include "widgets/connect/port_row.h"
 
 #include <vector>
 

@@ -11,6 +11,9 @@ RingActions::RingActions(WindowActions &window)
     : QObject(&window)
 {
     const auto action = [](Icon icon, const QString &text) { return new QAction(lineIcon(icon), text); };
+    connection = described(action(Icon::parameters, tr("Connec&tion…")), Qt::ALT | Qt::SHIFT | Qt::Key_C,
+                           tr("How this ring is reached: training bus, or a gateway; with a test"));
+    registers = action(Icon::list, tr("Re&gisters…"));
     connectBus = described(action(Icon::ring, tr("&Connect")), Qt::CTRL | Qt::Key_F5,
                            tr("Connects to the ring; nothing is sent"));
     disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), Qt::CTRL | Qt::SHIFT | Qt::Key_F5,
@@ -24,20 +27,22 @@ RingActions::RingActions(WindowActions &window)
                      "Operate."));
     switchSegment = action(Icon::power, tr("Switch se&gment off or on"));
     showSegment(false, false);
-    window.insert(WindowActions::Section::connections, {connectBus, disconnectBus, readIn});
+    showRegisters(false);
+    window.insert(WindowActions::Section::connections,
+                  {connection, registers, connectBus, disconnectBus, readIn});
     window.insert(WindowActions::Section::services, {confirmDiagnostics, switchSegment});
 }
 
 void RingActions::disable()
 {
-    for (QAction *action : {connectBus, disconnectBus, readIn, confirmDiagnostics})
+    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics})
         action->setEnabled(false);
     showSegment(false, false);
 }
 
 void RingActions::tellBus(const QString &bus)
 {
-    for (QAction *action : {connectBus, disconnectBus, readIn, confirmDiagnostics})
+    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics})
         codewheel::tellBus(action, bus);
 }
 
@@ -49,6 +54,14 @@ void RingActions::showSegment(bool hasMaster, bool isChosen)
                           : tr("Takes the segment of the chosen device, and what is behind it, out of the "
                                "data cycles, after asking, or puts it back. Needs Operate."));
     switchSegment->setEnabled(hasMaster && isChosen);
+}
+
+void RingActions::showRegisters(bool isGateway)
+{
+    described(registers, Qt::ALT | Qt::SHIFT | Qt::Key_R,
+              isGateway ? tr("The registers of each device, its word in four readings, and the word order")
+                        : tr("Only a ring behind a gateway has registers."));
+    registers->setEnabled(isGateway);
 }
 
 } // namespace codewheel

@@ -22,6 +22,11 @@ public:
     // Whether the master can be asked, and the chosen device has a segment.
     void showSegment(bool hasMaster, bool isChosen);
 
+    // Whether it is, or is planned to be, behind a gateway.
+    void showRegisters(bool isGateway);
+
+    QAction *connection; // its page
+    QAction *registers;  // of a gateway
     QAction *connectBus;
     QAction *disconnectBus;
     QAction *readIn;

@@ -3,6 +3,9 @@
 
 #include "app/journal_files.h"
 #include "journal/ledger_keeper.h"
+#include "links/modbus_port.h"
+#include "project/bus_kind.h"
+#include "project/gateway_plan.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan.h"
 #include "widgets/project/project_document.h"
@@ -23,9 +26,11 @@ TrainingBus trainingRing(const BusAtWork::Surroundings &its)
 RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
     : BusAtWork(id, std::move(its), parent)
     , m_training(makeTrainingSession(catalog(), surroundings().clock(), trainingRing(surroundings()), id))
+    , m_makePort([](const GatewaySettings &settings) { return std::make_unique<ModbusPort>(settings); })
 {
     tellMessagesOf(*bus());
     connect(bus(), &RingSession::nodesChanged, this, &RingAtWork::tellPlan);
+    connect(&project(), &ProjectDocument::replaced, this, &RingAtWork::followProject);
     keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
 }
 
@@ -39,26 +44,78 @@ QString RingAtWork::kind() const
     return QString::fromLatin1(interbusKind);
 }
 
-std::optional<Pacing> RingAtWork::pacing() const
+// The simulated encoders give way to those of an opened project.
+void RingAtWork::followProject()
 {
-    return surroundings().byThread ? std::optional(Pacing{.period = busPeriod}) : std::nullopt;
+    if (isOpen() && bus()->isSimulated() && !plansTraining(project().project(), id()))
+        bus()->close();
 }
 
-Result<void> RingAtWork::open(std::optional<Pacing> pacing)
+Result<void> RingAtWork::open()
+{
+    const auto gateway = plannedGateway(project().project(), id());
+    if (gateway && !*gateway)
+        return tl::unexpected(gateway->error());
+    if (gateway)
+        useGateway(**gateway);
+    else
+        useTraining();
+    return openLink();
+}
+
+// Of its writes those to real encoders are kept.
+void RingAtWork::use(std::unique_ptr<ProcessDataLink> link)
+{
+    Q_EMIT aboutToChange();
+    endAccount();
+    auto before = bus()->useLink(std::move(link));
+    if (before->isSimulated())
+        m_trainingLink = std::move(before);
+    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+    Q_EMIT changed();
+    Q_EMIT linkChanged();
+}
+
+void RingAtWork::useTraining()
+{
+    if (!m_trainingLink)
+        return;
+    m_gateway.reset();
+    use(std::move(m_trainingLink));
+}
+
+void RingAtWork::useGateway(const GatewaySettings &settings)
+{
+    m_gateway = settings;
+    use(std::make_unique<GatewayLink>(m_makePort(settings), settings,
+                                      gatewayDevices(project().project(), id(), catalog())));
+}
+
+// A gateway is asked as fast as its link and its settings allow.
+Result<void> RingAtWork::openLink()
 {
     bus()->setTime(surroundings().clock());
-    return bus()->open(RingSession::Start::operating, std::move(pacing));
+    const auto pacing = [this](std::chrono::nanoseconds period) {
+        return surroundings().byThread ? std::optional(Pacing{.period = period}) : std::nullopt;
+    };
+    if (m_gateway)
+        return bus()->open(RingSession::Start::watching, pacing({}));
+    return bus()->open(RingSession::Start::operating, pacing(busPeriod));
 }
 
 void RingAtWork::openTraining()
 {
-    if (!open({})) // a simulated link always opens
+    useTraining();
+    bus()->setTime(surroundings().clock());
+    if (!bus()->open(RingSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();
     project().setProject(projectOf(bus()->structure(), id()), {});
 }
 
 std::optional<Place> RingAtWork::turning() const
 {
+    if (m_gateway)
+        return std::nullopt;
     for (const TrainingControls::Shaft &shaft : controls().shafts())
         if (shaft.revolutionsPerMinute != 0)
             return Place{id(), shaft.number};
@@ -68,7 +125,7 @@ std::optional<Place> RingAtWork::turning() const
 // What the plan of the training ring knows of its encoders, the first time.
 void RingAtWork::tellPlan()
 {
-    if (!bus()->isOpen() || std::exchange(m_planIsTold, true))
+    if (!bus()->isOpen() || !bus()->isSimulated() || std::exchange(m_planIsTold, true))
         return;
     tellTrainingPlan(*bus(), &TrainingParticipant::known);
     tellTrainingPlan(*bus(), &TrainingParticipant::knownInWindow);

@@ -3,16 +3,21 @@
 
 #include "app/training_session.h"
 #include "app/window/bus_at_work.h"
+#include "modbus/gateway_link.h"
+
+#include <functional>
 
 namespace codewheel {
 
-// A ring of the program: a training ring, the same at each start.
+// A ring of the program: a training ring, the same at each start, or a real one behind a gateway, as the
+// project plans its link.
 class RingAtWork final : public BusAtWork
 {
     Q_OBJECT
 
 public:
     using MakeTraining = TrainingBus (*)(const Catalog &); // Surroundings::training
+    using MakePort = std::function<std::unique_ptr<RegisterPort>(const GatewaySettings &)>;
 
     RingAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);
     ~RingAtWork() override;
@@ -20,19 +25,37 @@ public:
     QString kind() const override;
     RingSession *bus() const override { return m_training.bus.get(); }
     TrainingControls &controls() const { return *m_training.controls; }
+    // The gateway it is connected to, or was last; empty: it is a training ring.
+    const std::optional<GatewaySettings> &gateway() const { return m_gateway; }
 
-    // How its thread is paced; nothing: it is driven by hand.
-    std::optional<Pacing> pacing() const;
-    // Connects it in Operate, like RingSession::open().
-    Result<void> open(std::optional<Pacing> pacing);
+    // Connects it by the link that the project plans: a training ring in Operate, a real one in Watch. How it
+    // ends is reported by the bus. Refused (linkSettingWrong): the plan is not understood.
+    Result<void> open();
     void openTraining() override; // and plans it as it is: nothing differs at first
     std::optional<Place> turning() const override;
     void start() override;
+    // Instead of the registers of a real gateway.
+    void setPorts(MakePort makePort) { m_makePort = std::move(makePort); }
+    std::unique_ptr<RegisterPort> makePort(const GatewaySettings &settings) const
+    {
+        return m_makePort(settings);
+    }
+
+Q_SIGNALS:
+    void linkChanged(); // to or from a training ring, or another gateway
 
 private:
+    void followProject();
     void tellPlan();
+    void useTraining();
+    void useGateway(const GatewaySettings &settings);
+    void use(std::unique_ptr<ProcessDataLink> link);
+    Result<void> openLink();
 
     TrainingSession m_training;
+    std::unique_ptr<ProcessDataLink> m_trainingLink; // while a gateway is in use
+    std::optional<GatewaySettings> m_gateway;
+    MakePort m_makePort;
     bool m_planIsTold = false;
 };
 

@@ -24,8 +24,7 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     , m_leaving(leaving)
     , m_notice(notice)
 {
-    connect(&m_bus, &RingSession::openRefused, this,
-            [this](const Refusal &why) { m_notice.showMessage(Role::fault, refusalText(why)); });
+    connect(&m_bus, &RingSession::openRefused, this, &RingConnection::refused);
     connect(&m_bus, &RingSession::stateChanged, this, [this] {
         Q_EMIT changed();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
@@ -46,14 +45,15 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     connect(&m_bus, &RingSession::structureChanged, this, &RingConnection::ringChanged);
 }
 
-// Only the training bus starts in Operate.
 void RingConnection::connectRing()
 {
     if (m_bus.state() != BusState::closed)
         return;
     connect(&m_bus, &RingSession::nodesChanged, this, &RingConnection::ringConnected,
             static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
-    (void)m_ring.open(m_ring.pacing()); // the bus reports a refusal
+    // What the bus refuses, it reports by itself.
+    if (const auto opened = m_ring.open(); !opened && opened.error().kind == RefusalKind::badInput)
+        Q_EMIT refused(opened.error());
 }
 
 void RingConnection::ringConnected()
@@ -108,6 +108,7 @@ void RingConnection::readIn()
 void RingConnection::rememberTold()
 {
     m_told.clear();
+    m_toldAt = m_ring.gateway();
     for (const Participant &participant : m_bus.structure())
         if (const EncoderSession *encoder = m_bus.encoder(participant.number)) {
             Told &told = m_told[participant.number];
@@ -118,8 +119,11 @@ void RingConnection::rememberTold()
         }
 }
 
+// What was entered for simulated encoders is not so for real ones, nor the other way round.
 void RingConnection::tellAgain()
 {
+    if (m_toldAt != m_ring.gateway())
+        return;
     for (const Participant &participant : m_bus.structure()) {
         const auto told = m_told.find(participant.number);
         EncoderSession *encoder = m_bus.encoder(participant.number);
@@ -130,8 +134,11 @@ void RingConnection::tellAgain()
     }
 }
 
+// What a gateway shows is what the project says.
 void RingConnection::tellComparison()
 {
+    if (m_ring.gateway())
+        return;
     const int devices = static_cast<int>(m_bus.structure().size());
     const int others =
         differences(compareRings(structureOf(m_project.project(), m_ring.id()), m_bus.structure()));

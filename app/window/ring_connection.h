@@ -2,6 +2,8 @@
 #pragma once
 
 #include "encoder/message.h"
+#include "encoder/refusal.h"
+#include "modbus/gateway_settings.h"
 
 #include <QObject>
 
@@ -34,8 +36,9 @@ public:
     void tellComparison();
 
 Q_SIGNALS:
-    void ringChanged(); // another one was read in
-    void changed();     // what is possible with it
+    void ringChanged();                          // another one was read in
+    void changed();                              // what is possible with it
+    void refused(const codewheel::Refusal &why); // to connect it
     void told(const codewheel::Message &message);
 
 private:
@@ -57,6 +60,7 @@ private:
         ParameterValues values;
     };
     std::map<NodeId, Told> m_told;
+    std::optional<GatewaySettings> m_toldAt; // where these devices were; empty: on the training ring
 };
 
 } // namespace codewheel

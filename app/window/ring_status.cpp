@@ -2,7 +2,7 @@
 #include "app/window/ring_status.h"
 
 #include "app/window/status_line.h"
-#include "ring/master_look.h"
+#include "bus/bus_outline.h"
 #include "ring/ring_session.h"
 
 #include <QLabel>
@@ -41,17 +41,24 @@ RingStatus::~RingStatus()
         delete label;
 }
 
-void RingStatus::show(const RingSession &bus)
+void RingStatus::show(const RingSession &bus, const QString &gateway)
 {
     const Snapshot &snapshot = bus.latest();
     const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();
-    m_line.setState(masterRole(snapshot), called(nameAmongOthers(bus.id()), masterStateName(snapshot.state)));
-    m_line.show(m_cycle,
-                period > 0 ? tr("cycle %1 ms").arg(QLocale().toString(period, 'f', 1)) : tr("virtual time"));
-    m_line.show(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
+    const StateWord state = bus.outline().state();
+    m_line.setState(state.role, called(nameAmongOthers(bus.id()), state.word));
+    m_line.show(
+        m_cycle,
+        snapshot.figures
+            ? tr("%1 exchanges/s").arg(QLocale().toString(snapshot.figures->exchangesPerSecond, 'f', 1))
+        : period > 0 ? tr("cycle %1 ms").arg(QLocale().toString(period, 'f', 1))
+                     : tr("virtual time"));
+    m_line.show(m_late, snapshot.figures
+                            ? QString()
+                            : tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
     m_line.show(m_crc,
                 snapshot.master ? tr("%n CRC errors", nullptr, crcErrorsOf(*snapshot.master)) : QString());
-    m_line.show(m_link, tr("link: %1").arg(tr("training bus")));
+    m_line.show(m_link, tr("link: %1").arg(gateway.isEmpty() ? tr("training bus") : gateway));
     m_line.fit();
 }
 

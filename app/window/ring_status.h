@@ -20,7 +20,8 @@ public:
     explicit RingStatus(StatusLine &line);
     ~RingStatus();
 
-    void show(const RingSession &bus);
+    // `gateway`: as known to the user; empty: a training bus.
+    void show(const RingSession &bus, const QString &gateway);
     void clear(); // another ring is shown, or none
 
 private:

@@ -5,15 +5,23 @@
 #include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
+#include "app/window/ring_links.h"
 #include "app/window/window_actions.h"
 #include "encoder/device_number.h"
+#include "encoder/refusal_text.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/gateway/gateway_panel.h"
+#include "widgets/gateway/registers_page.h"
 #include "widgets/help/help_topic.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/master/ring_comparison.h"
 #include "widgets/master/ring_plan_fields.h"
 #include "widgets/project/device_names.h"
+#include "widgets/project/project_document.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/training/training_panel.h"
 
@@ -24,6 +32,25 @@
 
 namespace codewheel {
 
+namespace {
+
+QStackedWidget *eitherOf(QWidget *one, QWidget *other, QWidget *parent)
+{
+    auto *stack = new QStackedWidget(parent);
+    stack->addWidget(one);
+    stack->addWidget(other);
+    return stack;
+}
+
+QWidget *noTraining(QWidget *parent)
+{
+    return new EmptyState(Icon::training, RingViews::tr("This ring is real"),
+                          RingViews::tr("Shafts can be turned and faults caused on a training bus only."),
+                          parent);
+}
+
+} // namespace
+
 RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent)
     : BusViews(parent)
     , m_ring(ring)
@@ -31,8 +58,15 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_actions(parts.actions.ofKind<RingActions>())
     , m_status(parts.status)
     , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
-    , m_master(own(new MasterPanel(*ring.bus(), &parts.pages)))
-    , m_training(own(new TrainingPanel(ring.controls(), ring.id(), &parts.pages)))
+    , m_master(new MasterPanel(*ring.bus(), &parts.pages))
+    , m_gateway(new GatewayPanel(*ring.bus(), &parts.pages))
+    , m_masterOrGateway(own(eitherOf(m_master, m_gateway, &parts.pages)))
+    , m_training(new TrainingPanel(ring.controls(), ring.id(), &parts.pages))
+    , m_trainingOrNone(own(eitherOf(m_training, noTraining(&parts.pages), &parts.pages)))
+    , m_connect(own(new ConnectPage(&parts.pages)))
+    , m_registers(own(new RegistersPage(&parts.pages)))
+    , m_links(
+          new RingLinks({ring, *m_connection, parts.settings, parts.leaving, *m_connect, *m_registers}, this))
     , m_comparison(own(new RingComparison(ring.project(), *ring.bus(), &parts.pages)))
     , m_leds(own(new LedRow(*ring.bus(), &parts.device)))
     , m_planFields(own(new RingPlanFields(ring.project(), ring.id())))
@@ -42,9 +76,21 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     parts.pages.addWidget(m_comparison);
     setHelpTopic(*m_comparison, "project.md#comparing");
     parts.device.addRow(m_leds);
+    m_connect->setObjectName(QStringLiteral("ringConnection"));
+    m_registers->setObjectName(QStringLiteral("ringRegisters"));
+    parts.pages.addWidget(m_connect);
+    parts.pages.addWidget(m_registers);
+    setHelpTopic(*m_connect, "gateway.md#connecting");
+    setHelpTopic(*m_registers, "gateway.md#registers");
+    setHelpTopic(*m_gateway, "gateway.md#the-panel");
+    connect(m_gateway, &GatewayPanel::connectionWanted, this, &RingViews::showConnection);
+    connect(m_gateway, &GatewayPanel::registersWanted, this, [this] { showPage(m_registers); });
+    connect(&ring, &RingAtWork::linkChanged, this, &RingViews::showLink);
+    connect(&ring.project(), &ProjectDocument::changed, this, &RingViews::showState);
     connect(m_connection, &RingConnection::told, this, &RingViews::told);
     connect(m_connection, &RingConnection::ringChanged, this, &RingViews::devicesChanged);
     connect(m_connection, &RingConnection::changed, this, &RingViews::showState);
+    connect(m_connection, &RingConnection::refused, this, &RingViews::showRefused);
     connect(m_master, &MasterPanel::startRequested, m_ring.bus(), [this] { m_ring.bus()->setRunning(true); });
     connect(m_master, &MasterPanel::stopRequested, m_ring.bus(), [this] {
         m_parts.leaving.ask(Leaving::Why::stop, {m_ring.bus()}, [this] { m_ring.bus()->setRunning(false); });
@@ -56,6 +102,8 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
+    onAction(m_actions.connection, [this] { showConnection(); });
+    onAction(m_actions.registers, [this] { showPage(m_registers); });
     onAction(m_actions.connectBus, [this] { connectBus(); });
     onAction(m_actions.disconnectBus, [this] { m_connection->disconnectRing(); });
     onAction(m_actions.readIn, [this] { m_connection->readIn(); });
@@ -64,12 +112,45 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
         if (const auto segment = chosenSegment())
             m_master->toggleSegment(*segment);
     });
+    showLink();
+    showState();
+}
+
+void RingViews::showPage(QWidget *page)
+{
+    m_links->showRegisters();
+    m_parts.pages.setCurrentWidget(page);
+    page->setFocus();
+}
+
+void RingViews::showConnection()
+{
+    m_links->listPorts();
+    showPage(m_connect);
+}
+
+// Where it was asked for.
+void RingViews::showRefused(const Refusal &why)
+{
+    if (m_connect->isVisible())
+        m_connect->setProblem(refusalText(why));
+    else
+        m_parts.notice.showMessage(Role::fault, refusalText(why));
+}
+
+void RingViews::showLink()
+{
+    const auto &gateway = m_ring.gateway();
+    m_masterOrGateway->setCurrentIndex(gateway ? 1 : 0);
+    m_trainingOrNone->setCurrentIndex(gateway ? 1 : 0);
+    if (gateway)
+        m_gateway->setGateway(gatewayText(*gateway));
     showState();
 }
 
 std::vector<std::pair<const Panel *, QWidget *>> RingViews::pages() const
 {
-    return {{&panel::training, m_training}, {&masterPanel, m_master}};
+    return {{&panel::training, m_trainingOrNone}, {&masterPanel, m_masterOrGateway}};
 }
 
 void RingViews::setChosen(std::optional<Place> place)
@@ -99,11 +180,16 @@ void RingViews::open()
 
 void RingViews::connectBus()
 {
-    m_connection->connectRing();
+    if (m_links->canConnect())
+        m_connection->connectRing();
+    else
+        showConnection();
 }
 
 void RingViews::showFrame()
 {
+    if (m_registers->isVisible())
+        m_links->showRegisters();
     m_training->refresh();
     showStatus();
 }
@@ -166,6 +252,8 @@ void RingViews::showState()
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
     m_actions.tellBus(called());
+    m_actions.connection->setEnabled(isMeant());
+    m_actions.showRegisters(isMeant() && (m_ring.gateway() || m_links->plansGateway()));
     m_actions.connectBus->setEnabled(isMeant() && isClosed);
     m_actions.disconnectBus->setEnabled(isMeant() && !isClosed);
     m_actions.readIn->setEnabled(isMeant() && hasMaster && !bus.isReadingIn());
@@ -179,7 +267,7 @@ void RingViews::showStatus()
     if (!isCurrent())
         return;
     if (m_ring.isOpen())
-        m_status.show(*m_ring.bus());
+        m_status.show(*m_ring.bus(), m_ring.gateway() ? gatewayText(*m_ring.gateway()) : QString());
     else
         m_status.clear();
 }

@@ -3,17 +3,22 @@
 
 #include "app/window/bus_views.h"
 #include "app/window/ring_status.h"
+#include "encoder/refusal.h"
 
 #include <array>
 
 namespace codewheel {
 
+class ConnectPage;
+class GatewayPanel;
 class LedRow;
 class MasterPanel;
 class RingActions;
 class RingAtWork;
 class RingComparison;
+class RegistersPage;
 class RingConnection;
+class RingLinks;
 class RingPlanFields;
 class TrainingPanel;
 
@@ -35,7 +40,7 @@ public:
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void connectBus() override;
-    void connectTraining() override { connectBus(); } // a ring is always a training ring
+    void connectTraining() override { connectBus(); } // offered only for one that is planned as such
     void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
@@ -47,6 +52,10 @@ private:
     std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
     void showStatus();
+    void showLink();
+    void showRefused(const Refusal &why);
+    void showPage(QWidget *page);
+    void showConnection();
 
     RingAtWork &m_ring;
     const WindowParts m_parts;
@@ -54,7 +63,13 @@ private:
     RingStatus m_status;
     RingConnection *m_connection;
     MasterPanel *m_master;
+    GatewayPanel *m_gateway;
+    QStackedWidget *m_masterOrGateway; // in one dock
     TrainingPanel *m_training;
+    QStackedWidget *m_trainingOrNone; // a ring behind a gateway cannot be simulated
+    ConnectPage *m_connect;
+    RegistersPage *m_registers;
+    RingLinks *m_links;
     RingComparison *m_comparison;
     LedRow *m_leds;
     RingPlanFields *m_planFields; // in the structure editor

@@ -60,6 +60,7 @@ const QString eepromKey = QStringLiteral("eeprom/questionFromPercent");
 const QString traceRowsKey = QStringLiteral("trace/mostRows");
 const QString trendMemoryKey = QStringLiteral("trend/memory");
 const QString trendKey = QStringLiteral("window/trend");
+const QString lastLinkKey = QStringLiteral("connect/last/");
 const QString recordingKey = QStringLiteral("window/recording");
 const QString keepingKey = QStringLiteral("recovery/seconds");
 
@@ -204,6 +205,23 @@ QJsonObject WindowSettings::recording() const
 void WindowSettings::setRecording(const QJsonObject &choices)
 {
     m_settings->setValue(recordingKey, QJsonDocument(choices).toJson(QJsonDocument::Compact));
+}
+
+std::map<QString, QString> WindowSettings::lastLink(const QString &kind) const
+{
+    const auto json = QJsonDocument::fromJson(m_settings->value(lastLinkKey + kind).toByteArray()).object();
+    std::map<QString, QString> settings;
+    for (auto it = json.begin(); it != json.end(); ++it)
+        settings[it.key()] = it.value().toString();
+    return settings;
+}
+
+void WindowSettings::setLastLink(const QString &kind, const std::map<QString, QString> &settings)
+{
+    QJsonObject json;
+    for (const auto &[name, text] : settings)
+        json.insert(name, text);
+    m_settings->setValue(lastLinkKey + kind, QJsonDocument(json).toJson(QJsonDocument::Compact));
 }
 
 std::optional<Place> WindowSettings::pinnedDial() const

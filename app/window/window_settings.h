@@ -51,6 +51,10 @@ public:
     QJsonObject recording() const; // what was chosen for the last one
     void setRecording(const QJsonObject &choices);
 
+    // The settings that a link of this kind was connected with last; empty: it never was.
+    std::map<QString, QString> lastLink(const QString &kind) const;
+    void setLastLink(const QString &kind, const std::map<QString, QString> &settings);
+
     std::optional<Place> pinnedDial() const; // by the user
     void setPinnedDial(std::optional<Place> place);
 

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ring behind a gateway in the window: its connection, its registers, and what keeps it safe.
+#include "app/window/plant.h"
+#include "app/window/ring_at_work.h"
+#include "project/gateway_plan.h"
+#include "project/ring_plan.h"
+#include "tests/app/window_test.h"
+#include "tests/support/register_bank.h"
+#include "widgets/connect/check_list.h"
+#include "widgets/connect/connect_page.h"
+#include "widgets/gateway/registers_page.h"
+#include "widgets/look/inline_message.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+using test::RegisterBank;
+using test::RegisterBankPort;
+
+class GatewayInWindowTest : public test::WindowTest
+{
+protected:
+    GatewayInWindowTest()
+    {
+        ring().setPorts([this](const GatewaySettings &settings) {
+            asked = settings;
+            return std::make_unique<RegisterBankPort>(bank);
+        });
+        ringActions().disconnectBus->trigger();
+        setIn(0, 1'234);
+    }
+
+    RingAtWork &ring() { return *shown->plant().first<RingAtWork>(); }
+    ConnectPage &connection() { return *window().findChild<ConnectPage *>(); }
+    RegistersPage &registers() { return *window().findChild<RegistersPage *>(); }
+    static QPushButton &button(const QWidget &page, const QString &text)
+    {
+        for (auto *button : page.findChildren<QPushButton *>())
+            if (button->text().remove(u'&') == text)
+                return *button;
+        ADD_FAILURE() << "no button " << text.toStdString();
+        return *page.findChild<QPushButton *>();
+    }
+    static void click(QPushButton &button)
+    {
+        ASSERT_TRUE(button.isVisible() && button.isEnabled()) << button.text().toStdString();
+        QTest::mouseClick(&button, Qt::LeftButton);
+    }
+    QString told(const QWidget &page)
+    {
+        for (const auto *message : page.findChildren<InlineMessage *>())
+            if (message->isVisible())
+                return message->sentence();
+        return {};
+    }
+    void choose(const QString &host)
+    {
+        ringActions().connection->trigger();
+        auto *link = connection().findChild<QComboBox *>(QStringLiteral("link"));
+        link->setCurrentText(QStringLiteral("Modbus/TCP gateway"));
+        auto *field = connection().findChild<QLineEdit *>(QStringLiteral("host"));
+        field->setFocus();
+        QTest::keyClicks(field, host);
+    }
+    void connectGateway()
+    {
+        choose(QStringLiteral("gateway.hall"));
+        click(button(connection(), QStringLiteral("Connect")));
+        advance(20);
+    }
+    void setIn(int device, Word word) // of the first two, which have two registers each
+    {
+        bank->input[2 * device] = static_cast<Register>(word >> 16);
+        bank->input[2 * device + 1] = static_cast<Register>(word);
+    }
+    Word outThere(int device)
+    {
+        return Word{bank->holding[2 * device]} << 16 | bank->holding[2 * device + 1];
+    }
+
+    std::shared_ptr<RegisterBank> bank = std::make_shared<RegisterBank>();
+    std::optional<GatewaySettings> asked;
+};
+
+TEST_F(GatewayInWindowTest, ConnectsInWatchAndWritesNothing)
+{
+    connectGateway();
+    ASSERT_TRUE(bus().isOpen());
+    EXPECT_FALSE(bus().isOperating());
+    EXPECT_FALSE(bus().isSimulated());
+    EXPECT_EQ(in(fraba), 1'234u);
+    EXPECT_EQ(bank->writes, 0);
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked->host, QStringLiteral("gateway.hall"));
+    EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("modbus-tcp"));
+}
+
+TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)
+{
+    connectGateway();
+    bus().channel(fraba)->stage(0x0200'00FF);
+    EXPECT_FALSE(bus().channel(fraba)->write());
+    advance(20);
+    EXPECT_EQ(bank->writes, 0);
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    EXPECT_EQ(outThere(0), 0x0200'00FFu);
+}
+
+TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    actions().alarmStop->trigger();
+    advance(20);
+    EXPECT_EQ(outThere(0), 0u);
+    shown->messages().catchUp();
+    bool isSaid = false;
+    for (int i = 0; i < shown->messages().rowCount(); ++i)
+        for (int column = 0; column < shown->messages().columnCount(); ++column)
+            isSaid |= shown->messages().index(i, column).data().toString().contains(
+                QStringLiteral("zeros of the ALARM STOP have arrived"));
+    EXPECT_TRUE(isSaid);
+}
+
+TEST_F(GatewayInWindowTest, WhatWasEnteredForTheTrainingRingIsNotSaidOfARealOne)
+{
+    ASSERT_FALSE(bus().isOpen());
+    ringActions().connectBus->trigger(); // the training ring again
+    advance(20);
+    ASSERT_TRUE(bus().encoder(fraba)->known(Parameter::steps));
+    ringActions().disconnectBus->trigger();
+    connectGateway();
+    ASSERT_TRUE(bus().isOpen());
+    EXPECT_FALSE(bus().encoder(fraba)->known(Parameter::steps));
+}
+
+TEST_F(GatewayInWindowTest, ARefusalIsShownWhereItWasAskedFor)
+{
+    struct Silent final : RegisterBankPort
+    {
+        using RegisterBankPort::RegisterBankPort;
+        Result<void> open() override
+        {
+            return refuse(RefusalKind::link, RefusalId::hostNotFound, {QStringLiteral("gateway.hall")});
+        }
+    };
+    ring().setPorts([this](const GatewaySettings &) { return std::make_unique<Silent>(bank); });
+    connectGateway();
+    EXPECT_FALSE(bus().isOpen());
+    EXPECT_TRUE(told(connection()).contains(QStringLiteral("no host \"gateway.hall\"")))
+        << told(connection()).toStdString();
+}
+
+TEST_F(GatewayInWindowTest, WithoutAHostNothingIsConnectedOrTested)
+{
+    choose({});
+    click(button(connection(), QStringLiteral("Connect")));
+    EXPECT_EQ(told(connection()), QStringLiteral("Enter the name or address of the gateway."));
+    click(button(connection(), QStringLiteral("Test")));
+    EXPECT_FALSE(asked);
+}
+
+TEST_F(GatewayInWindowTest, KeepingOpensNothingAndCanBeUndone)
+{
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Keep in project")));
+    EXPECT_FALSE(asked);
+    ASSERT_TRUE(plannedGateway(shown->project().project(), firstRing));
+    shown->project().undoStack().undo();
+    EXPECT_FALSE(plannedGateway(shown->project().project(), firstRing));
+}
+
+TEST_F(GatewayInWindowTest, TheTestSaysStepByStepWhatAnswers)
+{
+    bank->holdingEnd = 0; // OUT cannot be read back
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Test")));
+    const auto &test = button(connection(), QStringLiteral("Cancel test"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return test.text().remove(u'&') == QStringLiteral("Test"); }));
+    const QString steps = connection().steps().text();
+    EXPECT_TRUE(steps.contains(QStringLiteral("Unit 1 answers"))) << steps.toStdString();
+    EXPECT_TRUE(steps.contains(QStringLiteral("position 1234"))) << steps.toStdString();
+    EXPECT_TRUE(steps.contains(QStringLiteral("exception 2"))) << steps.toStdString();
+    EXPECT_FALSE(bus().isOpen());
+    EXPECT_EQ(bank->writes, 0);
+}
+
+TEST_F(GatewayInWindowTest, TheWordOrderIsSetOnceAndHoldsBothWays)
+{
+    setIn(0, 0x04D2'0000); // 1234 with its low word first
+    connectGateway();
+    EXPECT_EQ(in(fraba), 0x04D2'0000u);
+    ringActions().registers->trigger();
+    advance(20);
+    click(button(registers(), QStringLiteral("Set low word first")));
+    advance(20);
+    ASSERT_TRUE(bus().isOpen());
+    EXPECT_FALSE(bus().isOperating());
+    EXPECT_EQ(in(fraba), 1'234u);
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    EXPECT_EQ(outThere(0), 0x00FF'0200u);
+}
+
+TEST_F(GatewayInWindowTest, EachDeviceShowsItsRegistersAndReadings)
+{
+    connectGateway();
+    ringActions().registers->trigger();
+    advance(20);
+    const auto &rows = *registers().findChild<QTableView *>(QStringLiteral("registers"))->model();
+    EXPECT_EQ(rows.rowCount(), static_cast<int>(bus().structure().size()));
+    EXPECT_EQ(rows.index(1, 1).data().toString(), QStringLiteral("2\u20133"));
+    EXPECT_EQ(rows.index(0, 3).data().toString(), QStringLiteral("000004D2"));
+    EXPECT_EQ(rows.index(0, 4).data().toString(), QStringLiteral("04D20000"));
+}
+
+TEST_F(GatewayInWindowTest, ADeviceCanBeReadWithoutConnecting)
+{
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Keep in project")));
+    ringActions().registers->trigger();
+    const auto &rows = *registers().findChild<QTableView *>(QStringLiteral("registers"))->model();
+    EXPECT_EQ(rows.index(0, 3).data().toString(), QStringLiteral("\u2013"));
+    click(button(registers(), QStringLiteral("Read now")));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return rows.index(0, 3).data().toString() == QStringLiteral("000004D2"); }));
+    EXPECT_FALSE(bus().isOpen());
+}
+
+TEST_F(GatewayInWindowTest, SomebodyElsesWordIsSaidAndEndsOperate)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    bank->holding[2] = 0x8000;
+    advance(20);
+    EXPECT_FALSE(bus().isOperating());
+    EXPECT_EQ(out(test::baumer), 0x8000'0000u);
+    EXPECT_EQ(outThere(1), 0x8000'0000u);
+}
+
+TEST_F(GatewayInWindowTest, ARealRingHasNoTrainingPanel)
+{
+    connectGateway();
+    bool isSaid = false;
+    for (const auto *label : window().findChildren<QLabel *>())
+        isSaid |= label->text() == QStringLiteral("This ring is real");
+    EXPECT_TRUE(isSaid);
+    EXPECT_FALSE(ring().turning());
+}
+
+} // namespace
+} // namespace codewheel
