@@ -202,7 +202,7 @@ Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QS
     const std::vector<Setting> all = makeSettings();
     GatewaySettings wanted = settings;
     for (const auto &[name, text] : texts) {
-        const auto setting = std::ranges::find_if(all, [&](const Setting &its) {
+        const auto setting = std::ranges::find_if(all, [&, &name = name](const Setting &its) {
             return isOf(its, settings.transport) && name == QLatin1String(its.name);
         });
         if (setting == all.end())
