@@ -44,6 +44,12 @@ char parityLetter(SerialSettings::Parity parity)
     return std::array{'N', 'E', 'O'}.at(static_cast<std::size_t>(parity));
 }
 
+// A unit that always answers twice is one to live with.
+bool isSame(const Message &answer, const tl::expected<Message, RegisterError> &second)
+{
+    return second && *second == answer;
+}
+
 } // namespace
 
 ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings, WakeFlag &wake)
@@ -137,10 +143,14 @@ tl::expected<Message, RegisterError> ModbusRtuWire::exchange(const Message &requ
         return failed(answer.error());
     m_doubt = Doubt::none;
     m_lastByte = steady_clock::now();
-    if (auto gap = mayOldOneCome ? waitForGap() : RegisterPort::Done(); !gap)
+    if (auto gap = mayOldOneCome ? waitForGap() : RegisterPort::Done(); !gap) {
+        m_doubt = Doubt::unanswered;
         return failed(gap.error());
-    if (m_doubt != Doubt::none) // whichever of the two is the right one
+    }
+    if (m_doubt == Doubt::noise && !isSame(*answer, receive(m_settings.timeOut))) {
+        m_doubt = Doubt::unanswered; // whichever of the two is the right one
         return modbus_message::wrongAnswer(GatewayTexts::tr("another one follows it"));
+    }
     return answer;
 }
 
