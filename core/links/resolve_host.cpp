@@ -5,58 +5,62 @@
 
 #include <cerrno>
 #include <cstring>
+#include <future>
 #include <memory>
 #include <netdb.h>
 #include <poll.h>
+#include <string>
 #include <system_error>
 #include <thread>
 
 namespace codewheel {
 namespace {
 
-struct Lookup
+struct Found
 {
-    Lookup(const QString &name, int number)
-        : host(name.toStdString())
-        , port(std::to_string(number))
-    {}
-
-    const std::string host;
-    const std::string port;
     std::vector<SocketAddress> addresses{};
     int error = 0; // of getaddrinfo
     int systemError = 0;
-    WakeFlag done{};
 };
 
-void lookUp(Lookup &lookup, int flags)
+Found lookUp(const std::string &host, int port, int flags)
 {
     addrinfo hints = {};
     hints.ai_flags = AI_NUMERICSERV | flags;
     hints.ai_socktype = SOCK_STREAM;
-    addrinfo *found = nullptr;
-    lookup.error = ::getaddrinfo(lookup.host.c_str(), lookup.port.c_str(), &hints, &found);
-    lookup.systemError = errno;
-    if (lookup.error != 0)
-        return;
-    for (const addrinfo *one = found; one; one = one->ai_next) {
+    addrinfo *list = nullptr;
+    Found found;
+    found.error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
+    found.systemError = errno;
+    if (found.error != 0)
+        return found;
+    for (const addrinfo *one = list; one; one = one->ai_next) {
         SocketAddress address{.length = one->ai_addrlen};
         std::memcpy(&address.bytes, one->ai_addr, one->ai_addrlen);
-        lookup.addresses.push_back(address);
+        found.addresses.push_back(address);
     }
-    ::freeaddrinfo(found);
+    ::freeaddrinfo(list);
+    return found;
 }
 
-Refusal lookupRefusal(const QString &host, const Lookup &lookup)
+Result<std::vector<SocketAddress>> addressesOf(const QString &host, Found found)
 {
-    if (lookup.error != EAI_SYSTEM && lookup.error != EAI_MEMORY)
-        return {RefusalKind::link, RefusalId::hostNotFound, {host}};
+    if (found.error == 0)
+        return std::move(found.addresses);
+    if (found.error != EAI_SYSTEM && found.error != EAI_MEMORY)
+        return refuse(RefusalKind::link, RefusalId::hostNotFound, {host});
     const char *text =
-        lookup.error == EAI_SYSTEM ? std::strerror(lookup.systemError) : ::gai_strerror(lookup.error);
-    return {RefusalKind::link,
-            RefusalId::linkFailed,
-            {QStringLiteral("%1: %2").arg(host, QString::fromLocal8Bit(text))}};
+        found.error == EAI_SYSTEM ? std::strerror(found.systemError) : ::gai_strerror(found.error);
+    return refuse(RefusalKind::link, RefusalId::linkFailed,
+                  {QStringLiteral("%1: %2").arg(host, QString::fromLocal8Bit(text))});
 }
+
+// What the thread leaves behind, whether anybody still waits for it or not.
+struct Lookup
+{
+    std::promise<Found> found{};
+    WakeFlag done{};
+};
 
 } // namespace
 
@@ -64,13 +68,13 @@ Refusal lookupRefusal(const QString &host, const Lookup &lookup)
 // for, and that owns what it writes to.
 Result<std::vector<SocketAddress>> resolveHost(const QString &host, int port, WakeFlag &wake)
 {
-    const auto lookup = std::make_shared<Lookup>(host, port);
-    lookUp(*lookup, AI_NUMERICHOST);
-    if (lookup->error == 0)
-        return lookup->addresses;
+    const std::string name = host.toStdString();
+    if (auto found = lookUp(name, port, AI_NUMERICHOST); found.error == 0)
+        return addressesOf(host, std::move(found));
+    const auto lookup = std::make_shared<Lookup>();
     try {
-        std::thread([lookup] {
-            lookUp(*lookup, 0);
+        std::thread([lookup, name, port] {
+            lookup->found.set_value(lookUp(name, port, 0));
             lookup->done.raise();
         }).detach();
     } catch (const std::system_error &error) {
@@ -79,9 +83,7 @@ Result<std::vector<SocketAddress>> resolveHost(const QString &host, int port, Wa
     if (waitFor(lookup->done.descriptor(), POLLIN, wake, std::chrono::steady_clock::time_point::max()) ==
         Waited::woken)
         return refuse(RefusalKind::stopped, RefusalId::cancelled);
-    if (lookup->error != 0)
-        return tl::unexpected(lookupRefusal(host, *lookup));
-    return lookup->addresses;
+    return addressesOf(host, lookup->found.get_future().get());
 }
 
 } // namespace codewheel
