@@ -38,6 +38,15 @@ constexpr std::array common{
     Option{"--version", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the version and stop")},
 };
 
+// Several may have the same.
+void addMissing(std::vector<Option> &options, std::span<const Option> more)
+{
+    for (const Option &option : more)
+        if (std::ranges::find(options, QLatin1String(option.name),
+                              [](const Option &has) { return QLatin1String(has.name); }) == options.end())
+            options.push_back(option);
+}
+
 } // namespace
 
 std::vector<const Subcommand *> allCommands()
@@ -68,6 +77,9 @@ std::vector<Option> ownOptionsOf(const Subcommand &command)
     if (&command == &scanCommand)
         for (const LinkKind *kind : linkKinds())
             options.insert(options.end(), kind->scanOptions().begin(), kind->scanOptions().end());
+    if (&command == &serveCommand)
+        for (const Service &service : allServices())
+            addMissing(options, service.options);
     return options;
 }
 

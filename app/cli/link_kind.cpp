@@ -157,6 +157,14 @@ std::vector<const LinkKind *> linkKinds()
     return all;
 }
 
+std::vector<Service> allServices()
+{
+    std::vector<Service> services;
+    for (const LinkKind *kind : linkKinds())
+        services.insert(services.end(), kind->services().begin(), kind->services().end());
+    return services;
+}
+
 std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind)
 {
     const LinkKind *added = kind.get();

@@ -25,6 +25,14 @@ struct LinkText
 // Makes a bus of the call; the catalog must outlive it.
 using MakeLink = std::function<Checked<std::unique_ptr<BusAccess>>(const Catalog &)>;
 
+// What of a simulated bus can be offered to other programs, as "serve esc".
+struct Service
+{
+    const char *name;
+    std::span<const Option> options;
+    Checked<Answer> (*serve)(const Call &call); // until it is told to end
+};
+
 // A kind of bus at the command line: the links that reach it, and what it adds.
 class LinkKind
 {
@@ -45,6 +53,7 @@ public:
     virtual MakeLink training(const Project *project) const = 0;
     virtual std::span<const Subcommand *const> commands() const { return {}; }
     virtual std::span<const Option> scanOptions() const { return {}; } // of the search for encoders
+    virtual std::span<const Service> services() const { return {}; }
     // For a device on this kind of bus that has no words; empty: it is explained like all others.
     virtual std::optional<Checked<Answer>> explain(const Call &, const DeviceDescription &) const
     {
@@ -56,6 +65,8 @@ public:
 
 // The built-in ones, and any that were added.
 std::vector<const LinkKind *> linkKinds();
+// Of all kinds.
+std::vector<Service> allServices();
 // Until the returned pointer is released.
 std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind);
 

@@ -6,6 +6,7 @@
 #include "cli/line/explain_line.h"
 #include "cli/line/line_access.h"
 #include "cli/line/scan_line.h"
+#include "cli/line/serve_line.h"
 #include "cli/places.h"
 #include "cli/texts.h"
 #include "links/port_access.h"
@@ -69,6 +70,7 @@ public:
     MakeLink training(const Project *project) const override { return lineTo({}, numberOf(*this, project)); }
     std::span<const Subcommand *const> commands() const override { return lineCommands; }
     std::span<const Option> scanOptions() const override { return scanLineOptions; }
+    std::span<const Service> services() const override { return {&lineService, 1}; }
     std::optional<Checked<Answer>> explain(const Call &call, const DeviceDescription &device) const override
     {
         return device.profile == Profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;

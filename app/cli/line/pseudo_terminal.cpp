@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line/pseudo_terminal.h"
 
+#include "cli/texts.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -132,6 +134,14 @@ void PseudoTerminal::write(const QByteArray &bytes)
 {
     [[maybe_unused]] const auto count =
         ::write(m_ours, bytes.constData(), static_cast<std::size_t>(bytes.size()));
+}
+
+Complaint noPseudoTerminal()
+{
+    return complaintAbout(
+        {RefusalKind::link,
+         RefusalId::linkFailed,
+         {CommandLine::tr("This computer gives no pseudo terminal. Close programs that use some.")}});
 }
 
 } // namespace codewheel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/complaint.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -42,5 +44,8 @@ private:
     int m_clients = 0;
     QString m_path;
 };
+
+// The system has none left.
+Complaint noPseudoTerminal();
 
 } // namespace codewheel

@@ -18,6 +18,26 @@ constexpr int ofThousand = 1'000;
 constexpr int longestDelay = 10'000; // ms
 constexpr Instant longestWait{500'000};
 
+constexpr std::array serveLineOptions{
+    Option{"--lost", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are lost")},
+    Option{"--corrupted", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are wrong in one bit")},
+    Option{"--doubled", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many come twice")},
+    Option{"--delayed", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "of 1000 bytes, so many come later, with all that follow them")},
+    Option{"--delay", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how much later (20)")},
+    Option{"--answer-delay", "MS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "from a request to its answer (0)")},
+    Option{"--echo", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "send back what comes in, as a half-duplex adapter")},
+    Option{"--silent", "ADDRESS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "an encoder that does not answer; several as 03,12; all for all of them")},
+    Option{"--seed", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "another run of the same faults (1)")},
+};
+
 struct ServePlan
 {
     LineFaults faults;
@@ -113,8 +133,6 @@ void serve(ServedLine &line, const PseudoTerminal &port, StopSignals &stop)
     }
 }
 
-} // namespace
-
 Checked<Answer> serveLine(const Call &call)
 {
     const auto plan = planOf(call.arguments);
@@ -133,12 +151,8 @@ Checked<Answer> serveLine(const Call &call)
     return Answer{{}, {{QStringLiteral("port"), port->path()}}};
 }
 
-Complaint noPseudoTerminal()
-{
-    return complaintAbout(
-        {RefusalKind::link,
-         RefusalId::linkFailed,
-         {CommandLine::tr("This computer gives no pseudo terminal. Close programs that use some.")}});
-}
+} // namespace
+
+const Service lineService{"esc", serveLineOptions, serveLine};
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #include "cli/ring/ring_link_kind.h"
 
 #include "cli/ring/ring_access.h"
+#include "cli/ring/serve_modbus.h"
 #include "cli/texts.h"
 #include "encoder/device_number.h"
 #include "project/ring_plan.h"
@@ -44,6 +45,7 @@ public:
         return trainingRing(numberOf(*this, project));
     }
     std::span<const Subcommand *const> commands() const override { return ringCommands; }
+    std::span<const Service> services() const override { return modbusServices(); }
 };
 
 Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *project) const

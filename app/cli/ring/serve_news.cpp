@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/serve/serve_news.h"
+#include "cli/ring/serve_news.h"
 
 #include "cli/texts.h"
 #include "encoder/sentence.h"

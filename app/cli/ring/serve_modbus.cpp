@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/serve/serve_modbus.h"
+#include "cli/ring/serve_modbus.h"
 
 #include "cli/json.h"
 #include "cli/line/pseudo_terminal_link.h"
-#include "cli/line/serve_line.h"
-#include "cli/serve/offered_rings.h"
-#include "cli/serve/register_table.h"
-#include "cli/serve/serve_news.h"
+#include "cli/ring/offered_rings.h"
+#include "cli/ring/register_table.h"
+#include "cli/ring/serve_news.h"
 #include "cli/stop_signals.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -14,6 +13,7 @@
 #include "links/modbus_tcp_server.h"
 #include "links/serial_port_link.h"
 
+#include <array>
 #include <functional>
 #include <poll.h>
 
@@ -23,6 +23,28 @@ namespace {
 constexpr int usualPort = 1'502; // the standard's 502 is for administrators
 constexpr int lastPort = 65'535;
 constexpr int betweenLooks = 20; // ms
+
+constexpr Option portOption{
+    "--port", "PORT",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "modbus-tcp: its number, 0 for a free one (1502); modbus-rtu: a serial port, with "
+                      "settings behind it, as ttyUSB0,baud=9600,unit=5 (a pseudo terminal)")};
+constexpr Option seatsOption{
+    "--seats", "N",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "a ring of its own for each seat: unit 1 to N (one ring for all units)")};
+constexpr Option readOnlyOption{"--read-only", nullptr,
+                                QT_TRANSLATE_NOOP("codewheel::CommandLine", "clients may write nothing")};
+constexpr std::array tcpOptions{
+    Option{"--address", "ADDRESS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "of this computer, where others reach it; 0.0.0.0: all it has (127.0.0.1, for "
+                             "programs on this computer only)")},
+    portOption,
+    seatsOption,
+    readOnlyOption,
+};
+constexpr std::array rtuOptions{portOption, seatsOption, readOnlyOption};
 
 ServedUnits::Writing writingOf(const Call &call)
 {
@@ -119,8 +141,6 @@ Checked<LineOffer> lineOffer(const Arguments &arguments)
     return offer;
 }
 
-} // namespace
-
 Checked<Answer> serveModbusTcp(const Call &call)
 {
     const auto port = call.arguments.number("--port", usualPort, 0, lastPort);
@@ -169,6 +189,15 @@ Checked<Answer> serveModbusRtu(const Call &call)
     if (const auto why = (*server)->whyEnded())
         answer.complaint = complaintAbout(*why);
     return answer;
+}
+
+} // namespace
+
+std::span<const Service> modbusServices()
+{
+    static constexpr std::array services{Service{modbusTcpLink, tcpOptions, serveModbusTcp},
+                                         Service{modbusRtuLink, rtuOptions, serveModbusRtu}};
+    return services;
 }
 
 } // namespace codewheel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/serve/register_table.h"
+#include "cli/ring/register_table.h"
 
 #include "catalog/catalog.h"
 #include "cli/json.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/serve/offered_rings.h"
+#include "cli/ring/offered_rings.h"
 
 #include "cli/texts.h"
 #include "encoder/bus_names.h"
