@@ -205,6 +205,38 @@ TEST_F(ServeModbus, TheFaultsOfAPlanHappen)
     EXPECT_THAT(refused, HasSubstr("Slave device or server failure"));
 }
 
+TEST_F(ServeModbus, SeveralRingsOfAProjectAreUnits)
+{
+    const QTemporaryDir folder;
+    Project project;
+    for (const int ring : {1, 7}) {
+        ProjectDevice device;
+        device.bus = {ring};
+        device.participant = {.number = NodeId("1.0"),
+                              .idCode = 0x03,
+                              .deviceCode = 0x0203,
+                              .inWords = 2,
+                              .outWords = 2,
+                              .deviceKey = {}};
+        project.devices.push_back(device);
+    }
+    setRingPlan(project, {7}, {});
+    findBus(project, {7})->name = QStringLiteral("Gate");
+    const QString file = folder.filePath(QStringLiteral("two.codewheel"));
+    ASSERT_TRUE(saveProject(project, file));
+    const QString serve = QStringLiteral("modbus-tcp --port 0 --project ") + file;
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("serve --json --seats 2 ") + serve)), "seatsOfSeveralRings");
+    const CliRun unclear =
+        runLine(QStringLiteral("serve --json --fault-plan resources/examples/faults.json ") + serve);
+    EXPECT_EQ(errorKey(unclear), "faultPlanOfSeveralRings");
+    EXPECT_THAT(unclear.err, HasSubstr("Gate"));
+    start(serve);
+    EXPECT_THAT(lineWith(QStringLiteral("Unit 2")), HasSubstr("Gate"));
+    EXPECT_EQ(poll(QStringLiteral("-a 2 -r 0 -t 4 -- 22 0")).exit, 0);
+    EXPECT_THAT(poll(QStringLiteral("-a 1 -r 0 -c 1 -t 4")).out, HasSubstr("\t0"));
+    EXPECT_THAT(poll(QStringLiteral("-a 2 -r 0 -c 1 -t 4")).out, HasSubstr("\t22"));
+}
+
 TEST_F(ServeModbus, APortThatIsTakenIsSaid)
 {
     start(QStringLiteral("modbus-tcp --port 0"));

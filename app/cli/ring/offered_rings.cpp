@@ -41,27 +41,38 @@ Checked<void> checkSeats(int seats, std::size_t rings)
                     {static_cast<std::int64_t>(rings)});
 }
 
-Checked<void> startFaults(const Call &call, TrainingControls &controls)
+Checked<void> startFaults(const QString &file, TrainingControls &controls)
 {
-    const auto file = call.arguments.value("--fault-plan");
-    if (!file)
-        return {};
-    auto plan = loadFaultPlan(*file, controls.places());
+    auto plan = loadFaultPlan(file, controls.places());
     if (!plan)
         return tl::unexpected(complaintAbout(plan.error()));
     controls.startFaultPlan(*std::move(plan));
     return {};
 }
 
-// With several rings the plan would have to say whose places it means.
-Checked<void> checkFaults(const Call &call, int seats, std::size_t rings)
+// Whether the fault plan is for this ring: for that of each seat; of several of a project for the one that
+// --fault-bus names.
+bool isRingOfFaults(const Call &call, const OfferedRings::Ring &ring, bool isOneOfSeveral)
 {
-    if (!call.arguments.has("--fault-plan") || seats > 0 || rings == 1)
+    return !isOneOfSeveral || call.arguments.value("--fault-bus") == ring.name;
+}
+
+Checked<void> startFaults(const Call &call, const std::vector<OfferedRings::Ring> &rings, bool areDifferent)
+{
+    const auto file = call.arguments.value("--fault-plan");
+    bool isStarted = !file;
+    for (const OfferedRings::Ring &ring : rings) {
+        if (!file || !isRingOfFaults(call, ring, areDifferent))
+            continue;
+        if (auto started = startFaults(*file, *ring.training.controls); !started)
+            return started;
+        isStarted = true;
+    }
+    if (isStarted)
         return {};
     return badInput(QStringLiteral("faultPlanOfSeveralRings"),
-                    CommandLine::tr("A fault plan is for one ring, and the project has %1. Leave "
-                                    "--fault-plan out."),
-                    {static_cast<std::int64_t>(rings)});
+                    CommandLine::tr("A fault plan is for one ring. Name it with --fault-bus: %1."),
+                    {listed(rings, &OfferedRings::Ring::name)});
 }
 
 } // namespace
@@ -76,10 +87,7 @@ Checked<OfferedRings> OfferedRings::of(const Call &call)
         const auto rings = simulatedRings(*call.project);
         if (!rings)
             return tl::unexpected(rings.error());
-        if (auto checked = checkSeats(*seats, rings->size()).and_then([&] {
-                return checkFaults(call, *seats, rings->size());
-            });
-            !checked)
+        if (auto checked = checkSeats(*seats, rings->size()); !checked)
             return tl::unexpected(checked.error());
         planned = *rings;
     }
@@ -90,9 +98,9 @@ Checked<OfferedRings> OfferedRings::of(const Call &call)
         all.m_rings.push_back(offered(call, bus != nullptr ? bus->name : CommandLine::tr("Ring"),
                                       bus != nullptr ? makePlannedRing(*call.project, bus->id, call.catalog)
                                                      : makeTrainingBus(call.catalog)));
-        if (auto started = startFaults(call, *all.m_rings.back().training.controls); !started)
-            return tl::unexpected(started.error());
     }
+    if (auto started = startFaults(call, all.m_rings, planned.size() > 1); !started)
+        return tl::unexpected(started.error());
     return all;
 }
 
