@@ -373,7 +373,7 @@ TEST_F(ModbusTcpServerTest, TellsWhoIsConnected)
     EXPECT_EQ(told.writes, 1U);
     EXPECT_EQ(told.refused, 1U);
     ASSERT_TRUE(told.written);
-    EXPECT_EQ(told.written->word.place, DeviceNumber{2, 0}.node());
+    EXPECT_EQ(told.written->word.place, NodeId("2.0"));
     EXPECT_EQ(told.written->word.word, 0x00AA00BBU);
 }
 

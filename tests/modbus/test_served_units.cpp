@@ -197,7 +197,7 @@ TEST_F(ServedUnitsTest, WhatWasWrittenIsTold)
 {
     const auto answer = ask(pdu({6, 6, 0x1234}));
     ASSERT_TRUE(answer.written);
-    EXPECT_EQ(answer.written->place, DeviceNumber{5, 0}.node());
+    EXPECT_EQ(answer.written->place, NodeId("5.0"));
     EXPECT_EQ(answer.written->word, 0x1234U);
     EXPECT_GT(answer.written->at, Instant(0));
     EXPECT_TRUE(answer.isWrite);

@@ -58,7 +58,7 @@ TEST_F(PlannedRing, HasTheDevicesOfTheProjectAtTheirPlaces)
     ASSERT_EQ(shafts.size(), 3U);
     EXPECT_EQ(shafts[0].stepsPerTurn, 4'096) << "as its label says";
     EXPECT_TRUE(shafts[1].hasBattery) << "as a Baumer has";
-    EXPECT_EQ(shafts[2].number, DeviceNumber{3, 1}.node());
+    EXPECT_EQ(shafts[2].number, NodeId("3.1"));
     EXPECT_GT(shafts[0].revolutionsPerMinute, 0);
 }
 
