@@ -14,7 +14,6 @@
 namespace codewheel {
 namespace {
 
-constexpr int clientsInQueue = 128;
 constexpr int sendSeconds = 2; // until a client that fetches no answers is given up
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
@@ -76,7 +75,7 @@ Result<Descriptor> listenAt(const ServerPlace &place)
         if (socket) {
             setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR); // what is left of a server that ended
             if (::bind(socket.get(), one->ai_addr, one->ai_addrlen) == 0 &&
-                ::listen(socket.get(), clientsInQueue) == 0)
+                ::listen(socket.get(), SOMAXCONN) == 0)
                 return socket;
         }
         error = error == 0 ? errno : error; // of the first one
