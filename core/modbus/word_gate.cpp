@@ -48,7 +48,7 @@ bool WordGate::isOnTheWay(const Read &before, const Read &read, const Read &afte
         return false;
     const std::int64_t there = std::int64_t{read.word} - before.word;
     const std::int64_t on = std::int64_t{after.word} - read.word;
-    return isNear(there) && isNear(on) && there * on >= 0;
+    return isNear(there) && isNear(on) && there * on > 0;
 }
 
 bool WordGate::believe(const Read &read)
@@ -59,12 +59,21 @@ bool WordGate::believe(const Read &read)
     return true;
 }
 
+bool WordGate::isJump(const Read &read) const
+{
+    const bool isExpected = m_hasWord && mayMove(m_word) && read.at - m_wordAt <= longestMovement &&
+                            isNear(std::int64_t{read.word} - m_word);
+    return mayMove(read.word) && !isExpected;
+}
+
 bool WordGate::take(Word word, Instant at)
 {
     const Read read{word, at};
     const auto last = std::exchange(m_last, read);
     const auto beforeLast = std::exchange(m_beforeLast, last);
-    if (!m_canTear || (last && last->word == word))
+    const bool isSame = last && last->word == word;
+    const bool isSameThrice = isSame && beforeLast && beforeLast->word == word;
+    if (!m_canTear || isSameThrice || (isSame && !isJump(read)))
         return believe(read);
     return last && beforeLast && isOnTheWay(*beforeLast, *last, read) && believe(*last);
 }

@@ -13,7 +13,9 @@ namespace codewheel {
 // from before a change, the other from after it. A word of a handshake is believed when two reads in a row
 // give it (spec modbus-gateway.md). A position that moves never does that; it is believed when it is the
 // middle one of three reads in a row that are positions, one behind the other and near each other: a word
-// torn at the carry from one register into the other is not between its neighbours, or 65536 steps away.
+// torn at the carry from one register into the other is not between its neighbours, or 65536 steps away. A
+// shaft that trembles there may tear two reads in a row alike, so a position that is not near one of just
+// before needs three equal reads.
 class WordGate
 {
 public:
@@ -41,6 +43,7 @@ private:
 
     bool mayMove(Word word) const;
     bool isOnTheWay(const Read &before, const Read &read, const Read &after) const;
+    bool isJump(const Read &read) const;
     bool believe(const Read &read);
 
     std::optional<Profile> m_profile;

@@ -48,6 +48,12 @@ TEST(WordGate, AWordThatIsNotOnTheWayIsNotBelieved)
               (std::vector<Word>{0, 0, 0}));
 }
 
+// Torn, and its answer doubled.
+TEST(WordGate, TwoEqualReadsAreNotOnTheWayToAThird)
+{
+    EXPECT_EQ(believed(k3, {0xF2'9E1C, 0xF4'9E1C, 0xF4'9E1C, 0xF4'75C8}), (std::vector<Word>{0, 0, 0, 0}));
+}
+
 TEST(WordGate, TheMiddleOfThreeReadsIsOnlyBelievedIfItIsNew)
 {
     WordGate gate = k3;
@@ -69,16 +75,25 @@ TEST(WordGate, APositionTornAtItsCarryIsNotBelieved)
               (std::vector<Word>{0, 0, 0xFFE8, 0xFFE8, 0xFFE8, 0xFFE8, 0x1'0018}));
 }
 
+// A shaft that trembles between 0000FFFF and 00010000.
+TEST(WordGate, APositionFarFromTheOneBeforeIsBelievedAfterThreeEqualReads)
+{
+    EXPECT_EQ(believed(k3, {0xFFFF, 0xFFFF, 0xFFFF, 0, 0, 0xFFFF, 0xFFFF}),
+              (std::vector<Word>{0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}));
+    EXPECT_EQ(believed(k3, {0xFFFF, 0xFFFF, 0xFFFF, 5, 5, 5}),
+              (std::vector<Word>{0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 5}));
+}
+
 // A confirmation C20000FF that begins while the word is read, in either order.
 TEST(WordGate, AWordTornBetweenPositionAndHandshakeIsNotBelieved)
 {
     EXPECT_EQ(believed(k3, {0x12'3450, 0x12'3456, 0x12'00FF, 0xC200'00FF, 0xC200'00FF}),
               (std::vector<Word>{0, 0, 0, 0, 0xC200'00FF}));
-    EXPECT_EQ(believed(k3, {0x12'3456, 0x12'3456, 0xC200'3456, 0xC200'00FF, 0xC200'00FF}),
-              (std::vector<Word>{0, 0x12'3456, 0x12'3456, 0x12'3456, 0xC200'00FF}));
+    EXPECT_EQ(believed(k3, {0x12'3456, 0x12'3456, 0x12'3456, 0xC200'3456, 0xC200'00FF, 0xC200'00FF}),
+              (std::vector<Word>{0, 0, 0x12'3456, 0x12'3456, 0x12'3456, 0xC200'00FF}));
     // and back
-    EXPECT_EQ(believed(k3, {0xC200'00FF, 0xC200'00FF, 0x12'00FF, 0x12'3456, 0x12'3456}),
-              (std::vector<Word>{0, 0xC200'00FF, 0xC200'00FF, 0xC200'00FF, 0x12'3456}));
+    EXPECT_EQ(believed(k3, {0xC200'00FF, 0xC200'00FF, 0x12'00FF, 0x12'3456, 0x12'3456, 0x12'3456}),
+              (std::vector<Word>{0, 0xC200'00FF, 0xC200'00FF, 0xC200'00FF, 0xC200'00FF, 0x12'3456}));
 }
 
 TEST(WordGate, WithoutAProfileOnlyEqualReadsCount)
@@ -94,8 +109,8 @@ TEST(WordGate, OneRegisterCannotBeTorn)
 TEST(WordGate, AfterAnInterruptionWhatWasReadBeforeSaysNothing)
 {
     WordGate gate = k3;
-    gate.take(100, {});
-    gate.take(100, {});
+    for (int i = 0; i < 3; ++i)
+        gate.take(100, {});
     EXPECT_TRUE(gate.hasWord());
     gate.forget();
     EXPECT_FALSE(gate.hasWord());
