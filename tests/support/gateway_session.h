@@ -28,6 +28,7 @@ struct GatewayMaking
     GatewaySettings settings{};
     Instant transaction = std::chrono::milliseconds(1);
     BusId id = firstRing;
+    std::function<TrainingBus()> makeRing = [] { return makeTrainingBus(builtInCatalog()); };
 };
 
 // The training ring behind a gateway, with its session, in virtual time.
@@ -36,8 +37,12 @@ class GatewaySession
 public:
     using MakePort = std::function<std::unique_ptr<RegisterPort>(std::unique_ptr<RegisterPort>)>;
 
-    explicit GatewaySession(const GatewayMaking &making = {}, const MakePort &around = {})
-        : training(makeTrainingBus(builtInCatalog()))
+    using MakeLink = std::function<std::unique_ptr<ProcessDataLink>(std::unique_ptr<ProcessDataLink>)>;
+
+    // `around`: what stands between the gateway and its link, and between the link and its session.
+    explicit GatewaySession(const GatewayMaking &making = {}, const MakePort &around = {},
+                            const MakeLink &aroundLink = {})
+        : training(making.makeRing())
         , ring(std::dynamic_pointer_cast<SimulatedRing>(training.controls))
         , gateway(std::make_shared<SimulatedGateway>(ring, making.ways))
     {
@@ -45,11 +50,13 @@ public:
             std::make_unique<SimulatedGatewayPort>(gateway, making.transaction);
         if (around)
             port = around(std::move(port));
-        bus = std::make_unique<RingSession>(
-            std::make_unique<GatewayLink>(std::move(port), making.settings,
-                                          gatewayDevices(*ring, builtInCatalog())),
-            builtInCatalog(), QDateTime(QDate(2026, 3, 1), QTime(14, 2)), nullptr,
-            RingSession::DriverFactory(), making.id);
+        std::unique_ptr<ProcessDataLink> link = std::make_unique<GatewayLink>(
+            std::move(port), making.settings, gatewayDevices(*ring, builtInCatalog()));
+        if (aroundLink)
+            link = aroundLink(std::move(link));
+        bus = std::make_unique<RingSession>(std::move(link), builtInCatalog(),
+                                            QDateTime(QDate(2026, 3, 1), QTime(14, 2)), nullptr,
+                                            RingSession::DriverFactory(), making.id);
         QObject::connect(bus.get(), &EncoderBus::messaged, bus.get(),
                          [this](const Message &message) { messages.push_back(message); });
     }

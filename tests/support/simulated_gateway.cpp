@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -12,7 +13,16 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Instant gatewayCycle = 1ms;
-constexpr Instant cyclesBeforeLooking = 40ms; // each, when time is passed over
+constexpr Instant cyclesBeforeLooking = 5ms; // and as many before that, when time is passed over
+
+bool cameBy(Word before, Word after, Word word)
+{
+    constexpr Word noPosition = 0xE000'0000;
+    constexpr Word furthestInACycle = 0x8000; // steps
+    const auto [least, most] = std::minmax(before, after);
+    return ((before | after) & noPosition) == 0 && most - least < furthestInACycle && word >= least &&
+           word <= most;
+}
 
 } // namespace
 
@@ -117,7 +127,7 @@ bool SimulatedGateway::wasIn(std::size_t device, Word word, Instant since) const
         return true;
     const auto &changes = m_inChanges[device];
     for (auto change = changes.rbegin(); change != changes.rend() && change->at >= since; ++change)
-        if (change->before == word)
+        if (change->before == word || cameBy(change->before, change->word, word))
             return true;
     return false;
 }

@@ -39,7 +39,8 @@ public:
 
     const std::vector<Word> &out() const { return m_out; } // as the ring gets it
     void setOut(std::size_t device, Word word);            // somebody else writes
-    // Whether IN of the device was this word at some time since then.
+    // Whether IN of the device was this word at some time since then, or the shaft came by there between two
+    // cycles.
     bool wasIn(std::size_t device, Word word, Instant since) const;
     // After each write through a port.
     std::function<void()> written;

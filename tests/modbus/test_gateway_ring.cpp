@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ring behind a gateway: what is sent and when, what somebody else sends, and what is said about it.
+#include "bus/word_channel.h"
+#include "tests/support/faulty_register_port.h"
+#include "tests/support/gateway_session.h"
+
+#include <atomic>
+#include <thread>
+
+namespace codewheel {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+constexpr Place writtenPlace = "1.0"_ring;
+constexpr Word ownWord = 0x0200'00FF;
+constexpr Word foreignWord = 0x0400'0001;
+
+class GatewayRing : public testing::Test
+{
+protected:
+    void make(const GatewayMaking &making = {}) { ring = std::make_unique<GatewaySession>(making, around()); }
+    void open(EncoderBus::Start start, const GatewayMaking &making = {})
+    {
+        make(making);
+        ASSERT_TRUE(ring->bus->open(start));
+        ring->bus->advance(200ms);
+    }
+    GatewaySession::MakePort around()
+    {
+        return [this](std::unique_ptr<RegisterPort> made) {
+            auto faulty = std::make_unique<FaultyRegisterPort>(std::move(made), 1, watch);
+            port = faulty.get();
+            return faulty;
+        };
+    }
+    void write(Word word)
+    {
+        ring->bus->channel(writtenPlace)->stage(word);
+        ASSERT_TRUE(ring->bus->channel(writtenPlace)->write());
+        ring->bus->advance(100ms);
+    }
+    void loseLink()
+    {
+        port->make({.closed = 1});
+        ring->bus->advance(100ms);
+        ASSERT_EQ(ring->bus->state(), BusState::lost);
+    }
+    void giveLinkBack()
+    {
+        port->make({});
+        ring->bus->advance(8s);
+        ASSERT_EQ(ring->bus->state(), BusState::open);
+    }
+    Word outThere() const { return ring->gateway->out().front(); }
+    bool isTold(RefusalId id) const
+    {
+        return std::ranges::any_of(ring->messages, [id](const Message &message) {
+            return message.refusal && message.refusal->id == id;
+        });
+    }
+
+    std::shared_ptr<FaultyRegisterPort::Watch> watch = std::make_shared<FaultyRegisterPort::Watch>();
+    FaultyRegisterPort *port = nullptr;
+    std::unique_ptr<GatewaySession> ring;
+};
+
+TEST_F(GatewayRing, ConnectingAndWatchingWriteNothing)
+{
+    open(EncoderBus::Start::watching);
+    ring->bus->advance(5s);
+    EXPECT_TRUE(ring->encoder(writtenPlace).freshness().isLive());
+    EXPECT_EQ(ring->gateway->writes(), 0);
+    ring->bus->setOperate(true);
+    ring->bus->advance(100ms);
+    EXPECT_GT(ring->gateway->writes(), 0);
+    ring->bus->setOperate(false);
+    ring->bus->advance(100ms);
+    const int writes = ring->gateway->writes();
+    ring->bus->advance(5s);
+    EXPECT_EQ(ring->gateway->writes(), writes);
+}
+
+TEST_F(GatewayRing, WhatIsThereStaysThereInOperateToo)
+{
+    make();
+    ring->gateway->setOut(0, foreignWord);
+    ASSERT_TRUE(ring->bus->open(EncoderBus::Start::operating));
+    ring->bus->advance(1s);
+    EXPECT_EQ(outThere(), foreignWord);
+    EXPECT_EQ(ring->bus->channel(writtenPlace)->out(), foreignWord);
+    EXPECT_TRUE(ring->bus->isOperating());
+}
+
+TEST_F(GatewayRing, SomebodyElsesWordIsNamedAndTheBusGivesWay)
+{
+    open(EncoderBus::Start::operating);
+    std::optional<Outcome> outcome;
+    QObject::connect(&ring->encoder(writtenPlace), &EncoderSession::finished, ring->bus.get(),
+                     [&](const Outcome &ended) { outcome = ended; });
+    ASSERT_TRUE(ring->encoder(writtenPlace)
+                    .start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    for (int i = 0; i < 1'000 && outThere() == 0; ++i)
+        ring->bus->advance(1ms);
+    const Word own = outThere();
+    ASSERT_NE(own, 0u);
+    ring->bus->advance(4ms);
+    ring->gateway->setOut(0, foreignWord);
+    const Instant written = ring->bus->now();
+    ring->bus->advance(50ms);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(whyOf(*outcome), "outsOfOther");
+    EXPECT_FALSE(ring->bus->isOperating());
+    const auto told = std::ranges::find_if(ring->messages, [](const Message &message) {
+        return message.refusal && message.refusal->id == RefusalId::outNotOurs;
+    });
+    ASSERT_NE(told, ring->messages.end());
+    EXPECT_EQ(told->refusal->arguments,
+              (std::vector<RefusalArgument>{QStringLiteral("1.0"), own, foreignWord}));
+    EXPECT_GE(told->at, written - 10ms);
+    EXPECT_EQ(outThere(), foreignWord) << "it is not overwritten";
+    ring->bus->advance(1s);
+    EXPECT_EQ(outThere(), foreignWord);
+    EXPECT_EQ(ring->bus->channel(writtenPlace)->out(), foreignWord);
+}
+
+// Operate is asked for in the same moment as the foreign word is found.
+TEST_F(GatewayRing, OperateAgainDoesNotOverwriteWhatWasNotSeenYet)
+{
+    open(EncoderBus::Start::operating);
+    write(ownWord);
+    ring->gateway->setOut(0, foreignWord);
+    for (int i = 0; i < 50 && ring->bus->isOperating(); ++i)
+        ring->bus->advance(1ms);
+    ring->bus->setOperate(true);
+    ring->bus->advance(100ms);
+    EXPECT_EQ(outThere(), foreignWord);
+}
+
+TEST_F(GatewayRing, APlcThatWritesAgainAndAgainIsNoticedEachTime)
+{
+    open(EncoderBus::Start::operating);
+    write(ownWord);
+    for (int i = 0; i < 5; ++i) {
+        ring->messages.clear();
+        ring->bus->setOperate(true);
+        for (int k = 0; k < 20; ++k) {
+            ring->gateway->setOut(0, foreignWord + static_cast<Word>(k));
+            ring->bus->advance(10ms);
+        }
+        EXPECT_TRUE(isTold(RefusalId::outNotOurs)) << i;
+        EXPECT_FALSE(ring->bus->isOperating());
+    }
+    EXPECT_EQ(outThere(), foreignWord + 19);
+}
+
+TEST_F(GatewayRing, AlarmStopWritesZerosInWatchAndWhileStopped)
+{
+    open(EncoderBus::Start::watching);
+    for (const bool isRunning : {true, false}) {
+        ring->gateway->setOut(0, foreignWord);
+        ring->bus->setRunning(isRunning);
+        ring->bus->advance(100ms);
+        ring->messages.clear();
+        ring->bus->alarmStop();
+        ring->bus->advance(100ms);
+        EXPECT_TRUE(ring->isOutZero()) << isRunning;
+        EXPECT_EQ(ring->countOf(MessageId::alarmStop), 1u);
+        EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
+        const int writes = ring->gateway->writes();
+        ring->bus->advance(1s);
+        EXPECT_EQ(ring->gateway->writes(), writes) << "once";
+    }
+}
+
+TEST_F(GatewayRing, ZerosThatAreOverwrittenAreSaidToBe)
+{
+    open(EncoderBus::Start::watching);
+    ring->gateway->written = [this] { ring->gateway->setOut(0, foreignWord); };
+    ring->bus->alarmStop();
+    ring->bus->advance(3s);
+    EXPECT_EQ(ring->countOf(MessageId::zerosOverwritten), 1u);
+    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 0u);
+}
+
+TEST_F(GatewayRing, ZerosThatComeLateHaveArrived)
+{
+    open(EncoderBus::Start::watching, {.ways = {.lag = 700ms}});
+    ring->gateway->setOut(0, foreignWord);
+    ring->bus->advance(2s);
+    ring->bus->alarmStop();
+    ring->bus->advance(3s);
+    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_EQ(ring->countOf(MessageId::zerosOverwritten), 0u);
+}
+
+TEST_F(GatewayRing, AlarmStopDoesNotWaitForTheNextPoll)
+{
+    open(EncoderBus::Start::operating, {.settings = {.pollInterval = 10s}});
+    ring->bus->advance(25s);
+    ring->gateway->setOut(0, foreignWord);
+    ring->bus->alarmStop();
+    ring->bus->advance(30ms);
+    EXPECT_TRUE(ring->isOutZero());
+    ring->bus->setOperate(false);
+    ring->bus->advance(30ms);
+    EXPECT_FALSE(ring->bus->isOperating());
+    ring->bus->setRunning(false);
+    ring->bus->advance(30ms);
+    EXPECT_FALSE(ring->bus->isRunning());
+}
+
+TEST_F(GatewayRing, TheZerosOfAnAlarmStopGoFirstOnceTheLinkIsBack)
+{
+    open(EncoderBus::Start::operating);
+    write(ownWord);
+    loseLink();
+    ring->bus->alarmStop();
+    ring->bus->advance(100ms);
+    EXPECT_EQ(ring->countOf(MessageId::zerosWait), 1u);
+    EXPECT_EQ(outThere(), ownWord);
+    giveLinkBack();
+    EXPECT_TRUE(ring->isOutZero());
+    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
+}
+
+TEST_F(GatewayRing, ALostLinkMakesEveryValueOldAndComesBackInWatch)
+{
+    open(EncoderBus::Start::operating);
+    write(ownWord);
+    loseLink();
+    for (const Place place : ring->bus->places())
+        EXPECT_EQ(ring->bus->channel(place)->freshness().reason(), Freshness::Reason::linkLost)
+            << place.toString().toStdString();
+    ring->gateway->setOut(0, foreignWord); // meanwhile
+    const int writes = ring->gateway->writes();
+    giveLinkBack();
+    EXPECT_FALSE(ring->bus->isOperating());
+    EXPECT_EQ(ring->gateway->writes(), writes);
+    EXPECT_EQ(ring->bus->channel(writtenPlace)->out(), foreignWord);
+    EXPECT_TRUE(ring->encoder(writtenPlace).freshness().isLive());
+}
+
+TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilSomethingIsSent)
+{
+    open(EncoderBus::Start::watching, {.settings = {.readsBack = false}});
+    EXPECT_TRUE(isTold(RefusalId::outNotReadBack));
+    EXPECT_FALSE(ring->bus->latest().outIsKnown);
+    ring->bus->advance(2s);
+    EXPECT_EQ(ring->gateway->writes(), 0);
+    ring->bus->setOperate(true);
+    ring->bus->advance(100ms);
+    EXPECT_GT(ring->gateway->writes(), 0);
+    EXPECT_TRUE(ring->bus->latest().outIsKnown);
+    loseLink();
+    giveLinkBack();
+    EXPECT_FALSE(ring->bus->latest().outIsKnown);
+}
+
+TEST_F(GatewayRing, ASingleExceptionDoesNotSwitchReadingBackOff)
+{
+    open(EncoderBus::Start::operating);
+    write(ownWord);
+    loseLink();
+    port->make({.exception = 0.3});
+    ring->bus->advance(60s);
+    giveLinkBack();
+    EXPECT_TRUE(ring->bus->latest().outIsKnown);
+    EXPECT_FALSE(isTold(RefusalId::outNotReadBack));
+}
+
+TEST_F(GatewayRing, TwoRingsOnTwoGatewaysHaveNothingToDoWithEachOther)
+{
+    open(EncoderBus::Start::operating);
+    GatewaySession other({.id = BusId{2}});
+    ASSERT_TRUE(other.bus->open(EncoderBus::Start::operating));
+    write(ownWord);
+    other.bus->advance(200ms);
+    EXPECT_EQ(outThere(), ownWord);
+    EXPECT_TRUE(other.isOutZero());
+    loseLink();
+    other.bus->advance(200ms);
+    EXPECT_EQ(other.bus->state(), BusState::open);
+    EXPECT_TRUE(other.bus->isOperating());
+}
+
+// With its own thread, which has no period: the link has its pace.
+class GatewayThread : public testing::Test
+{
+protected:
+    void open(
+        const GatewaySettings &settings, SleepWatch::Slept slept = [] { return 0ms; })
+    {
+        ring = std::make_unique<GatewaySession>(GatewayMaking{.settings = settings},
+                                                [](std::unique_ptr<RegisterPort> made) {
+                                                    auto &its = static_cast<SimulatedGatewayPort &>(*made);
+                                                    its.goByRealTime();
+                                                    return made;
+                                                });
+        ASSERT_TRUE(ring->bus->open(EncoderBus::Start::operating, Pacing{.slept = std::move(slept)}));
+        pumpUntil([this] { return ring->bus->isOpen() && ring->bus->latest().cycle > 0; });
+    }
+    template <typename Condition>
+    void pumpUntil(Condition isSo)
+    {
+        const auto end = std::chrono::steady_clock::now() + 60s;
+        while (!isSo() && std::chrono::steady_clock::now() < end) {
+            ring->bus->pump();
+            std::this_thread::sleep_for(1ms);
+        }
+        ASSERT_TRUE(isSo());
+    }
+
+    std::unique_ptr<GatewaySession> ring;
+};
+
+TEST_F(GatewayThread, ExchangesWithoutAPeriodAndCarriesOutAJob)
+{
+    open({});
+    std::optional<Outcome> outcome;
+    QObject::connect(&ring->encoder(writtenPlace), &EncoderSession::finished, ring->bus.get(),
+                     [&](const Outcome &ended) { outcome = ended; });
+    pumpUntil([this] { return ring->encoder(writtenPlace).freshness().isLive(); });
+    ASSERT_TRUE(ring->encoder(writtenPlace)
+                    .start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    pumpUntil([&] { return outcome.has_value(); });
+    EXPECT_EQ(whyOf(*outcome), "");
+    EXPECT_EQ(ring->bus->latest().lateCycles, 0u);
+    ring->bus->close();
+}
+
+// The interval is much longer than the test may take.
+TEST_F(GatewayThread, AnAlarmStopGoesOutLongBeforeTheNextPoll)
+{
+    open({.pollInterval = 10min});
+    const std::uint64_t cycle = ring->bus->latest().cycle;
+    ring->bus->alarmStop();
+    pumpUntil([this] { return ring->countOf(MessageId::zerosReadBack) == 1; });
+    EXPECT_LE(ring->bus->latest().cycle, cycle + 2);
+    ring->bus->setRunning(false);
+    pumpUntil([this] { return !ring->bus->isRunning(); });
+    ring->bus->close();
+}
+
+TEST_F(GatewayThread, AfterTheComputerSleptTheBusIsInWatch)
+{
+    std::atomic<int> slept{0};
+    open({}, [&slept] { return std::chrono::milliseconds(slept.exchange(0)); });
+    pumpUntil([this] { return ring->bus->isOperating(); });
+    slept = 3'600'000;
+    pumpUntil([this] { return ring->countOf(MessageId::computerSlept) == 1; });
+    pumpUntil([this] { return !ring->bus->isOperating(); });
+    ring->bus->close();
+}
+
+} // namespace
+} // namespace codewheel
