@@ -53,14 +53,19 @@ void BusAccess::setLedger(std::unique_ptr<LedgerKeeper> ledger)
 
 std::optional<NodeId> BusAccess::placeTyped(const QString &text) const
 {
-    const auto places = m_bus.places();
+    const auto places = knownPlaces();
     const auto found = std::ranges::find(places, text, [](Place place) { return place.toString(); });
     return found == places.end() ? std::nullopt : std::optional(found->node);
 }
 
 bool BusAccess::mayHave(NodeId node) const
 {
-    return std::ranges::count(m_bus.places(), m_bus.placeOf(node)) > 0;
+    return std::ranges::count(knownPlaces(), m_bus.placeOf(node)) > 0;
+}
+
+std::vector<Place> BusAccess::knownPlaces() const
+{
+    return m_bus.places();
 }
 
 Complaint BusAccess::notAPlace(const QString &typed) const
@@ -70,7 +75,7 @@ Complaint BusAccess::notAPlace(const QString &typed) const
 
 QString BusAccess::somePlaces() const
 {
-    return listed(m_bus.places(), &Place::toString);
+    return listed(knownPlaces(), &Place::toString);
 }
 
 Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool namesIt)

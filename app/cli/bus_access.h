@@ -59,7 +59,8 @@ public:
 
     // The place typed as `text`, whether there is a device or not; empty: no place is written like that.
     virtual std::optional<NodeId> placeTyped(const QString &text) const;
-    virtual bool mayHave(NodeId node) const; // a device; as far as it is known without asking the bus
+    virtual bool mayHave(NodeId node) const;        // a device; as far as it is known without asking the bus
+    virtual std::vector<Place> knownPlaces() const; // likewise
     virtual bool knowsItsPlaces() const { return true; }          // otherwise others may be asked
     virtual bool isMeant(const QString &) const { return false; } // by its form, even if it is no place
     virtual Complaint notAPlace(const QString &typed) const;
@@ -86,7 +87,8 @@ public:
     // About a job that was refused, and about the link if that is gone.
     virtual Complaint complaint(const Refusal &why) const { return complaintAbout(why); }
 
-    virtual void prepare(const Job &) {}              // before it is started
+    virtual void prepare(const Job &) {}              // it needs Operate, and the bus is in Watch
+    virtual void rest() {}                            // after it, or the last of several
     virtual void lookAgain(const EncoderSession &) {} // after it: the position is to be from then
     virtual std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders);
     // The words of the last cycle; empty: it has no words.

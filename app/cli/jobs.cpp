@@ -10,11 +10,21 @@
 namespace codewheel {
 namespace {
 
+// A bus is in Watch until something has to be sent.
+Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
+{
+    const auto started = allowed.encoder().start(allowed.job());
+    if (started || started.error().id != RefusalId::watchOnly)
+        return started;
+    bus.prepare(allowed.job());
+    return allowed.encoder().start(allowed.job());
+}
+
 // Until it has ended.
 void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
 {
     EncoderSession &encoder = allowed.encoder();
-    const auto started = encoder.start(allowed.job());
+    const auto started = startOn(bus, allowed);
     if (!started) {
         finished.outcome.result = tl::unexpected(started.error());
         return;
@@ -41,10 +51,10 @@ FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
 {
     const EncoderSession &encoder = allowed.encoder();
     BusAccess &bus = call.busOf(encoder.place());
-    bus.prepare(allowed.job());
     trace.begin(encoder);
     FinishedJob finished;
     carryOut(bus, allowed, finished);
+    bus.rest();
     bus.lookAgain(encoder);
     return finished;
 }

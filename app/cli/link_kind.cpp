@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "cli/line/line_link_kind.h"
+#include "cli/ring/gateway_link_kind.h"
 #include "cli/ring/ring_link_kind.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -23,6 +24,7 @@ std::vector<std::unique_ptr<const LinkKind>> kindsOfTheProgram()
 {
     std::vector<std::unique_ptr<const LinkKind>> kinds;
     kinds.push_back(ringLinkKind());
+    kinds.push_back(gatewayLinkKind());
     kinds.push_back(lineLinkKind());
     return kinds;
 }
@@ -39,7 +41,7 @@ QString linksThereAre()
     QStringList texts{CommandLine::tr("training, the simulated buses"),
                       CommandLine::tr("project, all buses of the project")};
     for (const LinkKind *kind : linkKinds()) {
-        for (const QString &scheme : kind->schemes())
+        for (const QString &scheme : kind->leadsToPlanned() ? kind->schemes() : QStringList())
             ofOneKind << LinkText{scheme, projectLink, {}}.link();
         if (const QString help = kind->help(); !help.isEmpty())
             texts << help;
@@ -201,8 +203,9 @@ Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *p
     return checkEachOnce(text->settings)
         .and_then([&] { return kindMeant(*text, typed); })
         .and_then([&](const LinkKind *kind) {
-            return text->where == projectLink ? plannedLinks({kind}, text->link(), text->settings, project)
-                                              : kind->links(*text, project);
+            return text->where == projectLink && kind->leadsToPlanned()
+                       ? plannedLinks({kind}, text->link(), text->settings, project)
+                       : kind->links(*text, project);
         });
 }
 

@@ -39,11 +39,13 @@ class LinkKind
 public:
     virtual ~LinkKind() = default;
 
-    virtual QString bus() const = 0;                      // key of its BusKind
-    virtual QStringList schemes() const = 0;              // "esc"
+    virtual QString bus() const = 0;         // key of its BusKind
+    virtual QStringList schemes() const = 0; // "esc"
+    // Whether SCHEME:project stands for what the project plans of this kind.
+    virtual bool leadsToPlanned() const { return true; }
     virtual QString help() const = 0;                     // "esc:PORT, a serial line": for the list of links
     virtual bool isPlace(const QString &typed) const = 0; // by its form
-    // SCHEME:WHERE, unless it is SCHEME:project.
+    // SCHEME:WHERE, unless it leads to what is planned.
     virtual Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *project) const = 0;
     // For a bus of this kind planned by the project; these settings take precedence over those of the
     // project.

@@ -66,7 +66,7 @@ Complaint onNone(const Call &call, const std::vector<Place> &places, const QStri
 {
     std::vector<Place> there;
     for (const Place place : places)
-        std::ranges::copy(call.busOf(place).bus().places(), std::back_inserter(there));
+        std::ranges::copy(call.busOf(place).knownPlaces(), std::back_inserter(there));
     return complaintAbout({RefusalKind::badInput, RefusalId::unknownDevice, {typed, list(call, there)}});
 }
 

@@ -44,13 +44,35 @@ bool readBefore(const Call &call, const TransferWish &wish)
     EncoderSession *encoder = bus ? bus->encoder(wish.place) : nullptr;
     if (encoder == nullptr || wish.hindrance || isGone(call.busOf(wish.place)))
         return true;
-    if (!bus->isOperating()) {
-        bus->setOperate(true);
-        passTime(call, wish.place);
-    }
     const auto read = call.busOf(wish.place).readBefore(call, *encoder, wish.values);
     return read || read.error().key != aboutCancelling().key;
 }
+
+// From before the first job to after the last one, the buses of a round may write.
+class WritingBuses
+{
+public:
+    WritingBuses(const Call &call, const std::vector<EncoderJobs> &encoders)
+    {
+        for (const EncoderJobs &one : encoders) {
+            BusAccess *bus = call.findBus(one.place.bus);
+            if (bus == nullptr)
+                continue;
+            for (const Job &job : one.jobs)
+                bus->prepare(job);
+            m_buses.insert(bus);
+        }
+    }
+    ~WritingBuses()
+    {
+        for (BusAccess *bus : m_buses)
+            bus->rest();
+    }
+    Q_DISABLE_COPY_MOVE(WritingBuses)
+
+private:
+    std::set<BusAccess *> m_buses;
+};
 
 // Before anything is written to an encoder.
 Checked<void> checkReport(const Arguments &arguments)
@@ -188,7 +210,7 @@ Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes)
     for (TransferWish &wish : wishes)
         if (const BusAccess *bus = call.findBus(wish.place.bus); bus != nullptr && isGone(*bus))
             wish.hindrance = bus->whatIsLost();
-    return planTransfer(call.buses, wishes);
+    return planTransfer(call.buses, wishes, InWatch::isLeft);
 }
 
 FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal)
@@ -201,6 +223,7 @@ FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::
     std::map<BusAccess *, std::unique_ptr<JobTrace>> traces;
     for (const auto &[bus, its] : encoders)
         traces[bus] = bus->trace(its);
+    const WritingBuses writing(call, allowed.encoders());
     JobRound round(call.buses);
     StopSignals stop;
     round.start(allowed.encoders(), afterRefusal);

@@ -45,9 +45,9 @@ Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
     if (!isOfThisRing())
         return refuse(RefusalKind::link, RefusalId::notInRing, {place().shown()});
-    if (auto allowed = maySend(m_bus.latest(), index(), place().shown(), RefusalId::jobRunning); !allowed)
-        return allowed;
-    return checkLink(job);
+    if (auto can = checkLink(job); !can) // in Watch, too: Operate would not help
+        return can;
+    return maySend(m_bus.latest(), index(), place().shown(), RefusalId::jobRunning);
 }
 
 // 60000000h acts in every cycle it is in OUT.

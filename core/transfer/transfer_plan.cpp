@@ -45,11 +45,11 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
 }
 
 // The reason is what the encoder, or the program, is doing.
-std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSession &encoder)
+std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSession &encoder, InWatch watch)
 {
     const QString place = encoder.place().shown();
     const Reading &reading = encoder.latest();
-    if (!bus.isOperating())
+    if (watch == InWatch::isHindrance && !bus.isOperating())
         return Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}};
     if (!bus.isRunning())
         return Refusal{RefusalKind::busy, RefusalId::notRunning, {place}};
@@ -172,7 +172,7 @@ SwitchMode EncoderComparison::modeAfterwards() const
     return {*reading.mode, reading.camProgram.value_or(0)};
 }
 
-EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
+EncoderPlan planFor(const Buses &buses, const TransferWish &wish, InWatch watch)
 {
     EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
     plan.hindrance = wish.hindrance ? wish.hindrance : hindranceOfPlace(buses, wish);
@@ -193,7 +193,7 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
         for (WriteRow &row : plan.write.rows)
             row.step.reset();
     } else
-        plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *encoder);
+        plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *encoder, watch);
     if (plan.hindrance) {
         plan.jobs.clear();
         plan.eepromWrites = 0;
@@ -203,11 +203,11 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
 
 } // namespace
 
-TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes)
+TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes, InWatch watch)
 {
     TransferPlan plan;
     for (const TransferWish &wish : wishes)
-        plan.push_back(planFor(buses, wish));
+        plan.push_back(planFor(buses, wish, watch));
     return plan;
 }
 

@@ -33,9 +33,13 @@ struct EncoderPlan
 };
 using TransferPlan = std::vector<EncoderPlan>;
 
+// Whether a bus in Watch keeps its encoders from being written, or whoever writes leaves Watch for it.
+enum class InWatch : std::uint8_t { isHindrance, isLeft };
+
 // Compares each wish with what is known of the encoder at its place. If one value of an encoder cannot be
 // written, the encoder is not written at all. Sends nothing.
-TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes);
+TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes,
+                          InWatch watch = InWatch::isHindrance);
 
 int eepromWritesOf(const TransferPlan &plan); // at most
 

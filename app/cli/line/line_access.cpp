@@ -237,7 +237,7 @@ Checked<EncoderSession *> LineAccess::inContact(EncoderSession *encoder)
 
 void LineAccess::prepare(const Job &job)
 {
-    if (std::holds_alternative<ReadParameters>(job))
+    if (std::holds_alternative<ReadParameters>(job) || m_session->isOperating())
         return;
     m_session->setOperate(true);
     advance(lookInterval());

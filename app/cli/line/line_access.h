@@ -50,7 +50,7 @@ public:
     void useProject(const Call &call, const Project &project) override;
 
     Complaint complaint(const Refusal &why) const override;
-    void prepare(const Job &job) override; // writing needs Operate
+    void prepare(const Job &job) override; // reading needs no Operate
     void lookAgain(const EncoderSession &encoder) override;
     std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders) override;
     bool tellsVersion() const override { return true; } // it is read together with the identity

@@ -16,6 +16,7 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -43,6 +44,7 @@ struct Action
     std::function<void(RingSession &)> carryOut;
     std::function<QString(const RingSession &)> question{}; // empty: nothing has to be asked
     bool isForAllRings = false;                             // unless one is named
+    bool needsMaster = true;
 };
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
@@ -103,7 +105,7 @@ Checked<Action> actionOf(const QStringList &words)
     if (name == QStringLiteral("stop"))
         return Action{[](RingSession &bus) { bus.setRunning(false); }};
     if (name == QStringLiteral("alarm-stop"))
-        return Action{.carryOut = &RingSession::alarmStop, .isForAllRings = true};
+        return Action{.carryOut = &RingSession::alarmStop, .isForAllRings = true, .needsMaster = false};
     if (name == QStringLiteral("read-in"))
         return asking(&RingSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
     if (name == QStringLiteral("confirm"))
@@ -185,9 +187,32 @@ Checked<std::vector<BusAccess *>> ringsMeant(const Call &call, const Action &act
     return busMeant(call, kind).map([](BusAccess *ring) { return std::vector{ring}; });
 }
 
-Checked<Answer> answerOf(const Call &call, const BusAccess &access, int after, const Action &action)
+// A link that reaches no master says so before it is opened. ALARM STOP needs none.
+Checked<void> openFor(const Call &call, RingAccess &access, const Action &action)
 {
-    RingSession &ring = static_cast<const RingAccess &>(access).ring(); // of its kind
+    if (access.mayReachMaster() || !action.needsMaster)
+        return access.open();
+    const QString service =
+        call.arguments.rest.isEmpty() ? QStringLiteral("status") : call.arguments.rest.join(u' ');
+    return tl::unexpected(
+        complaintAbout({RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {service}}));
+}
+
+// Zeros that somebody else has overwritten have not stopped anything.
+std::optional<Complaint> complaintAboutZeros(const Told &told)
+{
+    const auto overwritten = std::ranges::find(told.messages, MessageId::zerosOverwritten, &Message::id);
+    if (overwritten == told.messages.end())
+        return std::nullopt;
+    return Complaint{ExitCode::refused, messageKey(overwritten->id), messageText(*overwritten)};
+}
+
+Checked<Answer> answerOf(const Call &call, BusAccess &access, int after, const Action &action)
+{
+    auto &ringAccess = static_cast<RingAccess &>(access); // of its kind
+    if (const auto opened = openFor(call, ringAccess, action); !opened)
+        return tl::unexpected(opened.error());
+    RingSession &ring = ringAccess.ring();
     const auto told = carryOutAction(call, ring, after, action);
     if (!told)
         return tl::unexpected(told.error());
@@ -195,8 +220,8 @@ Checked<Answer> answerOf(const Call &call, const BusAccess &access, int after, c
                   {{QStringLiteral("master"), masterJson(ring)},
                    {QStringLiteral("messages"), messagesJson(told->messages)}}};
     addBus(answer.json, access);
-    if (told->refusal)
-        answer.complaint = complaintAbout(*told->refusal);
+    answer.complaint =
+        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutZeros(*told);
     return answer;
 }
 
@@ -206,7 +231,7 @@ Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &ri
 {
     Answer all;
     QJsonArray buses;
-    for (const BusAccess *ring : rings) {
+    for (BusAccess *ring : rings) {
         const auto its = answerOf(call, *ring, after, action);
         if (!all.complaint)
             all.complaint = its ? its->complaint : std::optional(its.error());

@@ -6,6 +6,7 @@
 #include "catalog/hex_code.h"
 #include "cli/json.h"
 #include "cli/places.h"
+#include "cli/ring/link_figures_text.h"
 #include "cli/ring/master_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -94,16 +95,20 @@ RingAccess::RingAccess(RingSession &ring)
 
 RingAccess::RingAccess(TrainingSession training)
     : BusAccess(*training.bus, QString::fromLatin1(interbusKind))
-    , m_training(std::move(training))
-    , m_ring(*m_training.bus)
+    , m_owned(std::move(training))
+    , m_ring(*m_owned.bus)
+{}
+
+RingAccess::RingAccess(std::unique_ptr<RingSession> ring)
+    : RingAccess(TrainingSession{nullptr, std::move(ring)})
 {}
 
 Checked<void> RingAccess::followFaultPlan(const QString &file)
 {
-    auto plan = loadFaultPlan(file, m_training.controls->places());
+    auto plan = loadFaultPlan(file, m_owned.controls->places());
     if (!plan)
         return tl::unexpected(complaintAbout(plan.error()));
-    m_training.controls->startFaultPlan(*std::move(plan));
+    m_owned.controls->startFaultPlan(*std::move(plan));
     return {};
 }
 
@@ -177,6 +182,15 @@ std::optional<Exchange> RingAccess::currentRow(const EncoderSession &encoder) co
     const Reading &reading = encoder.latest();
     return Exchange{m_ring.latest().cycle, m_ring.latest().at, channel.out(),
                     channel.in(),          reading.mode,       reading.coding};
+}
+
+void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer) const
+{
+    const auto figures = m_ring.latest().figures;
+    if (!figures)
+        return;
+    answer.text += u'\n' + figuresText(*figures);
+    answer.json.insert(QStringLiteral("figures"), figuresJson(*figures));
 }
 
 Checked<Answer> RingAccess::scan(const Call &call)

@@ -8,15 +8,18 @@ namespace codewheel {
 
 // A ring of a call. A cycle is 1 ms, and since the training ring runs without waiting, what it does is there
 // at once.
-class RingAccess final : public BusAccess
+class RingAccess : public BusAccess
 {
 public:
     explicit RingAccess(RingSession &ring); // open; it must outlive this
     explicit RingAccess(TrainingSession training);
+    explicit RingAccess(std::unique_ptr<RingSession> ring);
 
     RingSession &ring() const { return m_ring; }
+    // Whether the link may reach the ring's master; it says so once it is open.
+    virtual bool mayReachMaster() const { return true; }
 
-    bool followsFaultPlan() const override { return m_training.controls != nullptr; }
+    bool followsFaultPlan() const override { return m_owned.controls != nullptr; }
     Checked<void> followFaultPlan(const QString &file) override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
     // A device may be elsewhere if the ring differs from the project at all.
@@ -31,9 +34,10 @@ public:
     // What the project knows stays with the devices that are the same or moved.
     void keepFound(const Call &call, Project &project) const override;
     Refusal whatIsLost() const override;
+    void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
 
 private:
-    TrainingSession m_training; // empty: it has another owner
+    TrainingSession m_owned; // empty: it has another owner; without controls: it is no training
     RingSession &m_ring;
 };
 

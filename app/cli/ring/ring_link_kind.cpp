@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/ring_link_kind.h"
 
+#include "cli/ring/gateway_link_kind.h"
+#include "cli/ring/gateway_link_text.h"
 #include "cli/ring/ring_access.h"
 #include "cli/ring/serve_modbus.h"
 #include "cli/texts.h"
 #include "encoder/device_number.h"
+#include "project/gateway_plan.h"
 #include "project/ring_plan.h"
 
 #include <array>
@@ -58,6 +61,10 @@ Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const P
 Checked<MakeLink> RingLinkKind::planned(const Project &project, BusId bus, const QStringList &settings) const
 {
     const ProjectLink &link = ringPlan(project, bus).link;
+    if (const auto gateway = plannedGateway(project, bus))
+        return gateway->map_error(complaintAbout)
+            .and_then([&](const GatewaySettings &its) { return withSettings(its, settings); })
+            .map([&](const GatewaySettings &its) { return ringBehind(its, &project, bus); });
     if (const auto checked = checkHasNoSettings(QStringLiteral("interbus:project"), settings); !checked)
         return tl::unexpected(checked.error());
     if (link.kind == ProjectLink().kind)
