@@ -1,0 +1,201 @@
+#!/ usr / bin / env python3
+#SPDX - License - Identifier : GPL - 3.0 - or -later
+""
+    "A ring of FRABA K3 encoders behind a Modbus gateway, made with pymodbus, for tests of its clients.
+
+    Written from the manuals alone;
+it shares no code with the program.It serves Modbus TCP on a port that the system chooses,
+    or with-- rtu a pseudo terminal,
+    and prints the port or the path as its first line.IN is in the input registers,
+    OUT in the holding registers.It ends when its standard input is closed; for each line "writes" it prints
+how often OUT was written, and for "out" all OUT words.
+"""
+
+import argparse
+import asyncio
+import os
+import pty
+import select
+import sys
+import threading
+import tty
+
+from pymodbus.datastore import ModbusSequentialDataBlock, ModbusServerContext, ModbusSlaveContext
+from pymodbus.server.async_io import ModbusSerialServer, ModbusTcpServer
+from pymodbus.transaction import ModbusRtuFramer
+
+RUN = 0x80000000
+PRESET = 0x40000000
+CONFIRMED = 0xC0000000
+READ_OUT = 0x2021
+ANSWER = 0xA0000000
+DATA = 0x01FFFFFF
+STEPS, REVOLUTIONS, DIRECTION, PRESET_VALUE = 1, 2, 3, 4
+
+
+class Encoder:
+    """The handshake of a FRABA K3 (manual 5.2, 5.3), each word acting at once."""
+
+    def __init__(self, number):
+        self.values = {STEPS: 8192, REVOLUTIONS: 1, DIRECTION: 3, PRESET_VALUE: 0, 5: 0}
+        self.pending = None  # operation
+        self.confirmation = 0
+        self.position = 1000 * number
+        self.number = number
+        self.preset_flag = 0
+        self.out = 0
+
+    def take(self, out):
+        before, self.out = self.out, out
+        if out == before:
+            return
+        if out & RUN:
+            if self.pending:
+                self.values.update(self.pending)
+            self.pending = None
+        elif out == PRESET:
+            if self.pending is None:
+                self.position = self.values[PRESET_VALUE]
+                self.preset_flag = 0
+        elif out >> 29 == 0 and out >> 25:
+            number, data = out >> 25, out & DATA
+            self.pending = self.pending or
+    {}
+            self.pending[number] = data
+            self.confirmation = CONFIRMED | out
+            if number == PRESET_VALUE:
+                self.preset_flag = 1
+
+    def read_out(self, code):
+        values = {0: 4710 + self.number, 3: self.values[DIRECTION], 6: self.preset_flag, 7: 100, 8: 10, 9: 1, 10: 0, 12: 250}
+        return ANSWER | values.get(code, self.values.get(code, 0))
+
+    def shown(self):
+        if self.out >> 16 == READ_OUT:
+            return self.read_out(self.out & 0xFF)
+        return self.confirmation if self.pending is not None else self.position
+
+
+class Ring:
+    def __init__(self, options):
+        self.options = options
+        self.encoders = [Encoder(i + 1) for i in range(options.devices)]
+        self.writes = 0
+
+    def registers_of(self, word):
+        high, low = word >> 16, word & 0xFFFF
+        pair = [low, high] if self.options.low_word_first else [high, low]
+        if self.options.exchange_bytes:
+            pair = [(r >> 8) | (r & 0xFF) << 8 for r in pair]
+        return pair
+
+    def word_of(self, pair):
+        if self.options.exchange_bytes:
+            pair = [(r >> 8) | (r & 0xFF) << 8 for r in pair]
+        return pair[0] | pair[1] << 16 if self.options.low_word_first else pair[0] << 16 | pair[1]
+
+
+class In(ModbusSequentialDataBlock):
+    def __init__(self, ring, first):
+        super().__init__(0, [0] * (first + (ring.options.registers or 2 * len(ring.encoders))))
+        self.ring = ring
+        self.first = first
+
+    def getValues(self, address, count=1):
+        image = [0] * self.first
+        for encoder in self.ring.encoders:
+            image += self.ring.registers_of(encoder.shown())
+        return image[address : address + count]
+
+
+class Out(ModbusSequentialDataBlock):
+    def __init__(self, ring):
+        super().__init__(0, [0] * (2 * len(ring.encoders)))
+        self.ring = ring
+
+    def setValues(self, address, values):
+        super().setValues(address, values)
+        self.ring.writes += 1
+        if self.ring.options.other_writer and self.ring.writes == self.ring.options.other_writer:
+            super().setValues(2, self.ring.registers_of(RUN))  # to the second encoder
+        image = super().getValues(0, 2 * len(self.ring.encoders))
+        for i, encoder in enumerate(self.ring.encoders):
+            encoder.take(self.ring.word_of(image[2 * i : 2 * i + 2]))
+
+    def validate(self, address, count=1):
+        return super().validate(address, count)
+
+
+class OnlyWritten(Out):
+    """What was written cannot be read back: the registers are there for functions 6 and 16 only."""
+
+    def getValues(self, address, count=1):
+        raise RuntimeError("not readable")
+
+
+def context(ring):
+    options = ring.options
+    out = OnlyWritten(ring) if options.no_read_back else Out(ring)
+    unit = ModbusSlaveContext(ir=In(ring, options.first), hr=out, zero_mode=True)
+    return ModbusServerContext(slaves={options.unit: unit}, single=False)
+
+
+def carry(one, other):
+    ends =
+    {
+        one : other, other : one}
+    while True:
+        for end in select.select(list(ends), [], [])[0]:
+            os.write(ends[end], os.read(end, 512))
+
+
+def null_modem():
+    """The paths of two pseudo terminals that are connected."""
+    pairs = [pty.openpty() for _ in range(2)]
+    for master, slave in pairs:
+        tty.setraw(slave)
+    threading.Thread(target=carry, args=[master for master, _ in pairs], daemon=True).start()
+    return [os.ttyname(slave) for _, slave in pairs]
+
+
+async def answer_questions(ring):
+    loop = asyncio.get_running_loop()
+    while True:
+        line = await loop.run_in_executor(None, sys.stdin.readline)
+        if not line:
+            return
+        if line.strip() == "writes":
+            print(ring.writes, flush=True)
+        elif line.strip() == "out":
+            print(" ".join(f"{encoder.out:08X}" for encoder in ring.encoders), flush=True)
+
+
+async def serve(ring):
+    if ring.options.rtu:
+        ours, theirs = null_modem()
+        server = ModbusSerialServer(context(ring), framer=ModbusRtuFramer, port=ours, baudrate=19200, timeout=1)
+        await server.start()
+        print(theirs, flush=True)
+        await answer_questions(ring)
+        await server.shutdown()
+        return
+    server = ModbusTcpServer(context(ring), address=("127.0.0.1", 0))
+    serving = asyncio.ensure_future(server.serve_forever())
+    await server.serving
+    print(server.server.sockets[0].getsockname()[1], flush=True)
+    await answer_questions(ring)
+    serving.cancel()
+
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("--rtu", action="store_true")
+parser.add_argument("--devices", type=int, default=3)
+parser.add_argument("--unit", type=int, default=1)
+parser.add_argument("--first", type=int, default=0, help="register of IN")
+parser.add_argument("--registers", type=int, default=0, help="of IN that exist; 0: all that are needed")
+parser.add_argument("--low-word-first", action="store_true")
+parser.add_argument("--exchange-bytes", action="store_true")
+parser.add_argument("--no-read-back", action="store_true")
+parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes")
+asyncio.run(serve(Ring(parser.parse_args())))
+os._exit(0)
