@@ -34,10 +34,9 @@ bool WordGate::mayMove(Word word) const
     case Profile::k2:
     case Profile::k4:
         return true;
-    case Profile::esc:
+    default: // it has no words
         return false;
     }
-    return false;
 }
 
 // The shaft was there: it came by on its way from the one to the other.

@@ -69,9 +69,9 @@ TEST(CliGatewayRing, WritingIsAskedForAndCountedWhereThoseOfRealEncodersAre)
     EXPECT_THAT(written.out, HasSubstr("read back"));
     EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
     const auto ledger = Ledger::open(DatabasePlace::file(project.path(line("ledger.sqlite"))));
-    ASSERT_TRUE(ledger && ledger->accounts());
-    ASSERT_EQ(ledger->accounts()->size(), 1U);
-    EXPECT_EQ(ledger->accounts()->front().writes, 1);
+    ASSERT_TRUE(ledger);
+    ASSERT_EQ(ledger->accounts().size(), 1U);
+    EXPECT_EQ(ledger->accounts().front().count.writes, 1);
 }
 
 TEST(CliGatewayRing, LowWordFirstHoldsBothWays)

@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "cli/line/device_on_line.h"
+#include "cli/present_ports.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
 #include "drivers/esc_driver.h"

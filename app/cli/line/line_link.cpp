@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line/line_link.h"
 
+#include "cli/present_ports.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "esc_line/line_limits.h"
 #include "links/port_access.h"
-#include "links/serial_ports.h"
 
 #include <QStringList>
 
@@ -202,16 +202,6 @@ Checked<LineLink> lineMeant(const LinkText &text, const Project *project, BusId 
     return lineAt(text.where, project, line).and_then([&](const LineLink &link) {
         return withSettings(link, text.settings);
     });
-}
-
-QString presentPortsText()
-{
-    QStringList ports;
-    for (const PortInfo &port : serialPorts())
-        ports << port.label();
-    return ports.isEmpty()
-               ? noSerialPortsText()
-               : sentence(CommandLine::tr("The ports there are: %1."), {ports.join(QStringLiteral("; "))});
 }
 
 } // namespace codewheel

@@ -33,7 +33,4 @@ Checked<LineLink> lineMeant(const LinkText &text, const Project *project = nullp
 // link says so when it is opened, and the other buses can still be used.
 Checked<LineLink> lineOf(const Project &project, BusId line, const QStringList &settings = {});
 
-// The serial ports of this computer in a sentence, or that it has none.
-QString presentPortsText();
-
 } // namespace codewheel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/gateway_access.h"
 
-#include "cli/line/line_link.h"
+#include "cli/present_ports.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"

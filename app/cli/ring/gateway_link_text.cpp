@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/gateway_link_text.h"
 
-#include "cli/line/line_link.h"
+#include "cli/present_ports.h"
 #include "cli/texts.h"
 #include "links/port_access.h"
 

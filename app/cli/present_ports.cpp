@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/present_ports.h"
+
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "links/serial_ports.h"
+
+namespace codewheel {
+
+QString presentPortsText()
+{
+    QStringList ports;
+    for (const PortInfo &port : serialPorts())
+        ports << port.label();
+    return ports.isEmpty()
+               ? noSerialPortsText()
+               : sentence(CommandLine::tr("The ports there are: %1."), {ports.join(QStringLiteral("; "))});
+}
+
+} // namespace codewheel
