@@ -1,18 +1,16 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : GPL - 3.0 - or -later
-""
-    "A ring of FRABA K3 encoders behind a Modbus gateway, made with pymodbus, for tests of its clients.
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A ring of FRABA K3 encoders behind a Modbus gateway, made with pymodbus, for tests of its clients.
 
-    Written from the manuals alone;
-it shares no code with the program.It serves Modbus TCP on a port that the system chooses,
-    or with-- rtu a pseudo terminal,
-    and prints the port or the path as its first line.IN is in the input registers,
-    OUT in the holding registers.It ends when its standard input is closed; for each line "writes" it prints
+Written from the manuals alone; it shares no code with the program. It serves Modbus TCP on a port that the system
+chooses, or with --rtu a pseudo terminal, and prints the port or the path as its first line. IN is in the input
+registers, OUT in the holding registers. It ends when its standard input is closed; for each line "writes" it prints
 how often OUT was written, and for "out" all OUT words.
 """
 
 import argparse
 import asyncio
+import logging
 import os
 import pty
 import select
@@ -30,15 +28,15 @@ CONFIRMED = 0xC0000000
 READ_OUT = 0x2021
 ANSWER = 0xA0000000
 DATA = 0x01FFFFFF
-STEPS, REVOLUTIONS, DIRECTION, PRESET_VALUE = 1, 2, 3, 4
+STEPS, REVOLUTIONS, DIRECTION, PRESET_VALUE, ZERO_OFFSET = 1, 2, 3, 4, 5
 
 
 class Encoder:
     """The handshake of a FRABA K3 (manual 5.2, 5.3), each word acting at once."""
 
     def __init__(self, number):
-        self.values = {STEPS: 8192, REVOLUTIONS: 1, DIRECTION: 3, PRESET_VALUE: 0, 5: 0}
-        self.pending = None  # operation
+        self.values = {STEPS: 8192, REVOLUTIONS: 1, DIRECTION: 3, PRESET_VALUE: 0, ZERO_OFFSET: 0}
+        self.pending = None  # in operation
         self.confirmation = 0
         self.position = 1000 * number
         self.number = number
@@ -59,16 +57,23 @@ class Encoder:
                 self.preset_flag = 0
         elif out >> 29 == 0 and out >> 25:
             number, data = out >> 25, out & DATA
-            self.pending = self.pending or
-    {}
+            self.pending = self.pending or {}
             self.pending[number] = data
             self.confirmation = CONFIRMED | out
             if number == PRESET_VALUE:
                 self.preset_flag = 1
 
     def read_out(self, code):
-        values = {0: 4710 + self.number, 3: self.values[DIRECTION], 6: self.preset_flag, 7: 100, 8: 10, 9: 1, 10: 0, 12: 250}
-        return ANSWER | values.get(code, self.values.get(code, 0))
+        others = {
+            0: 4710 + self.number,
+            6: self.preset_flag,
+            7: 100,
+            8: 10,
+            9: 1,
+            10: 0,
+            12: 250,
+        }
+        return ANSWER | others.get(code, self.values.get(code, 0))
 
     def shown(self):
         if self.out >> 16 == READ_OUT:
@@ -82,27 +87,27 @@ class Ring:
         self.encoders = [Encoder(i + 1) for i in range(options.devices)]
         self.writes = 0
 
-    def registers_of(self, word):
-        high, low = word >> 16, word & 0xFFFF
-        pair = [low, high] if self.options.low_word_first else [high, low]
+    def arranged(self, pair):
+        """Of the registers of a word, high word first, or back."""
         if self.options.exchange_bytes:
             pair = [(r >> 8) | (r & 0xFF) << 8 for r in pair]
-        return pair
+        return pair[::-1] if self.options.low_word_first else pair
+
+    def registers_of(self, word):
+        return self.arranged([word >> 16, word & 0xFFFF])
 
     def word_of(self, pair):
-        if self.options.exchange_bytes:
-            pair = [(r >> 8) | (r & 0xFF) << 8 for r in pair]
-        return pair[0] | pair[1] << 16 if self.options.low_word_first else pair[0] << 16 | pair[1]
+        high, low = self.arranged(pair)
+        return high << 16 | low
 
 
 class In(ModbusSequentialDataBlock):
-    def __init__(self, ring, first):
-        super().__init__(0, [0] * (first + (ring.options.registers or 2 * len(ring.encoders))))
+    def __init__(self, ring):
+        super().__init__(0, [0] * (ring.options.registers or 2 * len(ring.encoders)))
         self.ring = ring
-        self.first = first
 
     def getValues(self, address, count=1):
-        image = [0] * self.first
+        image = []
         for encoder in self.ring.encoders:
             image += self.ring.registers_of(encoder.shown())
         return image[address : address + count]
@@ -116,34 +121,28 @@ class Out(ModbusSequentialDataBlock):
     def setValues(self, address, values):
         super().setValues(address, values)
         self.ring.writes += 1
-        if self.ring.options.other_writer and self.ring.writes == self.ring.options.other_writer:
+        if self.ring.writes == self.ring.options.other_writer:
             super().setValues(2, self.ring.registers_of(RUN))  # to the second encoder
         image = super().getValues(0, 2 * len(self.ring.encoders))
         for i, encoder in enumerate(self.ring.encoders):
             encoder.take(self.ring.word_of(image[2 * i : 2 * i + 2]))
 
+
+class Hidden(Out):
+    """Cannot be read back: to reads there are no such registers."""
+
     def validate(self, address, count=1):
-        return super().validate(address, count)
-
-
-class OnlyWritten(Out):
-    """What was written cannot be read back: the registers are there for functions 6 and 16 only."""
-
-    def getValues(self, address, count=1):
-        raise RuntimeError("not readable")
+        return False
 
 
 def context(ring):
-    options = ring.options
-    out = OnlyWritten(ring) if options.no_read_back else Out(ring)
-    unit = ModbusSlaveContext(ir=In(ring, options.first), hr=out, zero_mode=True)
-    return ModbusServerContext(slaves={options.unit: unit}, single=False)
+    out = Hidden(ring) if ring.options.no_read_back else Out(ring)
+    unit = ModbusSlaveContext(ir=In(ring), hr=out, zero_mode=True)
+    return ModbusServerContext(slaves={ring.options.unit: unit}, single=False)
 
 
 def carry(one, other):
-    ends =
-    {
-        one : other, other : one}
+    ends = {one: other, other: one}
     while True:
         for end in select.select(list(ends), [], [])[0]:
             os.write(ends[end], os.read(end, 512))
@@ -152,7 +151,7 @@ def carry(one, other):
 def null_modem():
     """The paths of two pseudo terminals that are connected."""
     pairs = [pty.openpty() for _ in range(2)]
-    for master, slave in pairs:
+    for _, slave in pairs:
         tty.setraw(slave)
     threading.Thread(target=carry, args=[master for master, _ in pairs], daemon=True).start()
     return [os.ttyname(slave) for _, slave in pairs]
@@ -187,15 +186,14 @@ async def serve(ring):
     serving.cancel()
 
 
+logging.disable()  # of clients that go, and of exceptions
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--rtu", action="store_true")
 parser.add_argument("--devices", type=int, default=3)
 parser.add_argument("--unit", type=int, default=1)
-parser.add_argument("--first", type=int, default=0, help="register of IN")
 parser.add_argument("--registers", type=int, default=0, help="of IN that exist; 0: all that are needed")
 parser.add_argument("--low-word-first", action="store_true")
 parser.add_argument("--exchange-bytes", action="store_true")
 parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes")
 asyncio.run(serve(Ring(parser.parse_args())))
-os._exit(0)

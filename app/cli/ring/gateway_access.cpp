@@ -141,6 +141,8 @@ std::vector<Place> GatewayAccess::knownPlaces() const
 
 Checked<EncoderSession *> GatewayAccess::encoder(const Call &call, NodeId node, bool namesIt)
 {
+    if (m_hasProject && !mayHave(node))
+        return tl::unexpected(notAPlace(bus().placeOf(node).shown()));
     if (const auto opened = open(); !opened)
         return tl::unexpected(opened.error());
     return RingAccess::encoder(call, node, namesIt).and_then([&](EncoderSession *encoder) {
