@@ -9,7 +9,7 @@ namespace codewheel {
 namespace {
 
 using namespace test;
-using Outcome = GatewayOutcome;
+using CheckOutcome = GatewayOutcome;
 
 // A gateway that cannot be reached, or not always.
 class RefusingPort final : public RegisterBankPort
@@ -67,9 +67,9 @@ protected:
     {
         return finding.shown.value_or(DeviceRegisters());
     }
-    static std::vector<Outcome> outcomesOf(const std::vector<GatewayFinding> &findings)
+    static std::vector<CheckOutcome> outcomesOf(const std::vector<GatewayFinding> &findings)
     {
-        std::vector<Outcome> all;
+        std::vector<CheckOutcome> all;
         for (const GatewayFinding &finding : findings)
             all.push_back(finding.outcome);
         return all;
@@ -80,9 +80,9 @@ protected:
     GatewaySettings settings;
 };
 
-constexpr Outcome passed = Outcome::passed;
-constexpr Outcome failed = Outcome::failed;
-constexpr Outcome skipped = Outcome::skipped;
+constexpr CheckOutcome passed = CheckOutcome::passed;
+constexpr CheckOutcome failed = CheckOutcome::failed;
+constexpr CheckOutcome skipped = CheckOutcome::skipped;
 
 TEST_F(GatewayCheckTest, AGoodGatewayPassesEveryStep)
 {

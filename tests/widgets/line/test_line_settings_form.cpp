@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/line/line_bench.h"
+#include "widgets/connect/port_row.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
 
