@@ -4,7 +4,7 @@
 #include "app/screenshots/scene.h"
 #include "catalog/device_description.h"
 #include "esc/esc_request.h"
-#include "widgets/connect/port_row.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -84,7 +84,7 @@ QWidget *settingsAtWork(TrainingWindow &shown)
     wish.port = QStringLiteral("/dev/ttyUSB0"); // independent of this computer's ports
     form->setSettings(wish);
     shown.advance(whileMilliseconds);
-    return form;
+    return shown.window().findChild<ConnectPage *>(QStringLiteral("lineSettings"));
 }
 
 QWidget *searchAtWork(TrainingWindow &shown)

@@ -19,8 +19,8 @@ LineActions::LineActions(WindowActions &window)
     const auto add = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
         return described(menu->addAction(lineIcon(icon), text), key, what);
     };
-    settings = add(Icon::parameters, tr("&Port and settings…"), Qt::SHIFT | Qt::Key_F6,
-                   tr("Connects a serial port; nothing is written"));
+    settings = add(Icon::parameters, tr("&Connection…"), Qt::SHIFT | Qt::Key_F6,
+                   tr("How the line is connected: port and settings. Nothing is written"));
     search = add(Icon::search, tr("&Search for encoders…"), Qt::SHIFT | Qt::Key_F7,
                  tr("Asks one address after the other; nothing is written"));
     terminal = add(Icon::trace, tr("&Terminal"), Qt::SHIFT | Qt::Key_F8,

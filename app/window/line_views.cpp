@@ -13,6 +13,8 @@
 #include "encoder/refusal_text.h"
 #include "esc_line/line_session.h"
 #include "widgets/comparison/comparison_page.h"
+#include "widgets/connect/connect_page.h"
+#include "widgets/connect/plain_link_form.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
@@ -69,7 +71,8 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     , m_keeper(new LineKeeper(line, line.project(), this))
     , m_terminal(own(new LineTerminal(&parts.pages)))
     , m_panel(own(new LinePanel(&parts.pages)))
-    , m_form(own(new LineSettingsForm(&parts.pages)))
+    , m_connection(own(new ConnectPage(&parts.pages)))
+    , m_form(new LineSettingsForm(m_connection))
     , m_search(own(new LineSearch(&parts.pages)))
     , m_training(own(new LineTrainingPanel(line.id(), &parts.pages)))
     , m_comparison(
@@ -77,13 +80,19 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
 {
     m_notice->setObjectName(QStringLiteral("lineNotice"));
     parts.notices.insertWidget(0, m_notice);
-    m_form->setObjectName(QStringLiteral("lineSettings"));
+    m_connection->setObjectName(QStringLiteral("lineSettings"));
+    m_connection->addForm(m_form);
+    m_connection->addForm(
+        new PlainLinkForm(tr("Training line"),
+                          tr("Three simulated encoders, at factory settings, in this program. "
+                             "Nothing leaves this computer."),
+                          {}, m_connection));
     m_search->setObjectName(QStringLiteral("lineSearch"));
     m_search->setDevices(devicesOnLines(line.catalog()));
-    parts.pages.addWidget(m_form);
+    parts.pages.addWidget(m_connection);
     parts.pages.addWidget(m_search);
     parts.pages.addWidget(m_comparison);
-    setHelpTopic(*m_form, "serial-line.md#connecting");
+    setHelpTopic(*m_connection, "serial-line.md#connecting");
     setHelpTopic(*m_search, "serial-line.md#searching-for-encoders");
     setHelpTopic(*m_comparison, "project.md#comparing");
     setHelpTopic(*m_training, "training.md#the-serial-line");
@@ -91,14 +100,14 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });
     connect(m_terminal, &LineTerminal::goToWanted, this, &LineViews::goToWanted);
-    connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
     connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
-    connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
-    connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
-    connect(m_form, &LineSettingsForm::keepWanted, this,
-            [this](const LineSettings &wish, bool isPicked) { keepPort(wanted(wish, isPicked)); });
-    connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
     connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
+    connect(m_connection, &ConnectPage::portsWanted, this, &LineViews::listPorts);
+    connect(m_connection, &ConnectPage::connectWanted, this, &LineViews::connectAs);
+    connect(m_connection, &ConnectPage::keepWanted, this,
+            [this](const KindData &plan) { keepPort(wanted(plan.as<LinePlan>()->settings)); });
+    connect(m_connection, &ConnectPage::agreed, this, &LineViews::connectOtherAdapter);
+    connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showPlanned);
     connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showChosen);
@@ -108,7 +117,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(&line, &LineAtWork::portOpened, this, &LineViews::showOpened);
     connect(&line, &LineAtWork::openRefused, this, &LineViews::showRefused);
     connect(&line, &LineAtWork::openingChanged, this, [this] {
-        m_form->setConnecting(m_line.isOpening());
+        m_connection->setConnecting(m_line.isOpening());
         showActions();
     });
     connect(&line, &LineAtWork::aboutToChange, this, [this] { setLine(nullptr); });
@@ -246,7 +255,7 @@ void LineViews::setLine(LineSession *line)
     m_search->setLine(line);
     m_comparison->setBus(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
-    m_form->setCanKeep(line == nullptr);
+    m_connection->setConnected(line != nullptr);
     showStatus();
     showActions();
 }
@@ -261,7 +270,7 @@ void LineViews::showActions()
 void LineViews::showPlanned()
 {
     if (const LinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
-        m_form->setSettings(planned->settings);
+        m_connection->showPlan(KindData(*planned));
     showName();
 }
 
@@ -269,15 +278,15 @@ void LineViews::showName()
 {
     const PlannedBus *planned = findBus(m_line.project().project(), m_line.id());
     const QString name = planned != nullptr ? planned->name : QString();
-    m_form->setAbout(name);
+    m_connection->setAbout(name);
     m_search->setAbout(name);
 }
 
 void LineViews::showSettings()
 {
     listPorts();
-    m_parts.pages.setCurrentWidget(m_form);
-    m_form->setFocus();
+    m_parts.pages.setCurrentWidget(m_connection);
+    m_connection->setFocus();
 }
 
 void LineViews::showSearch()
@@ -289,39 +298,44 @@ void LineViews::showSearch()
 void LineViews::listPorts()
 {
     const LinePorts ports = linePorts(m_line.ports());
-    m_form->setPorts(ports.rows, ports.trouble);
+    m_connection->setPorts(ports.rows, ports.trouble);
 }
 
-LinePlan LineViews::wanted(const LineSettings &wish, bool isPicked) const
+LinePlan LineViews::wanted(const LineSettings &wish) const
 {
     LinePlan wanted = m_keeper->line();
-    if (isPicked || wanted.settings.port != wish.port)
+    if (m_form->isPicked() || wanted.settings.port != wish.port)
         wanted.adapter = {}; // whichever is there
     wanted.settings = wish;
     return wanted;
 }
 
-void LineViews::connectPort(const LineSettings &wish, bool isPicked)
+void LineViews::connectAs(const KindData &plan)
 {
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
-        m_opened = wanted(wish, isPicked);
+    const auto *line = plan.as<LinePlan>();
+    if (line == nullptr) {
+        connectTraining();
+        return;
+    }
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish = wanted(line->settings)] {
+        m_opened = wish;
         m_line.openPort(m_opened);
     });
 }
 
-void LineViews::connectOtherAdapter(const LineSettings &wish)
+void LineViews::connectOtherAdapter(const KindData &plan)
 {
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
-        LinePlan wanted = m_keeper->line();
-        wanted.settings = wish;
-        m_opened = wanted;
-        m_line.openOtherAdapter(wanted);
-    });
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()},
+                        [this, wish = plan.as<LinePlan>()->settings] {
+                            m_opened = m_keeper->line();
+                            m_opened.settings = wish;
+                            m_line.openOtherAdapter(m_opened);
+                        });
 }
 
 void LineViews::showOpened()
 {
-    m_form->setProblem({});
+    m_connection->setProblem({});
     m_form->tellBaudRate({});
     keepPort(m_opened);
     if (isCurrent())
@@ -331,9 +345,9 @@ void LineViews::showOpened()
 void LineViews::showRefused(const Refusal &why)
 {
     if (why.id == RefusalId::portOfOther)
-        m_form->askForOtherAdapter(refusalText(why));
+        m_connection->ask(refusalText(why), tr("Use this adapter"));
     else
-        m_form->setProblem(refusalText(why));
+        m_connection->setProblem(refusalText(why));
 }
 
 void LineViews::keepPort(const LinePlan &line)
@@ -371,12 +385,12 @@ void LineViews::determineFractionBits()
         return;
     const Place asked = m_chosen && m_session->encoder(*m_chosen) ? *m_chosen : firstThatAnswers(*m_session);
     if (const auto started = m_session->determineFractionBits(asked); !started)
-        m_form->setProblem(refusalText(started.error()));
+        m_connection->setProblem(refusalText(started.error()));
 }
 
 void LineViews::takeFractionBits(const Result<int> &bits)
 {
-    m_form->setProblem(bits ? QString() : refusalText(bits.error()));
+    m_connection->setProblem(bits ? QString() : refusalText(bits.error()));
     if (!bits)
         return;
     m_form->setFractionBits(*bits);

@@ -14,6 +14,7 @@
 
 namespace codewheel {
 
+class ConnectPage;
 class ComparisonPage;
 class LineActions;
 class LineKeeper;
@@ -70,9 +71,9 @@ private:
     void swapWarningBytes(bool on);
     void setLine(LineSession *line); // null: it is about to go
     void listPorts();
-    LinePlan wanted(const LineSettings &wish, bool isPicked) const;
-    void connectPort(const LineSettings &wish, bool isPicked);
-    void connectOtherAdapter(const LineSettings &wish);
+    LinePlan wanted(const LineSettings &wish) const;
+    void connectAs(const KindData &plan);
+    void connectOtherAdapter(const KindData &plan);
     void showOpened();
     void showRefused(const Refusal &why);
     void keepPort(const LinePlan &line);
@@ -102,6 +103,7 @@ private:
     bool m_takesOther = false; // keep another adapter once it is open
     LineTerminal *m_terminal;
     LinePanel *m_panel;
+    ConnectPage *m_connection;
     LineSettingsForm *m_form;
     LineSearch *m_search;
     LineTrainingPanel *m_training;

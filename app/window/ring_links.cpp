@@ -12,9 +12,9 @@
 #include "modbus/gateway_check_text.h"
 #include "project/gateway_plan.h"
 #include "widgets/connect/connect_page.h"
+#include "widgets/connect/plain_link_form.h"
 #include "widgets/gateway/gateway_form.h"
 #include "widgets/gateway/registers_page.h"
-#include "widgets/gateway/training_link_form.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -44,15 +44,15 @@ RingLinks::RingLinks(const Parts &parts, QObject *parent)
     , m_rtu(new GatewayForm(GatewaySettings::Transport::rtu, &parts.page))
 {
     ConnectPage &page = parts.page;
-    page.addForm(new TrainingLinkForm(&page));
+    page.addForm(new PlainLinkForm(tr("Training bus"),
+                                   tr("A simulated ring in this program. Nothing leaves this computer."),
+                                   KindData(ProjectLink()), &page));
     page.addForm(m_tcp);
     page.addForm(m_rtu);
     connect(&page, &ConnectPage::portsWanted, this, &RingLinks::listPorts);
     connect(&page, &ConnectPage::connectWanted, this, &RingLinks::connectAs);
-    connect(&page, &ConnectPage::keepWanted, this, [this](const KindData &plan) {
-        keep(*plan.as<ProjectLink>());
-        m_parts.page.tell(tr("This connection is in the project."));
-    });
+    connect(&page, &ConnectPage::keepWanted, this,
+            [this](const KindData &plan) { keep(*plan.as<ProjectLink>()); });
     connect(&page, &ConnectPage::testWanted, this, &RingLinks::test);
     connect(&page, &ConnectPage::testCancelled, &m_test, &GatewayTest::cancel);
     connect(&m_test, &GatewayTest::found, this, &RingLinks::take);
@@ -94,7 +94,7 @@ void RingLinks::showPlan()
     m_parts.registers.setAbout(name);
     m_tcp->setLast(m_parts.settings.lastLink(QString::fromLatin1(modbusTcpLink)));
     m_rtu->setLast(m_parts.settings.lastLink(QString::fromLatin1(modbusRtuLink)));
-    m_parts.page.show(KindData(ringPlan(project, m_parts.ring.id()).link));
+    m_parts.page.showPlan(KindData(ringPlan(project, m_parts.ring.id()).link));
 }
 
 void RingLinks::listPorts()
@@ -123,11 +123,25 @@ void RingLinks::keep(const ProjectLink &link)
 void RingLinks::connectAs(const KindData &plan)
 {
     const ProjectLink &link = *plan.as<ProjectLink>();
-    m_parts.page.setProblem({});
-    keep(link);
-    if (isGatewayLink(link.kind))
-        m_parts.settings.setLastLink(link.kind, link.settings);
-    m_parts.connection.connectRing();
+    changeLink(link, [this, link] {
+        if (isGatewayLink(link.kind))
+            m_parts.settings.setLastLink(link.kind, link.settings);
+        m_parts.connection.connectRing();
+    });
+}
+
+// A connected ring is left first, after asking what that ends.
+void RingLinks::changeLink(const ProjectLink &link, std::function<void()> then)
+{
+    const auto change = [this, link, then = std::move(then)] {
+        m_parts.ring.bus()->close();
+        keep(link);
+        then();
+    };
+    if (m_parts.ring.isOpen())
+        m_parts.leaving.ask(Leaving::Why::disconnect, {m_parts.ring.bus()}, change);
+    else
+        change();
 }
 
 std::vector<CheckedDevice> RingLinks::devices() const
@@ -236,24 +250,16 @@ void RingLinks::showRegisters()
     m_parts.registers.show(isLive ? liveRegisters() : plannedRegisters(), wordOrderOf(isHighFirst), isLive);
 }
 
-// Once, for both directions. A connected ring is left, after asking what that ends, and connected anew.
+// Once, for both directions. A connected ring is connected anew.
 void RingLinks::setOrder(WordOrder order)
 {
-    const auto set = [this, order] {
-        GatewaySettings settings = planned();
-        settings.highWordFirst = order == WordOrder::abcd;
-        const bool wasOpen = m_parts.ring.isOpen();
-        if (wasOpen)
-            m_parts.ring.bus()->close();
-        keep({linkKindOf(settings), linkTexts(settings)});
+    GatewaySettings settings = planned();
+    settings.highWordFirst = order == WordOrder::abcd;
+    changeLink({linkKindOf(settings), linkTexts(settings)}, [this, wasOpen = m_parts.ring.isOpen()] {
         if (wasOpen)
             m_parts.connection.connectRing();
         showRegisters();
-    };
-    if (m_parts.ring.isOpen())
-        m_parts.leaving.ask(Leaving::Why::disconnect, {m_parts.ring.bus()}, set);
-    else
-        set();
+    });
 }
 
 } // namespace codewheel

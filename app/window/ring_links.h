@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 namespace codewheel {
 
 class ConnectPage;
@@ -45,6 +47,7 @@ public:
 private:
     void keep(const ProjectLink &link);
     void connectAs(const KindData &plan);
+    void changeLink(const ProjectLink &link, std::function<void()> then);
     void test(const KindData &plan);
     void readNow(const NodeId &device);
     void take(const GatewayFinding &finding);

@@ -5,6 +5,8 @@
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
+#include "widgets/connect/connect_page.h"
+#include "widgets/connect/port_field.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
@@ -69,6 +71,7 @@ protected:
         return QString::fromLocal8Bit(peer.readLine()).trimmed();
     }
 
+    ConnectPage &connection() { return *window().findChild<ConnectPage *>(QStringLiteral("lineSettings")); }
     LineSettingsForm &form() { return *window().findChild<LineSettingsForm *>(); }
     LineSession &line() { return *shown->line().session(); }
     void click(const QWidget &in, const QString &text)
@@ -86,13 +89,13 @@ protected:
     void typePort(const QString &port)
     {
         lineActions().settings->trigger();
-        auto *field = form().findChild<QComboBox *>()->lineEdit();
+        auto *field = form().findChild<PortField *>()->findChild<QComboBox *>()->lineEdit();
         field->selectAll();
         QTest::keyClicks(field, port);
     }
     void connectNow()
     {
-        click(form(), QStringLiteral("Connect"));
+        click(connection(), QStringLiteral("Connect"));
         EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     }
     void connectPort(const QString &port)
@@ -104,8 +107,8 @@ protected:
     QString said()
     {
         QStringList sentences;
-        for (const auto *message : form().findChildren<InlineMessage *>())
-            if (message->isVisibleTo(&form()) &&
+        for (const auto *message : connection().findChildren<InlineMessage *>())
+            if (message->isVisibleTo(&connection()) &&
                 !message->sentence().startsWith(QStringLiteral("This computer has no")))
                 sentences << message->sentence();
         return sentences.join(u'\n');

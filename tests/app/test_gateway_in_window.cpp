@@ -42,7 +42,7 @@ protected:
     }
 
     RingAtWork &ring() { return *shown->plant().first<RingAtWork>(); }
-    ConnectPage &connection() { return *window().findChild<ConnectPage *>(); }
+    ConnectPage &connection() { return *window().findChild<ConnectPage *>(QStringLiteral("ringConnection")); }
     RegistersPage &registers() { return *window().findChild<RegistersPage *>(); }
     static QPushButton &button(const QWidget &page, const QString &text)
     {

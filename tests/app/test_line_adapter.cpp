@@ -58,7 +58,7 @@ protected:
     // As the user chooses it in the open list.
     void pickFirst()
     {
-        auto &list = *form().findChild<QComboBox *>();
+        auto &list = *form().findChild<PortField *>()->findChild<QComboBox *>();
         list.showPopup();
         QTest::keyClick(list.view(), Qt::Key_Home);
         QTest::keyClick(list.view(), Qt::Key_Return);
@@ -103,7 +103,7 @@ TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
     showForm();
     typePort(first.path());
     const LineSession *before = shown->line().session();
-    const auto buttons = form().findChildren<QPushButton *>();
+    const auto buttons = connection().findChildren<QPushButton *>();
     const auto button = std::ranges::find(buttons, QStringLiteral("&Connect"), &QPushButton::text);
     ASSERT_NE(button, buttons.end());
     (*button)->click(); // no events are processed meanwhile
@@ -139,7 +139,7 @@ TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
     connectNow();
     EXPECT_EQ(shown->line().session(), nullptr) << "unasked none is used";
     EXPECT_TRUE(said().contains(QStringLiteral("another adapter"))) << said().toStdString();
-    click(form(), QStringLiteral("Use this adapter"));
+    click(connection(), QStringLiteral("Use this adapter"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return shown->line().session() != nullptr; }));
     EXPECT_EQ(line().linkName(), first.path());
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));

@@ -5,6 +5,7 @@
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/comparison/comparison_page.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -69,6 +70,7 @@ protected:
         one.baudRate = baudRate;
         return one;
     }
+    ConnectPage &connection() { return *window().findChild<ConnectPage *>(QStringLiteral("lineSettings")); }
     // As the user connects it; positions are polled only rarely.
     void connectPort(const QString &port)
     {
@@ -78,7 +80,7 @@ protected:
         settings.port = port;
         settings.pollInterval = std::chrono::milliseconds(500);
         form.setSettings(settings);
-        QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+        QTest::mouseClick(button(connection(), QStringLiteral("Connect")), Qt::LeftButton);
         EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
         advance(50);
     }
@@ -274,10 +276,10 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
     LineSettings settings = form.settings();
     settings.port = QStringLiteral("/dev/there-is-none");
     form.setSettings(settings);
-    QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+    QTest::mouseClick(button(connection(), QStringLiteral("Connect")), Qt::LeftButton);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     bool isTold = false;
-    for (const auto *message : form.findChildren<InlineMessage *>())
+    for (const auto *message : connection().findChildren<InlineMessage *>())
         isTold = isTold || message->sentence().contains(QStringLiteral("/dev/there-is-none"));
     EXPECT_TRUE(isTold);
     EXPECT_NE(shown->line().training(), nullptr);
@@ -366,7 +368,8 @@ TEST_F(LineViewsTest, APortIsPlannedWithoutBeingOpened)
 {
     lineActions().settings->trigger();
     auto &form = view<LineSettingsForm>();
-    EXPECT_FALSE(button(form, QStringLiteral("Keep in project"))->isEnabled()) << "the training line is open";
+    EXPECT_FALSE(button(connection(), QStringLiteral("Keep in project"))->isEnabled())
+        << "the training line is open";
     lineActions().disconnectLine->trigger();
     advance(50);
     LineSettings settings = form.settings();
@@ -374,7 +377,7 @@ TEST_F(LineViewsTest, APortIsPlannedWithoutBeingOpened)
     settings.serial.baudRate = 4800;
     form.setSettings(settings);
     const int steps = shown->project().undoStack().index();
-    button(form, QStringLiteral("Keep in project"))->click();
+    button(connection(), QStringLiteral("Keep in project"))->click();
     EXPECT_EQ(linePlan(project(), firstLine)->settings.port, QStringLiteral("/dev/ttyHALL"));
     EXPECT_EQ(linePlan(project(), firstLine)->settings.serial.baudRate, 4800);
     EXPECT_EQ(shown->project().undoStack().index(), steps + 1);

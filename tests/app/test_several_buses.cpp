@@ -11,6 +11,7 @@
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/label_text.h"
@@ -99,10 +100,10 @@ protected:
     {
         LineSettings settings;
         settings.port = path;
-        for (auto *form : window().findChildren<LineSettingsForm *>())
-            if (form->isVisible()) {
-                form->setSettings(settings);
-                for (auto *button : form->findChildren<QPushButton *>())
+        for (auto *page : window().findChildren<ConnectPage *>())
+            if (page->isVisible()) {
+                page->findChild<LineSettingsForm *>()->setSettings(settings);
+                for (auto *button : page->findChildren<QPushButton *>())
                     if (plainLabel(button->text()) == QStringLiteral("Connect"))
                         button->click();
             }

@@ -62,6 +62,7 @@ ConnectPage::ConnectPage(QWidget *parent)
     setFocusProxy(m_link);
     connect(m_link, &QComboBox::currentIndexChanged, this, &ConnectPage::choose);
     connect(m_link, &QComboBox::activated, m_problem, &InlineMessage::withdraw);
+    connect(m_problem, &InlineMessage::actionTriggered, this, &ConnectPage::agree);
     connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &ConnectPage::scrollToSteps);
     showButtons();
 }
@@ -72,7 +73,6 @@ QWidget *ConnectPage::makeButtons()
     buttons->setMaximumWidth(widestPage);
     for (QPushButton *button : {m_test, m_keep, m_connect})
         button->setAutoDefault(false);
-    m_keep->setToolTip(tr("Plans this connection in the project. Nothing is opened (Alt+K)"));
     connect(m_test, &QPushButton::clicked, this, &ConnectPage::test);
     connect(m_keep, &QPushButton::clicked, this, &ConnectPage::keep);
     connect(m_connect, &QPushButton::clicked, this, &ConnectPage::connectNow);
@@ -122,10 +122,10 @@ void ConnectPage::setPorts(const std::vector<PortRow> &ports, const QString &tro
         static_cast<LinkForm *>(m_forms->widget(i))->setPorts(ports, trouble);
 }
 
-void ConnectPage::show(const KindData &plan)
+void ConnectPage::showPlan(const KindData &plan)
 {
     for (int i = 0; i < m_forms->count(); ++i)
-        if (static_cast<LinkForm *>(m_forms->widget(i))->show(plan))
+        if (static_cast<LinkForm *>(m_forms->widget(i))->showPlan(plan))
             m_link->setCurrentIndex(i);
     m_problem->withdraw();
 }
@@ -158,6 +158,11 @@ void ConnectPage::setProblem(const QString &sentence)
 void ConnectPage::tell(const QString &sentence)
 {
     m_problem->showMessage(Role::running, sentence);
+}
+
+void ConnectPage::ask(const QString &sentence, const QString &answer)
+{
+    m_problem->showMessage(Role::attention, sentence, answer);
 }
 
 void ConnectPage::setTesting(bool on)
@@ -203,19 +208,23 @@ void ConnectPage::showButtons()
                            : tr("Tries these settings step by step, and says what answers and what does "
                                 "not. Only reads (Alt+T)"));
     m_test->setEnabled(!m_isConnecting && !m_isConnected);
-    m_connect->setEnabled(!m_isConnecting && !m_isTesting && !m_isConnected);
+    m_connect->setEnabled(!m_isConnecting && !m_isTesting);
     m_connect->setText(m_isConnecting ? tr("Connecting…") : tr("&Connect"));
     m_connect->setToolTip(m_isConnected
-                              ? tr("This bus is connected. Disconnect it first")
+                              ? tr("Disconnects, and connects anew with these settings (Alt+C)")
                               : tr("Keeps these settings in the project, and connects. Nothing is written "
                                    "(Alt+C)"));
-    m_keep->setEnabled(!m_isConnecting);
+    m_keep->setVisible(form() != nullptr && form()->canBeKept());
+    m_keep->setEnabled(!m_isConnecting && !m_isConnected);
+    m_keep->setToolTip(m_isConnected ? tr("The connection that is open is in the project")
+                                     : tr("Plans this connection in the project. Nothing is opened (Alt+K)"));
 }
 
 // What is half typed is taken first, or nothing is done.
 bool ConnectPage::takeTyped()
 {
-    const QString wrong = takeFields(*form());
+    const QString halfTyped = takeFields(*form());
+    const QString wrong = halfTyped.isEmpty() ? form()->wrong() : halfTyped;
     if (!wrong.isEmpty())
         m_problem->showMessage(Role::attention, wrong);
     return wrong.isEmpty();
@@ -233,14 +242,24 @@ bool ConnectPage::isComplete()
 
 void ConnectPage::connectNow()
 {
+    if (!isComplete())
+        return;
+    m_problem->withdraw();
+    Q_EMIT connectWanted(plan());
+}
+
+void ConnectPage::agree()
+{
     if (isComplete())
-        Q_EMIT connectWanted(plan());
+        Q_EMIT agreed(plan());
 }
 
 void ConnectPage::keep()
 {
-    if (takeTyped())
-        Q_EMIT keepWanted(plan());
+    if (!takeTyped())
+        return;
+    Q_EMIT keepWanted(plan());
+    tell(tr("This connection is in the project."));
 }
 
 void ConnectPage::test()

@@ -37,13 +37,15 @@ public:
 
     void setPorts(const std::vector<PortRow> &ports, const QString &trouble);
     // Chooses the form of its link and shows it there.
-    void show(const KindData &plan);
+    void showPlan(const KindData &plan);
     KindData plan() const; // as entered
     void setConnecting(bool on);
-    // Settings of a bus that is connected are for the next time.
+    // A bus that is connected has its settings in the project; it can be connected anew.
     void setConnected(bool on);
     void setProblem(const QString &sentence); // empty: none
     void tell(const QString &sentence);
+    // Ends with agreed() if the user presses the button with this text.
+    void ask(const QString &sentence, const QString &answer);
 
     void setTesting(bool on); // begins a new list of steps
     void addStep(Role role, const QString &what, const QString &sentence);
@@ -57,6 +59,7 @@ Q_SIGNALS:
     void keepWanted(const codewheel::KindData &plan);
     void testWanted(const codewheel::KindData &plan);
     void testCancelled();
+    void agreed(const codewheel::KindData &plan); // to what was asked
 
 private:
     QWidget *makeButtons();
@@ -65,6 +68,7 @@ private:
     bool isComplete();
     void choose(int form);
     void connectNow();
+    void agree();
     void keep();
     void test();
     void showButtons();

@@ -22,11 +22,14 @@ public:
     virtual QString title() const = 0;    // in the list of links: "Modbus/TCP gateway"
     virtual QString sentence() const = 0; // what it is, and what connecting does
     virtual bool canBeTested() const { return false; }
+    virtual bool canBeKept() const { return true; } // in a project
 
     // Whether the plan is of this kind of link; shows it then.
-    virtual bool show(const KindData &plan) = 0;
+    virtual bool showPlan(const KindData &plan) = 0;
     // What is entered. Fields must have been taken.
     virtual KindData plan() const = 0;
+    // What is wrong, so that it cannot even be planned; a sentence, empty: nothing.
+    virtual QString wrong() const { return {}; }
     // What is missing for connecting; a sentence, empty: nothing.
     virtual QString complaint() const { return {}; }
     virtual void setPorts(const std::vector<PortRow> &, const QString & /*trouble*/) {}

@@ -165,7 +165,7 @@ void GatewayForm::setTexts(const Texts &texts)
     showPreset();
 }
 
-bool GatewayForm::show(const KindData &plan)
+bool GatewayForm::showPlan(const KindData &plan)
 {
     const auto *link = plan.as<ProjectLink>();
     const bool isOurs = link != nullptr && link->kind == linkKindOf({.transport = m_transport});

@@ -29,7 +29,7 @@ public:
     QString title() const override;
     QString sentence() const override;
     bool canBeTested() const override { return true; }
-    bool show(const KindData &plan) override;
+    bool showPlan(const KindData &plan) override;
     KindData plan() const override;
     QString complaint() const override;
     void setPorts(const std::vector<PortRow> &ports, const QString &trouble) override;

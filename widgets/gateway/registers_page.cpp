@@ -63,6 +63,7 @@ RegistersPage::RegistersPage(QWidget *parent)
                  {.spacing = grid::margin, .margins = allAround(grid::margin)});
     setFocusProxy(m_table);
     showChosen();
+    showOrder();
 }
 
 RegistersPage::~RegistersPage()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/line/line_settings_form.h"
 
-#include "encoder/sentence.h"
+#include "project/line_plan.h"
 #include "widgets/connect/port_field.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
@@ -21,15 +21,12 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSpinBox>
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
-
-constexpr int widestForm = 160 * grid::unit; // in a wide window its fields stay near their labels
 
 int wholeMilliseconds(Instant time)
 {
@@ -49,18 +46,13 @@ void setPeriod(QSpinBox &field)
 } // namespace
 
 LineSettingsForm::LineSettingsForm(QWidget *parent)
-    : Page(parent)
-    , m_content(new QWidget(this))
-    , m_port(new PortField(m_content))
-    , m_rateTold(new InlineMessage(m_content))
-    , m_problem(new InlineMessage(m_content))
-    , m_keep(new QPushButton(lineIcon(Icon::save), tr("&Keep in project"), m_content))
-    , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
+    : LinkForm(parent)
+    , m_port(new PortField(this))
+    , m_rateTold(new InlineMessage(this))
 {
     setAccessibleName(tr("Settings of the serial line"));
-    m_content->setMaximumWidth(widestForm);
-    auto *column = layOut<QVBoxLayout>(m_content, grid::margin, grid::margin);
-    auto *form = new QFormLayout;
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(QMargins());
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -68,57 +60,33 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     makeCharacter(*form);
     makeTimes(*form);
     makeEncoder(*form);
-    column->addLayout(form);
-    column->addWidget(m_problem);
-    m_connect->setToolTip(
-        tr("Opens the line, and asks for positions from then on. Nothing is written (Alt+C)"));
-    m_connect->setAutoDefault(false);
-    m_keep->setToolTip(tr("Plans port and settings in the project. Nothing is opened (Alt+K)"));
-    m_keep->setAutoDefault(false);
-    connect(m_keep, &QPushButton::clicked, this, &LineSettingsForm::keep);
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(m_keep);
-    buttons->addWidget(m_connect);
-    column->addLayout(buttons);
-    column->addStretch(1);
-    auto *area = new QScrollArea(this); // for low windows
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidgetResizable(true);
-    area->setWidget(m_content);
-    layOutColumn(this, {area}, {.margins = QMargins()});
     setFocusProxy(m_port);
     describe(m_baudRate->lineEdit(), m_baudRate->accessibleName(), m_baudRate->toolTip());
-    connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
     setSettings({});
 }
 
-void LineSettingsForm::setAbout(const QString &line)
+QString LineSettingsForm::sentence() const
 {
-    m_about = line;
-    Q_EMIT headChanged();
+    return tr("Encoders at a serial adapter. From connecting on they are asked for positions. Nothing is "
+              "written to an encoder.");
 }
 
-QString LineSettingsForm::effect() const
+bool LineSettingsForm::showPlan(const KindData &plan)
 {
-    return tr("Connect asks for positions from then on. Nothing is written to an encoder.");
+    const auto *line = plan.as<LinePlan>();
+    if (line != nullptr)
+        setSettings(line->settings);
+    return line != nullptr;
 }
 
-void LineSettingsForm::setConnecting(bool on)
+KindData LineSettingsForm::plan() const
 {
-    m_connect->setEnabled(!on);
-    m_connect->setText(on ? tr("Connecting…") : tr("&Connect"));
-}
-
-void LineSettingsForm::setCanKeep(bool can)
-{
-    m_keep->setEnabled(can);
+    return KindData(LinePlan{settings(), {}});
 }
 
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
 {
-    auto *box = describe(new QComboBox(m_content), plainLabel(label), toolTip);
+    auto *box = describe(new QComboBox(this), plainLabel(label), toolTip);
     form.addRow(label, box);
     return box;
 }
@@ -126,7 +94,7 @@ QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, 
 QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                                       line_limits::Limits limits)
 {
-    auto *field = describe(new IntegerField(m_content), plainLabel(label), toolTip);
+    auto *field = describe(new IntegerField(this), plainLabel(label), toolTip);
     field->setRange(limits.least, limits.most);
     form.addRow(label, field);
     return field;
@@ -135,9 +103,8 @@ QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, c
 void LineSettingsForm::makePort(QFormLayout &form)
 {
     m_port->addTo(form, tr("&Port"));
-    connect(m_port, &PortField::refreshWanted, this, &LineSettingsForm::refreshWanted);
-    connect(m_port, &PortField::edited, m_problem, &InlineMessage::withdraw);
-    connect(m_problem, &InlineMessage::actionTriggered, this, &LineSettingsForm::connectOther);
+    connect(m_port, &PortField::refreshWanted, this, &LineSettingsForm::portsWanted);
+    connect(m_port, &PortField::edited, this, &LineSettingsForm::edited);
 }
 
 void LineSettingsForm::makeCharacter(QFormLayout &form)
@@ -163,9 +130,9 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_parity->addItem(tr("odd", "parity"), static_cast<int>(SerialSettings::Parity::odd));
     for (const int bits : {2, 1})
         m_stopBits->addItem(QString::number(bits), bits);
-    m_lowLatency = new QCheckBox(tr("&Low latency"), m_content);
+    m_lowLatency = new QCheckBox(tr("Lo&w latency"), this);
     m_lowLatency->setToolTip(
-        tr("Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)"));
+        tr("Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+W)"));
     form.addRow(QString(), m_lowLatency);
 }
 
@@ -190,7 +157,7 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
 void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
     makeFractionBits(form);
-    m_topSpeed = describe(new DecimalField(m_content), tr("Top speed"),
+    m_topSpeed = describe(new DecimalField(this), tr("Top speed"),
                           tr("A position that jumps further than this speed allows is marked suspect "
                              "and asked for again"));
     m_topSpeed->setRange(line_limits::topSpeed.least, line_limits::topSpeed.most);
@@ -202,10 +169,10 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
 
 void LineSettingsForm::makeFractionBits(QFormLayout &form)
 {
-    m_fractionBits = describe(new IntegerField(m_content), tr("Fraction bits of the scaling factor"),
+    m_fractionBits = describe(new IntegerField(this), tr("Fraction bits of the scaling factor"),
                               tr("29 fits the example of the manual; it can be determined from a device"));
     m_fractionBits->setRange(line_limits::fractionBits.least, line_limits::fractionBits.most);
-    m_determine = new QPushButton(tr("Deter&mine"), m_content);
+    m_determine = new QPushButton(tr("Deter&mine"), this);
     m_determine->setAutoDefault(false);
     m_determine->setToolTip(
         tr("Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or "
@@ -279,19 +246,6 @@ void LineSettingsForm::setSettings(const LineSettings &settings)
     m_topSpeed->setValue(settings.topSpeed);
 }
 
-void LineSettingsForm::setProblem(const QString &sentence)
-{
-    if (sentence.isEmpty())
-        m_problem->withdraw();
-    else
-        m_problem->showMessage(Role::fault, sentence);
-}
-
-void LineSettingsForm::askForOtherAdapter(const QString &sentence)
-{
-    m_problem->showMessage(Role::attention, sentence, tr("Use this adapter"));
-}
-
 void LineSettingsForm::tellBaudRate(const QString &sentence, std::optional<int> wanted)
 {
     m_rateWanted = wanted;
@@ -312,61 +266,24 @@ void LineSettingsForm::takeRate()
     Q_EMIT baudRateWanted(*m_rateWanted);
 }
 
-bool LineSettingsForm::isComplete(const LineSettings &settings)
+QString LineSettingsForm::wrong() const
 {
-    if (settings.port.isEmpty())
-        m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
-    else if (hasRate(settings)) {
-        m_problem->withdraw();
-        return true;
-    }
-    return false;
-}
-
-bool LineSettingsForm::hasRate(const LineSettings &settings)
-{
-    const bool has = line_limits::baudRate.hold(settings.serial.baudRate);
-    if (!has)
-        m_problem->showMessage(Role::attention, tr("The baud rate is a number from %1 to %2.")
-                                                    .arg(line_limits::baudRate.least)
-                                                    .arg(line_limits::baudRate.most));
-    return has;
-}
-
-// Half-typed values are not yet the form's: they are taken first, or nothing is done.
-bool LineSettingsForm::takeTyped()
-{
-    const QString wrong = takeFields(*m_content);
-    if (!wrong.isEmpty())
-        m_problem->showMessage(Role::attention, wrong);
-    return wrong.isEmpty();
-}
-
-void LineSettingsForm::connectNow()
-{
-    if (!takeTyped())
-        return;
-    if (const LineSettings wanted = settings(); isComplete(wanted))
-        Q_EMIT connectWanted(wanted, m_port->isPicked());
+    if (line_limits::baudRate.hold(settings().serial.baudRate))
+        return {};
+    return tr("The baud rate is a number from %1 to %2.")
+        .arg(line_limits::baudRate.least)
+        .arg(line_limits::baudRate.most);
 }
 
 // A line may be planned before anybody knows its port.
-void LineSettingsForm::keep()
+QString LineSettingsForm::complaint() const
 {
-    if (!takeTyped())
-        return;
-    if (const LineSettings wanted = settings(); hasRate(wanted)) {
-        Q_EMIT keepWanted(wanted, m_port->isPicked());
-        m_problem->showMessage(Role::running, tr("Port and settings are in the project."));
-    }
+    return m_port->port().isEmpty() ? tr("Choose a serial port, or type the path of one.") : QString();
 }
 
-void LineSettingsForm::connectOther()
+bool LineSettingsForm::isPicked() const
 {
-    if (!takeTyped())
-        return;
-    if (const LineSettings wanted = settings(); isComplete(wanted))
-        Q_EMIT otherAdapterWanted(wanted);
+    return m_port->isPicked();
 }
 
 } // namespace codewheel

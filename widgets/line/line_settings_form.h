@@ -2,7 +2,7 @@
 #pragma once
 
 #include "esc_line/line_limits.h"
-#include "widgets/look/page.h"
+#include "widgets/connect/link_form.h"
 
 #include <optional>
 #include <vector>
@@ -18,35 +18,32 @@ namespace codewheel {
 
 class InlineMessage;
 class PortField;
-struct PortRow;
 
-// How a serial line is to be opened: the port from a list or by its path, the format of the bytes, and the
-// times the manual leaves open. Does not find ports itself: the list is given.
-class LineSettingsForm : public Page
+// The link of a serial line at a port: the port from a list or by its path, the format of the bytes, and the
+// times the manual leaves open. Its plan is a LinePlan without an adapter.
+class LineSettingsForm : public LinkForm
 {
     Q_OBJECT
 
 public:
     explicit LineSettingsForm(QWidget *parent = nullptr);
 
-    void setAbout(const QString &line); // the name of the line
-    QString title() const override { return tr("Port and settings"); }
-    QString about() const override { return m_about; }
-    QString effect() const override;
-
+    QString title() const override { return tr("Serial port"); }
+    QString sentence() const override;
+    bool showPlan(const KindData &plan) override;
+    KindData plan() const override;
+    QString wrong() const override;
+    QString complaint() const override;
     // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
     // even if it is not in the list.
-    void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
+    void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {}) override;
+
     LineSettings settings() const;
     void setSettings(const LineSettings &settings);
     // The port at which the line is open: shown as if never picked.
     void setPort(const QString &port);
-    void setConnecting(bool on); // for as long as the port takes to open
-    void setCanKeep(bool can);   // not while the line is open: the project then has its port
-    // What went wrong when it was opened; empty: nothing.
-    void setProblem(const QString &sentence);
-    // The adapter present is not that of the line; ends with otherAdapterWanted() if it is meant.
-    void askForOtherAdapter(const QString &sentence);
+    // The port was chosen in the list or typed, so whatever is there is meant.
+    bool isPicked() const;
     // An encoder answers at a baud rate other than the line's; if there is no rate to change to, only the
     // sentence is shown. Empty: settled.
     void tellBaudRate(const QString &sentence, std::optional<int> wanted = {});
@@ -55,12 +52,7 @@ public:
     void setFractionBits(int bits);
 
 Q_SIGNALS:
-    void refreshWanted();
-    void fractionBitsWanted(); // to be determined from an encoder
-    // isPicked: the port was chosen in the list or typed, so whatever is there is meant.
-    void connectWanted(const codewheel::LineSettings &settings, bool isPicked);
-    void keepWanted(const codewheel::LineSettings &settings, bool isPicked); // without opening it
-    void otherAdapterWanted(const codewheel::LineSettings &settings);
+    void fractionBitsWanted();         // to be determined from an encoder
     void baudRateWanted(int baudRate); // as given to tellBaudRate(); set in the form
 
 private:
@@ -72,16 +64,8 @@ private:
     QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                         line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
-    bool takeTyped();
-    bool isComplete(const LineSettings &settings);
-    bool hasRate(const LineSettings &settings);
-    void connectNow();
-    void keep();
-    void connectOther();
     void takeRate();
 
-    QString m_about;
-    QWidget *m_content;
     PortField *m_port;
     QComboBox *m_baudRate = nullptr;
     InlineMessage *m_rateTold;
@@ -97,9 +81,6 @@ private:
     QSpinBox *m_fractionBits = nullptr;
     QPushButton *m_determine = nullptr;
     QDoubleSpinBox *m_topSpeed = nullptr;
-    InlineMessage *m_problem;
-    QPushButton *m_keep;
-    QPushButton *m_connect;
     esc::Timing m_timing; // includes what the form does not show
 };
 

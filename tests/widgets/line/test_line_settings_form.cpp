@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/line_plan.h"
 #include "tests/widgets/line/line_bench.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
@@ -21,30 +23,32 @@ class LineSettingsFormTest : public testing::Test
 protected:
     LineSettingsFormTest()
     {
-        form.resize(600, 500);
-        form.show();
-        QObject::connect(&form, &LineSettingsForm::connectWanted, &form,
-                         [this](const LineSettings &settings) { wanted.push_back(settings); });
+        page.addForm(&form);
+        page.resize(600, 500);
+        page.show();
+        QObject::connect(&page, &ConnectPage::connectWanted, &page,
+                         [this](const KindData &plan) { wanted.push_back(plan.as<LinePlan>()->settings); });
     }
     template <typename Field>
     Field &field(const char *name) const
     {
-        for (auto *found : form.findChildren<Field *>())
+        for (auto *found : page.findChildren<Field *>())
             if (found->accessibleName() == QLatin1String(name))
                 return *found;
         ADD_FAILURE() << "no field " << name;
-        return *form.findChild<Field *>();
+        return *page.findChild<Field *>();
     }
-    void connectNow() { test::button(form, QStringLiteral("Connect"))->click(); }
+    void connectNow() { test::button(page, QStringLiteral("Connect"))->click(); }
     QString said() const
     {
-        for (const auto *message : form.findChildren<InlineMessage *>())
+        for (const auto *message : page.findChildren<InlineMessage *>())
             if (message->isVisible())
                 return message->sentence();
         return {};
     }
 
-    LineSettingsForm form;
+    ConnectPage page;
+    LineSettingsForm &form = *new LineSettingsForm(&page);
     std::vector<LineSettings> wanted;
     const std::vector<PortRow> ports{
         {QStringLiteral("/dev/ttyUSB0"), QStringLiteral("USB Serial"), QStringLiteral("FT12345")},
@@ -97,7 +101,7 @@ TEST_F(LineSettingsFormTest, WhatIsTypedIsTakenOrRefusedBeforeTheLineIsOpened)
 
 TEST_F(LineSettingsFormTest, InAWideWindowItsFieldsStayNearTheirLabels)
 {
-    form.resize(1200, 500);
+    page.resize(1200, 500);
     QCoreApplication::processEvents();
     EXPECT_LT(field<QSpinBox>("Time-out").width(), 600);
 }
@@ -113,22 +117,17 @@ TEST_F(LineSettingsFormTest, APathMayBeTyped)
 
 TEST_F(LineSettingsFormTest, APortIsPickedOnceTheUserChoosesOrTypesIt)
 {
-    const QSignalSpy wantedPort(&form, &LineSettingsForm::connectWanted);
-    const auto isPicked = [&] {
-        connectNow();
-        return wantedPort.back().at(1).toBool();
-    };
     form.setPorts(ports);
-    EXPECT_FALSE(isPicked()) << "it stood there";
+    EXPECT_FALSE(form.isPicked()) << "it stood there";
     auto &list = field<QComboBox>("Port");
     QTest::keyClick(&list, Qt::Key_Down);
-    EXPECT_TRUE(isPicked());
+    EXPECT_TRUE(form.isPicked());
     form.setPorts(ports);
-    EXPECT_TRUE(isPicked()) << "the list was made anew";
+    EXPECT_TRUE(form.isPicked()) << "the list was made anew";
     form.setSettings(form.settings());
-    EXPECT_FALSE(isPicked());
+    EXPECT_FALSE(form.isPicked());
     QTest::keyClicks(list.lineEdit(), QStringLiteral("1"));
-    EXPECT_TRUE(isPicked());
+    EXPECT_TRUE(form.isPicked());
 }
 
 TEST_F(LineSettingsFormTest, TheBaudRateThatTheEncodersHaveIsTaken)
@@ -246,7 +245,7 @@ TEST_F(LineSettingsFormTest, TheFormatOfTheFactorIsDeterminedByTheCaller)
 TEST_F(LineSettingsFormTest, AProblemGoesWithItsCause)
 {
     form.setPorts(ports);
-    form.setProblem(QStringLiteral("The port is used by another program."));
+    page.setProblem(QStringLiteral("The port is used by another program."));
     EXPECT_EQ(said(), QStringLiteral("The port is used by another program."));
     field<QComboBox>("Port").setEditText(QStringLiteral("/dev/ttyS1"));
     EXPECT_EQ(said(), QString());
@@ -254,10 +253,10 @@ TEST_F(LineSettingsFormTest, AProblemGoesWithItsCause)
 
 TEST_F(LineSettingsFormTest, RefreshIsTheCallers)
 {
-    const QSignalSpy refresh(&form, &LineSettingsForm::refreshWanted);
+    const QSignalSpy refresh(&form, &LineSettingsForm::portsWanted);
     test::button(form, QStringLiteral("Refresh"))->click();
     EXPECT_EQ(refresh.count(), 1);
-    test::expectAccessible(form);
+    test::expectAccessible(page);
 }
 
 } // namespace
