@@ -1927,6 +1927,22 @@
         <source>The recording has ended: %1, %2.</source>
         <translation>Die Aufzeichnung ist beendet: %1, %2.</translation>
     </message>
+    <message>
+        <source>The zeros of the ALARM STOP have arrived: all OUT words were read back as 00000000.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind angekommen: Alle OUT-Worte wurden als 00000000 zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else. Somebody else may write to it: stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden gesendet, aber OUT wurde anders zurückgelesen. Vielleicht schreibt noch jemand: Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent and acknowledged. OUT cannot be read back on this link.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden gesendet und bestätigt. OUT lässt sich über diese Verbindung nicht zurücklesen.</translation>
+    </message>
+    <message>
+        <source>The link is lost, so the zeros of the ALARM STOP have not arrived: they go out first once it is back. Stop the machine by its own means.</source>
+        <translation>Die Verbindung ist unterbrochen, die Nullen des ALARM-STOPPs sind also nicht angekommen: Sie gehen als Erstes hinaus, sobald sie wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>
@@ -2915,6 +2931,78 @@
     <message>
         <source>Nothing is recorded in %1 as yet.</source>
         <translation>In %1 ist noch nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The setting %1 of the link cannot be &quot;%2&quot;. Allowed: %3.</source>
+        <translation>Die Einstellung %1 der Verbindung kann nicht „%2“ sein. Erlaubt: %3.</translation>
+    </message>
+    <message>
+        <source>The link has no setting &quot;%1&quot;. Its settings are: %2.</source>
+        <translation>Die Verbindung hat keine Einstellung „%1“. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Change the registers of the link.</source>
+        <translation>%1 Die Register der Verbindung ändern.</translation>
+    </message>
+    <message>
+        <source>The project has no devices on this ring, and a gateway cannot say which there are. Enter them in the bus structure first.</source>
+        <translation>Das Projekt hat keine Teilnehmer an diesem Ring, und ein Gateway kann nicht sagen, welche es gibt. Sie zuerst im Busaufbau eintragen.</translation>
+    </message>
+    <message>
+        <source>The OUT words cannot be read back: what is there now is not known. Operate replaces it.</source>
+        <translation>Die OUT-Worte lassen sich nicht zurücklesen: Was jetzt dort steht, ist unbekannt. Bedienen ersetzt es.</translation>
+    </message>
+    <message>
+        <source>A gateway cannot say which devices are in the ring: the project does. Enter them there.</source>
+        <translation>Ein Gateway kann nicht sagen, welche Teilnehmer im Ring sind: Das sagt das Projekt. Sie dort eintragen.</translation>
+    </message>
+    <message>
+        <source>Somebody else writes to %1: OUT is %3 there instead of %2. The bus is in Watch now. Stop the other program or PLC first.</source>
+        <translation>Auf %1 schreibt noch jemand: OUT ist dort %3 statt %2. Der Bus ist jetzt auf Beobachten. Erst das andere Programm oder die SPS anhalten.</translation>
+    </message>
+    <message>
+        <source>There is no host &quot;%1&quot; in this network. Check its name, or give its address.</source>
+        <translation>In diesem Netz gibt es keinen Host „%1“. Den Namen prüfen oder die Adresse angeben.</translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection. Check the port, and whether Modbus/TCP is switched on there.</source>
+        <translation>%1 lehnt die Verbindung ab. Den Port prüfen, und ob Modbus/TCP dort eingeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached: no answer within %2 s. Check address, cable and supply.</source>
+        <translation>%1 ist nicht erreichbar: keine Antwort innerhalb von %2 s. Adresse, Kabel und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has closed the connection. It may serve only a few clients at once.</source>
+        <translation>%1 hat die Verbindung beendet. Vielleicht bedient es nur wenige Clients zugleich.</translation>
+    </message>
+    <message>
+        <source>Port %1 is used by another program. End it, or take another port.</source>
+        <translation>Port %1 wird von einem anderen Programm benutzt. Es beenden oder einen anderen Port nehmen.</translation>
+    </message>
+    <message>
+        <source>Only an administrator may serve at port %1. Take one from 1024 on, such as 1502.</source>
+        <translation>An Port %1 darf nur ein Administrator etwas anbieten. Einen ab 1024 nehmen, etwa 1502.</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address %1. Take one of its own, or 0.0.0.0 for all it has.</source>
+        <translation>Dieser Rechner hat die Adresse %1 nicht. Eine eigene nehmen, oder 0.0.0.0 für alle, die er hat.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer (%2, tries: %3). Check unit number, settings of the line, and supply.</source>
+        <translation>%1 antwortet nicht (%2, Versuche: %3). Unit-Nummer, Einstellungen der Leitung und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 refuses %2 with exception %3: %4</source>
+        <translation>%1 lehnt %2 mit Exception %3 ab: %4</translation>
+    </message>
+    <message>
+        <source>The answer of %1 to %2 is wrong: %3</source>
+        <translation>Die Antwort von %1 auf %2 ist falsch: %3</translation>
+    </message>
+    <message>
+        <source>Somebody else writes to the outputs of this bus: it is in Watch now.</source>
+        <translation>Auf die Ausgänge dieses Busses schreibt noch jemand: Er ist jetzt auf Beobachten.</translation>
     </message>
 </context>
 <context>
@@ -4677,6 +4765,13 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CheckList</name>
+    <message>
+        <source>Steps of the test</source>
+        <translation>Schritte des Tests</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CodeDisc</name>
     <message>
         <source>Dial</source>
@@ -5748,24 +5843,8 @@ Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.
         <translation>ein anderer Verlauf derselben Fehler (1)</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be served. There is: esc.</source>
-        <translation>„%1“ lässt sich nicht anbieten. Es gibt: esc.</translation>
-    </message>
-    <message>
         <source>This computer gives no pseudo terminal. Close programs that use some.</source>
         <translation>Dieser Rechner stellt kein Pseudoterminal bereit. Programme schließen, die welche benutzen.</translation>
-    </message>
-    <message>
-        <source>offer the simulated serial line to other programs</source>
-        <translation>die simulierte serielle Leitung anderen Programmen anbieten</translation>
-    </message>
-    <message>
-        <source>Prints the path of a pseudo terminal, which any program on this computer opens as a serial port, and serves the
-encoders 03, 05 and 12 there, at the speed of a real line, until it is ended with Ctrl+C (SIGINT or SIGTERM).
-Baud rates other than that of the encoders give junk.</source>
-        <translation>Gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss öffnet, und
-bietet dort die Geber 03, 05 und 12 an, so schnell wie eine echte Leitung, bis Strg+C (SIGINT oder SIGTERM) es
-beendet. Mit anderen Baudraten als der der Geber kommen nur Störzeichen.</translation>
     </message>
     <message>
         <source>do it without asking</source>
@@ -7114,6 +7193,208 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
         <source>on a server</source>
         <translation>auf einem Server</translation>
     </message>
+    <message>
+        <source>%1 is not for &quot;serve %2&quot;. Its options are: %3.</source>
+        <translation>%1 gehört nicht zu „serve %2“. Die Optionen dort sind: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be served. There is: %2.</source>
+        <translation>„%1“ kann nicht angeboten werden. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>offer the simulated serial line or a simulated ring to other programs</source>
+        <translation>die simulierte serielle Leitung oder einen simulierten Ring anderen Programmen anbieten</translation>
+    </message>
+    <message>
+        <source>esc: prints the path of a pseudo terminal, which any program on this computer opens as a serial port, and
+serves the encoders 03, 05 and 12 there, at the speed of a real line. Baud rates other than that of the
+encoders give junk.
+
+modbus-tcp, modbus-rtu: offers the process image of the training ring, or of the rings of --project that are
+linked to it, as Modbus registers, as a gateway does; several clients at once over TCP. A write is
+confirmed once it was on the bus. The ring runs in real time, in Operate.
+
+Each serves until it is ended with Ctrl+C (SIGINT or SIGTERM).</source>
+        <translation>esc: gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss
+öffnet, und bietet dort die Geber 03, 05 und 12 mit der Geschwindigkeit einer echten Leitung an. Andere
+Baudraten als die der Geber ergeben Datenmüll.
+
+modbus-tcp, modbus-rtu: bietet das Prozessabbild des Übungsrings, oder der Ringe von --project, die mit ihm
+verbunden sind, als Modbus-Register an, wie es ein Gateway tut; über TCP mehreren Clients zugleich. Ein
+Schreiben wird bestätigt, sobald es auf dem Bus war. Der Ring läuft in Echtzeit und auf Bedienen.
+
+Läuft, bis es mit Strg+C (SIGINT oder SIGTERM) beendet wird.</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1: keine</translation>
+    </message>
+    <message>
+        <source>%1 from register %2: %3</source>
+        <translation>%1 ab Register %2: %3</translation>
+    </message>
+    <message>
+        <source>The bus &quot;%1&quot; is not behind a gateway. Name one, as --link modbus-tcp:192.168.0.5, or use --link project.</source>
+        <translation>Der Bus „%1“ ist nicht hinter einem Gateway. Eines angeben, etwa --link modbus-tcp:192.168.0.5, oder --link project verwenden.</translation>
+    </message>
+    <message>
+        <source>test a gateway step by step, and show the registers of its devices</source>
+        <translation>ein Gateway Schritt für Schritt prüfen und die Register seiner Teilnehmer zeigen</translation>
+    </message>
+    <message>
+        <source>Tests whether the gateway is there, its unit answers, and its registers are long enough for the ring of
+the project. Then it reads the registers of each device, or of the one at PLACE, and shows the word in the
+four orders that its bytes can have, and which of them the encoder can have sent. The one that is set
+has a *. Writes nothing. Exit code 1 if anything failed.</source>
+        <translation>Prüft, ob das Gateway da ist, seine Unit antwortet und seine Register für den Ring des Projekts reichen.
+Dann liest es die Register jedes Teilnehmers, oder dessen auf PLACE, und zeigt das Wort in den vier
+Reihenfolgen, die seine Bytes haben können, und welche davon der Geber gesendet haben kann. Die
+eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen ist.</translation>
+    </message>
+    <message>
+        <source>The gateway %1 cannot say which devices are in its ring. Name the project that does, with --project FILE.</source>
+        <translation>Das Gateway %1 kann nicht sagen, welche Teilnehmer in seinem Ring sind. Das Projekt, das es sagt, mit --project FILE angeben.</translation>
+    </message>
+    <message>
+        <source>The project does not say where the gateway of &quot;%1&quot; is. Enter it in the window, or name it, as --link modbus-tcp:192.168.0.5.</source>
+        <translation>Das Projekt sagt nicht, wo das Gateway von „%1“ ist. Es im Fenster eintragen oder angeben, etwa --link modbus-tcp:192.168.0.5.</translation>
+    </message>
+    <message>
+        <source>No two reads of IN of %1 agree, so it is not known what the encoder shows. Check its registers with codewheel-cli gateway.</source>
+        <translation>Keine zwei Lesungen von IN von %1 stimmen überein, also ist unbekannt, was der Geber zeigt. Seine Register mit codewheel-cli gateway prüfen.</translation>
+    </message>
+    <message>
+        <source>The project has several rings, and none of them is planned at %1. Give it to one of them in the project, and use --link project.</source>
+        <translation>Das Projekt hat mehrere Ringe, und keiner davon ist an %1 geplant. Es im Projekt einem davon geben und --link project verwenden.</translation>
+    </message>
+    <message>
+        <source>modbus-tcp:HOST[:PORT] and modbus-rtu:PORT, a gateway that shows the ring of the project as registers, as modbus-tcp:192.168.0.5,unit=1</source>
+        <translation>modbus-tcp:HOST[:PORT] und modbus-rtu:PORT, ein Gateway, das den Ring des Projekts als Register zeigt, etwa modbus-tcp:192.168.0.5,unit=1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address in brackets with a port. Write it as [fe80::1] or [fe80::1]:502.</source>
+        <translation>„%1“ ist keine Adresse in Klammern mit einem Port. So schreiben: [fe80::1] oder [fe80::1]:502.</translation>
+    </message>
+    <message>
+        <source>Write the address %1 in brackets, as modbus-tcp:[%1], so that it can be told from a port.</source>
+        <translation>Die Adresse %1 in Klammern schreiben, als modbus-tcp:[%1], damit sie sich von einem Port unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Name the host of the gateway, as --link modbus-tcp:192.168.0.5.</source>
+        <translation>Den Host des Gateways angeben, etwa --link modbus-tcp:192.168.0.5.</translation>
+    </message>
+    <message>
+        <source>Name the port behind &quot;%1&quot;, or leave the colon out for port 502.</source>
+        <translation>Hinter „%1“ den Port angeben, oder für Port 502 den Doppelpunkt weglassen.</translation>
+    </message>
+    <message>
+        <source>Name the port of the gateway, as --link modbus-rtu:ttyUSB0. %1</source>
+        <translation>Den Anschluss des Gateways angeben, etwa --link modbus-rtu:ttyUSB0. %1</translation>
+    </message>
+    <message>
+        <source>Exception %1: %2 (%3)</source>
+        <translation>Exception %1: %2-mal (%3)</translation>
+    </message>
+    <message>
+        <source>Transactions: %1. Exchanges: %2 (%3 a second). Retries: %4. Time-outs: %5. Wrong answers: %6. Connections: %7, of them lost: %8. Torn words: %9.</source>
+        <translation>Transaktionen: %1. Austausche: %2 (%3 je Sekunde). Wiederholungen: %4. Zeitüberschreitungen: %5. Falsche Antworten: %6. Verbindungen: %7, davon verloren: %8. Zerrissene Worte: %9.</translation>
+    </message>
+    <message>
+        <source>Status register: %1</source>
+        <translation>Statusregister: %1</translation>
+    </message>
+    <message>
+        <source>The project has no ring with devices whose link is the training bus.</source>
+        <translation>Das Projekt hat keinen Ring mit Teilnehmern, dessen Verbindung der Übungsbus ist.</translation>
+    </message>
+    <message>
+        <source>The project has %1 rings, each a unit of its own. Leave --seats out.</source>
+        <translation>Das Projekt hat %1 Ringe, jeder eine eigene Unit. --seats weglassen.</translation>
+    </message>
+    <message>
+        <source>A fault plan is for one ring. Name it with --fault-bus: %1.</source>
+        <translation>Ein Fehlerplan gilt für einen Ring. Ihn mit --fault-bus angeben: %1.</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>IN, input</source>
+        <translation>IN, Input</translation>
+    </message>
+    <message>
+        <source>IN, holding</source>
+        <translation>IN, Holding</translation>
+    </message>
+    <message>
+        <source>OUT, holding</source>
+        <translation>OUT, Holding</translation>
+    </message>
+    <message>
+        <source>modbus-tcp: its number, 0 for a free one (1502); modbus-rtu: a serial port, with settings behind it, as ttyUSB0,baud=9600,unit=5 (a pseudo terminal)</source>
+        <translation>modbus-tcp: seine Nummer, 0 für eine freie (1502); modbus-rtu: ein serieller Anschluss mit Einstellungen dahinter, etwa ttyUSB0,baud=9600,unit=5 (ein Pseudoterminal)</translation>
+    </message>
+    <message>
+        <source>a ring of its own for each seat: unit 1 to N (one ring for all units)</source>
+        <translation>für jeden Sitzplatz ein eigener Ring: Unit 1 bis N (ein Ring für alle Units)</translation>
+    </message>
+    <message>
+        <source>clients may write nothing</source>
+        <translation>Clients dürfen nichts schreiben</translation>
+    </message>
+    <message>
+        <source>of this computer, where others reach it; 0.0.0.0: all it has (127.0.0.1, for programs on this computer only)</source>
+        <translation>dieses Rechners, unter der ihn andere erreichen; 0.0.0.0: alle, die er hat (127.0.0.1, nur für Programme auf diesem Rechner)</translation>
+    </message>
+    <message>
+        <source>Unit %1</source>
+        <translation>Unit %1</translation>
+    </message>
+    <message>
+        <source>Status register: %1. Diagnostic parameter: %2.</source>
+        <translation>Statusregister: %1. Diagnoseparameter: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written.</source>
+        <translation>Es kann nichts geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>All units</source>
+        <translation>Alle Units</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 of them refused; %3 writes</source>
+        <translation>%1 Anfragen, davon %2 abgelehnt; %3 Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>%1 is connected.</source>
+        <translation>%1 ist verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 has left: %2.</source>
+        <translation>%1 ist gegangen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was refused: there are as many clients as can be served.</source>
+        <translation>%1 wurde abgewiesen: Es sind schon so viele Clients da, wie bedient werden können.</translation>
+    </message>
+    <message>
+        <source>Clients: %1, and %2 that were refused. %3.</source>
+        <translation>Clients: %1, dazu %2 abgewiesene. %3.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -7287,6 +7568,81 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
     <message>
         <source>The bus is not connected</source>
         <translation>Der Bus ist nicht verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ConnectPage</name>
+    <message>
+        <source>Link</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>How this bus is reached</source>
+        <translation>Wie dieser Bus erreicht wird</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Testen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep in project</source>
+        <translation>Ins Pro&amp;jekt</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Link</source>
+        <translation>K&amp;opplung</translation>
+    </message>
+    <message>
+        <source>Testing and connecting only read. Nothing is written to a device.</source>
+        <translation>Testen und Verbinden lesen nur. In kein Gerät wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Cancel &amp;test</source>
+        <translation>&amp;Test abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the test after its present step (Alt+T)</source>
+        <translation>Beendet den Test nach dem laufenden Schritt (Alt+T)</translation>
+    </message>
+    <message>
+        <source>Disconnect first: a gateway may have room for one client only</source>
+        <translation>Erst trennen: Ein Gateway hat vielleicht nur für einen Client Platz</translation>
+    </message>
+    <message>
+        <source>Tries these settings step by step, and says what answers and what does not. Only reads (Alt+T)</source>
+        <translation>Probiert diese Einstellungen Schritt für Schritt und sagt, was antwortet und was nicht. Liest nur (Alt+T)</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbindet…</translation>
+    </message>
+    <message>
+        <source>Disconnects, and connects anew with these settings (Alt+C)</source>
+        <translation>Trennt und verbindet neu mit diesen Einstellungen (Alt+V)</translation>
+    </message>
+    <message>
+        <source>Keeps these settings in the project, and connects. Nothing is written (Alt+C)</source>
+        <translation>Übernimmt diese Einstellungen ins Projekt und verbindet. Es wird nichts geschrieben (Alt+V)</translation>
+    </message>
+    <message>
+        <source>The connection that is open is in the project</source>
+        <translation>Die offene Verbindung steht im Projekt</translation>
+    </message>
+    <message>
+        <source>Plans this connection in the project. Nothing is opened (Alt+K)</source>
+        <translation>Plant diese Verbindung im Projekt. Es wird nichts geöffnet (Alt+J)</translation>
+    </message>
+    <message>
+        <source>This connection is in the project.</source>
+        <translation>Diese Verbindung steht im Projekt.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
     </message>
 </context>
 <context>
@@ -8691,6 +9047,478 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::GatewayForm</name>
+    <message>
+        <source>Modbus/TCP gateway</source>
+        <translation>Modbus/TCP-Gateway</translation>
+    </message>
+    <message>
+        <source>Modbus RTU gateway</source>
+        <translation>Modbus-RTU-Gateway</translation>
+    </message>
+    <message>
+        <source>A bus coupler or controller that shows the words of the ring as Modbus registers. It cannot say which devices there are: the bus structure of the project does.</source>
+        <translation>Ein Buskoppler oder eine Steuerung, die die Worte des Rings als Modbus-Register zeigt. Welche Teilnehmer es gibt, sagt nicht das Gateway, sondern der Busaufbau des Projekts.</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>The name or address of the gateway in the network, such as 192.168.0.5</source>
+        <translation>Name oder Adresse des Gateways im Netz, etwa 192.168.0.5</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>502 with nearly every gateway</source>
+        <translation>502 bei fast jedem Gateway</translation>
+    </message>
+    <message>
+        <source>Register map</source>
+        <translation>Registerplan</translation>
+    </message>
+    <message>
+        <source>Sets the registers below as they are with usual gateways</source>
+        <translation>Stellt die Register darunter so ein, wie sie bei üblichen Gateways sind</translation>
+    </message>
+    <message>
+        <source>Register m&amp;ap</source>
+        <translation>Registerp&amp;lan</translation>
+    </message>
+    <message>
+        <source>As set below</source>
+        <translation>Wie unten eingestellt</translation>
+    </message>
+    <message>
+        <source>Enter the name or address of the gateway.</source>
+        <translation>Name oder Adresse des Gateways eingeben.</translation>
+    </message>
+    <message>
+        <source>Choose a serial port, or type the path of one.</source>
+        <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
+    </message>
+    <message>
+        <source>As used last: %1</source>
+        <translation>Wie zuletzt benutzt: %1</translation>
+    </message>
+    <message>
+        <source>The settings below are those of no usual gateway.</source>
+        <translation>Die Einstellungen darunter sind die keines üblichen Gateways.</translation>
+    </message>
+    <message>
+        <source>Serial &amp;port</source>
+        <translation>An&amp;schluss</translation>
+    </message>
+    <message>
+        <source>Ho&amp;st</source>
+        <translation>Ho&amp;st</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GatewayPanel</name>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>Figures of the link</source>
+        <translation>Zahlen der Verbindung</translation>
+    </message>
+    <message>
+        <source>Since the bus was connected. A transaction is a request with its answer; the median is that of the newest 1000</source>
+        <translation>Seit der Bus verbunden wurde. Eine Transaktion ist eine Anfrage mit ihrer Antwort; der Median ist der der letzten 1000</translation>
+    </message>
+    <message>
+        <source>Where it is reached</source>
+        <translation>Wo es erreicht wird</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>In Watch only reads are sent</source>
+        <translation>In Beobachten wird nur gelesen</translation>
+    </message>
+    <message>
+        <source>Status register</source>
+        <translation>Statusregister</translation>
+    </message>
+    <message>
+        <source>As the gateway tells it, if it has one</source>
+        <translation>Wie das Gateway es meldet, falls es eines hat</translation>
+    </message>
+    <message>
+        <source>Connection…</source>
+        <translation>Verbindung…</translation>
+    </message>
+    <message>
+        <source>Kind of link, host or port, and the registers of the gateway</source>
+        <translation>Art der Verbindung, Host oder Anschluss und die Register des Gateways</translation>
+    </message>
+    <message>
+        <source>Registers…</source>
+        <translation>Register…</translation>
+    </message>
+    <message>
+        <source>The registers of each device, and the word order</source>
+        <translation>Die Register jedes Teilnehmers und die Wortreihenfolge</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Connected, stopped</source>
+        <translation>Verbunden, angehalten</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Verbindet</translation>
+    </message>
+    <message>
+        <source>Link lost; it is tried again each second</source>
+        <translation>Verbindung weg; jede Sekunde ein neuer Versuch</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Operate: OUT is written</source>
+        <translation>Bedienen: OUT wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Watch: only reads are sent</source>
+        <translation>Beobachten: Es wird nur gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GatewayPreset</name>
+    <message>
+        <source>High word first</source>
+        <translation>Oberes Wort zuerst</translation>
+    </message>
+    <message>
+        <source>IN in input registers, OUT in holding registers, both from 0</source>
+        <translation>IN in Input-Registern, OUT in Holding-Registern, beide ab 0</translation>
+    </message>
+    <message>
+        <source>Low word first</source>
+        <translation>Unteres Wort zuerst</translation>
+    </message>
+    <message>
+        <source>The same, but the first register of each encoder is the low half of its word</source>
+        <translation>Ebenso, aber das erste Register jedes Gebers ist die untere Hälfte seines Wortes</translation>
+    </message>
+    <message>
+        <source>Holding registers only</source>
+        <translation>Nur Holding-Register</translation>
+    </message>
+    <message>
+        <source>IN from 0 and OUT from 512, read by function 3 and written by function 16</source>
+        <translation>IN ab 0 und OUT ab 512, mit Funktion 3 gelesen und mit Funktion 16 geschrieben</translation>
+    </message>
+    <message>
+        <source>Holding registers, function 23</source>
+        <translation>Holding-Register, Funktion 23</translation>
+    </message>
+    <message>
+        <source>The same, but OUT is written and IN is read in one transaction</source>
+        <translation>Ebenso, aber OUT wird in derselben Transaktion geschrieben, in der IN gelesen wird</translation>
+    </message>
+    <message>
+        <source>A training bus of Codewheel</source>
+        <translation>Ein Übungsbus von Codewheel</translation>
+    </message>
+    <message>
+        <source>As another Codewheel offers its training bus; the state of the ring is in register 8192</source>
+        <translation>So bietet ein anderes Codewheel seinen Übungsbus an; der Zustand des Rings steht in Register 8192</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GatewayTexts</name>
+    <message>
+        <source>it is incomplete</source>
+        <translation>sie ist unvollständig</translation>
+    </message>
+    <message>
+        <source>another one follows it</source>
+        <translation>ihr folgt noch eine</translation>
+    </message>
+    <message>
+        <source>something on the line does not stop sending</source>
+        <translation>etwas an der Leitung hört nicht auf zu senden</translation>
+    </message>
+    <message>
+        <source>it is of unit %1</source>
+        <translation>sie kommt von Unit %1</translation>
+    </message>
+    <message>
+        <source>its length does not fit its function</source>
+        <translation>ihre Länge passt nicht zu ihrer Funktion</translation>
+    </message>
+    <message>
+        <source>it is for transaction %1, not %2</source>
+        <translation>sie gehört zu Transaktion %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>it is not Modbus</source>
+        <translation>sie ist kein Modbus</translation>
+    </message>
+    <message>
+        <source>Not tested, because of what failed before.</source>
+        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
+    </message>
+    <message>
+        <source>Connected with %1.</source>
+        <translation>Verbunden mit %1.</translation>
+    </message>
+    <message>
+        <source>No device of the project has IN words.</source>
+        <translation>Kein Teilnehmer des Projekts hat IN-Worte.</translation>
+    </message>
+    <message>
+        <source>No device of the project has OUT words.</source>
+        <translation>Kein Teilnehmer des Projekts hat OUT-Worte.</translation>
+    </message>
+    <message>
+        <source>OUT is not read back, as the settings say, so nothing tells whether its registers are there or who writes them.</source>
+        <translation>OUT wird laut Einstellung nicht zurückgelesen; ob es seine Register gibt und wer sie schreibt, ist also unbekannt.</translation>
+    </message>
+    <message>
+        <source>The status register is %1.</source>
+        <translation>Das Statusregister ist %1.</translation>
+    </message>
+    <message>
+        <source>high word first</source>
+        <translation>oberes Wort zuerst</translation>
+    </message>
+    <message>
+        <source>low word first</source>
+        <translation>unteres Wort zuerst</translation>
+    </message>
+    <message>
+        <source>It can with %1 (%2): change the word order.</source>
+        <translation>Mit %1 kann er es (%2): Die Wortreihenfolge ändern.</translation>
+    </message>
+    <message>
+        <source>It can with the bytes of each register exchanged: set the gateway so that it does not exchange them.</source>
+        <translation>Mit vertauschten Bytes in jedem Register kann er es: Das Gateway so einstellen, dass es sie nicht vertauscht.</translation>
+    </message>
+    <message>
+        <source>It can in no order. Check that its IN words begin at register %1.</source>
+        <translation>In keiner Reihenfolge kann er es. Prüfen, ob seine IN-Worte bei Register %1 beginnen.</translation>
+    </message>
+    <message>
+        <source>It is the same in both word orders. Test again with another position.</source>
+        <translation>Es ist in beiden Wortreihenfolgen gleich. An einer anderen Position noch einmal testen.</translation>
+    </message>
+    <message>
+        <source>With %1 it can be %2 as well. Test again with another position.</source>
+        <translation>Mit %1 kann es ebenso %2 sein. An einer anderen Position noch einmal testen.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unit</translation>
+    </message>
+    <message>
+        <source>IN registers</source>
+        <translation>IN-Register</translation>
+    </message>
+    <message>
+        <source>OUT registers</source>
+        <translation>OUT-Register</translation>
+    </message>
+    <message>
+        <source>Status register</source>
+        <translation>Statusregister</translation>
+    </message>
+    <message>
+        <source>Word of %1</source>
+        <translation>Wort von %1</translation>
+    </message>
+    <message>
+        <source>The host %1 is known.</source>
+        <translation>Der Host %1 ist bekannt.</translation>
+    </message>
+    <message>
+        <source>The port %1 is there.</source>
+        <translation>Der Anschluss %1 ist da.</translation>
+    </message>
+    <message>
+        <source>Unit %1 answers after %2 ms.</source>
+        <translation>Unit %1 antwortet nach %2 ms.</translation>
+    </message>
+    <message>
+        <source>All registers of the project can be read (%1).</source>
+        <translation>Alle Register des Projekts lassen sich lesen (%1).</translation>
+    </message>
+    <message>
+        <source>What can be read ends before the registers of %1, which begin at %2.</source>
+        <translation>Was sich lesen lässt, endet vor den Registern von %1, die bei %2 beginnen.</translation>
+    </message>
+    <message>
+        <source>It has no IN word.</source>
+        <translation>Er hat kein IN-Wort.</translation>
+    </message>
+    <message>
+        <source>IN is %1: %2.</source>
+        <translation>IN ist %1: %2.</translation>
+    </message>
+    <message>
+        <source>IN is %1, which is beyond the total range of the encoder.</source>
+        <translation>IN ist %1, das liegt außerhalb des Gesamtbereichs des Gebers.</translation>
+    </message>
+    <message>
+        <source>IN is %1, which this encoder never sends.</source>
+        <translation>IN ist %1, das sendet dieser Geber nie.</translation>
+    </message>
+    <message>
+        <source>IN is %1. What this device sends is not described.</source>
+        <translation>IN ist %1. Was dieses Gerät sendet, ist nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>the encoder can send this</source>
+        <translation>kann der Geber senden</translation>
+    </message>
+    <message>
+        <source>beyond its total range</source>
+        <translation>außerhalb seines Gesamtbereichs</translation>
+    </message>
+    <message>
+        <source>the encoder never sends this</source>
+        <translation>sendet der Geber nie</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The image of this ring would end behind register 65535.</source>
+        <translation>Das Abbild dieses Rings würde hinter Register 65535 enden.</translation>
+    </message>
+    <message>
+        <source>Function 23 reads holding registers only, and IN is in input registers.</source>
+        <translation>Funktion 23 liest nur Holding-Register, und IN steht in Input-Registern.</translation>
+    </message>
+    <message>
+        <source>IN (registers %1 to %2) and OUT (%3 to %4) overlap.</source>
+        <translation>IN (Register %1 bis %2) und OUT (%3 bis %4) überschneiden sich.</translation>
+    </message>
+    <message>
+        <source>The control register %1 is within the image.</source>
+        <translation>Das Steuerregister %1 liegt im Abbild.</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 (ms)</source>
+        <translation>%1 (ms)</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, oder %2</translation>
+    </message>
+    <message>
+        <source>unit %1</source>
+        <translation>Unit %1</translation>
+    </message>
+    <message>
+        <source>function %1, register %2</source>
+        <translation>Funktion %1, Register %2</translation>
+    </message>
+    <message>
+        <source>function %1, registers %2 to %3</source>
+        <translation>Funktion %1, Register %2 bis %3</translation>
+    </message>
+    <message>
+        <source>it does not have this function.</source>
+        <translation>Diese Funktion gibt es dort nicht.</translation>
+    </message>
+    <message>
+        <source>it does not have these registers. Its image is shorter, or begins elsewhere.</source>
+        <translation>Diese Register gibt es dort nicht. Das Abbild ist kürzer oder beginnt woanders.</translation>
+    </message>
+    <message>
+        <source>it does not accept this value or this number of registers.</source>
+        <translation>Dieser Wert oder diese Zahl von Registern wird dort nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>it failed while carrying this out.</source>
+        <translation>Beim Ausführen ist dort ein Fehler aufgetreten.</translation>
+    </message>
+    <message>
+        <source>it has accepted the request and needs longer for it.</source>
+        <translation>Die Anfrage ist dort angenommen und braucht länger.</translation>
+    </message>
+    <message>
+        <source>it is busy.</source>
+        <translation>Es ist beschäftigt.</translation>
+    </message>
+    <message>
+        <source>its memory is damaged.</source>
+        <translation>Der Speicher dort ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>the gateway has no path to the unit. Check the unit number.</source>
+        <translation>Das Gateway hat keinen Weg zur Unit. Die Unit-Nummer prüfen.</translation>
+    </message>
+    <message>
+        <source>the unit behind the gateway does not answer.</source>
+        <translation>Die Unit hinter dem Gateway antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>this code is not in the standard.</source>
+        <translation>Diesen Code kennt die Norm nicht.</translation>
+    </message>
+    <message>
+        <source>an exception of the wrong length</source>
+        <translation>eine Exception mit falscher Länge</translation>
+    </message>
+    <message>
+        <source>it is for function %1</source>
+        <translation>sie gehört zu Funktion %1</translation>
+    </message>
+    <message>
+        <source>%1 bytes instead of %2</source>
+        <translation>%1 Bytes statt %2</translation>
+    </message>
+    <message>
+        <source>it names other registers than those to be written</source>
+        <translation>sie nennt andere Register, als geschrieben werden sollten</translation>
+    </message>
+    <message>
+        <source>it counts its own bytes wrong</source>
+        <translation>sie zählt ihre eigenen Bytes falsch</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::GearPanel</name>
     <message>
         <source>Travel per turn of the driven part</source>
@@ -9605,10 +10433,6 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
         <translation>Serielle &amp;Leitung</translation>
     </message>
     <message>
-        <source>Connects a serial port; nothing is written</source>
-        <translation>Verbindet einen seriellen Anschluss; nichts wird geschrieben</translation>
-    </message>
-    <message>
         <source>Asks one address after the other; nothing is written</source>
         <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
     </message>
@@ -9661,16 +10485,20 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
         <translation>Der Geber wird nicht mehr abgefragt; sein Stand bleibt unverändert</translation>
     </message>
     <message>
-        <source>&amp;Port and settings…</source>
-        <translation>&amp;Anschluss und Einstellungen…</translation>
-    </message>
-    <message>
         <source>&amp;Search for encoders…</source>
         <translation>Geber &amp;suchen…</translation>
     </message>
     <message>
         <source>Shows the traffic on the line, and sends what you type</source>
         <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
+    </message>
+    <message>
+        <source>&amp;Connection…</source>
+        <translation>&amp;Verbindung…</translation>
+    </message>
+    <message>
+        <source>How the line is connected: port and settings. Nothing is written</source>
+        <translation>Wie die Leitung verbunden wird: Anschluss und Einstellungen. Es wird nichts geschrieben</translation>
     </message>
 </context>
 <context>
@@ -10524,28 +11352,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>&amp;Connect</source>
-        <translation>&amp;Verbinden</translation>
-    </message>
-    <message>
         <source>Settings of the serial line</source>
         <translation>Einstellungen der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Anschluss</translation>
-    </message>
-    <message>
-        <source>Choose the adapter, or type the path of a port or a pseudo terminal</source>
-        <translation>Den Adapter wählen oder den Pfad eines Anschlusses oder Pseudoterminals eintippen</translation>
-    </message>
-    <message>
-        <source>&amp;Refresh</source>
-        <translation>Neu su&amp;chen</translation>
-    </message>
-    <message>
-        <source>Looks for serial ports again (Alt+R)</source>
-        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+C)</translation>
     </message>
     <message>
         <source>&amp;Port</source>
@@ -10651,24 +11459,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Höchstdrehzah&amp;l</translation>
     </message>
     <message>
-        <source>No serial port was found. Plug the adapter in and refresh the list, or type the path of a port.</source>
-        <translation>Kein serieller Anschluss gefunden. Den Adapter einstecken und neu suchen oder den Pfad eines Anschlusses eintippen.</translation>
-    </message>
-    <message>
-        <source>serial number %1</source>
-        <translation>Seriennummer %1</translation>
-    </message>
-    <message>
         <source>Choose a serial port, or type the path of one.</source>
         <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
-    </message>
-    <message>
-        <source>&amp;Low latency</source>
-        <translation>&amp;Kurze Latenz</translation>
-    </message>
-    <message>
-        <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)</source>
-        <translation>Lässt den Adapter Bytes sofort weitergeben. Viele sammeln sie bis zu 16 ms (Alt+K)</translation>
     </message>
     <message>
         <source>Fraction bits of the scaling factor</source>
@@ -10683,10 +11475,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich des gewählten Gebers der Leitung, sonst des ersten, der antwortet, und behält das passende Format. Es wird nichts geschrieben (Alt+M)</translation>
     </message>
     <message>
-        <source>Use this adapter</source>
-        <translation>Diesen Adapter verwenden</translation>
-    </message>
-    <message>
         <source>Set the line to %1 Bd</source>
         <translation>Leitung auf %1 Bd stellen</translation>
     </message>
@@ -10695,37 +11483,25 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
     </message>
     <message>
-        <source>&amp;Keep in project</source>
-        <translation>Ins Pro&amp;jekt</translation>
-    </message>
-    <message>
-        <source>Plans port and settings in the project. Nothing is opened (Alt+K)</source>
-        <translation>Plant Anschluss und Einstellungen im Projekt. Nichts wird geöffnet (Alt+J)</translation>
-    </message>
-    <message>
-        <source>Port and settings are in the project.</source>
-        <translation>Anschluss und Einstellungen stehen im Projekt.</translation>
-    </message>
-    <message>
-        <source>Connect asks for positions from then on. Nothing is written to an encoder.</source>
-        <translation>Verbinden fragt von da an Positionen ab. In Geber wird nichts geschrieben.</translation>
-    </message>
-    <message>
-        <source>Port and settings</source>
-        <translation>Anschluss und Einstellungen</translation>
-    </message>
-    <message>
-        <source>Opens the line, and asks for positions from then on. Nothing is written (Alt+C)</source>
-        <translation>Öffnet die Leitung und fragt ab dann Positionen ab. Nichts wird geschrieben (Alt+V)</translation>
-    </message>
-    <message>
-        <source>Connecting…</source>
-        <translation>Verbindet…</translation>
-    </message>
-    <message>
         <source> rpm</source>
         <comment>revolutions per minute</comment>
         <translation> U/min</translation>
+    </message>
+    <message>
+        <source>Encoders at a serial adapter. From connecting on they are asked for positions. Nothing is written to an encoder.</source>
+        <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt. In keinen Geber wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Lo&amp;w latency</source>
+        <translation>&amp;Kurze Latenz</translation>
+    </message>
+    <message>
+        <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+W)</source>
+        <translation>Bittet den Adapter, Bytes sofort weiterzugeben. Viele sammeln sie bis zu 16 ms lang (Alt+K)</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
     </message>
 </context>
 <context>
@@ -10934,6 +11710,73 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Request field of the terminal</source>
         <translation>Eingabefeld des Terminals</translation>
+    </message>
+    <message>
+        <source>Training line</source>
+        <translation>Übungsleitung</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders, at factory settings, in this program. Nothing leaves this computer.</source>
+        <translation>Drei simulierte Geber mit Werkseinstellungen in diesem Programm. Nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Use this adapter</source>
+        <translation>Diesen Adapter verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LinkFiguresModel</name>
+    <message>
+        <source>Exchanges per second</source>
+        <translation>Austausche je Sekunde</translation>
+    </message>
+    <message>
+        <source>Exchanges</source>
+        <translation>Austausche</translation>
+    </message>
+    <message>
+        <source>Transactions</source>
+        <translation>Transaktionen</translation>
+    </message>
+    <message>
+        <source>Retries</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Time-outs</source>
+        <translation>Zeitüberschreitungen</translation>
+    </message>
+    <message>
+        <source>Wrong answers</source>
+        <translation>Falsche Antworten</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Connections lost</source>
+        <translation>Verlorene Verbindungen</translation>
+    </message>
+    <message>
+        <source>Words not believed</source>
+        <translation>Nicht geglaubte Worte</translation>
+    </message>
+    <message>
+        <source>Round trip, shortest, ms</source>
+        <translation>Umlaufzeit, kürzeste, ms</translation>
+    </message>
+    <message>
+        <source>Round trip, median, ms</source>
+        <translation>Umlaufzeit, Median, ms</translation>
+    </message>
+    <message>
+        <source>Round trip, longest, ms</source>
+        <translation>Umlaufzeit, längste, ms</translation>
+    </message>
+    <message>
+        <source>Exceptions %1</source>
+        <translation>Exceptions %1</translation>
     </message>
 </context>
 <context>
@@ -12306,6 +13149,33 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::PortField</name>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Neu su&amp;chen</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Choose the adapter, or type the path of a port or a pseudo terminal</source>
+        <translation>Den Adapter wählen oder den Pfad eines Anschlusses oder Pseudoterminals eintippen</translation>
+    </message>
+    <message>
+        <source>Looks for serial ports again (Alt+R)</source>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+C)</translation>
+    </message>
+    <message>
+        <source>No serial port was found. Plug the adapter in and refresh the list, or type the path of a port.</source>
+        <translation>Kein serieller Anschluss gefunden. Den Adapter einstecken und neu suchen oder den Pfad eines Anschlusses eintippen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::PositionInput</name>
     <message>
         <source>nothing</source>
@@ -13100,6 +13970,65 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>Nothing changes at present, so next to nothing is needed.</source>
         <translation>Zurzeit ändert sich nichts, also wird so gut wie nichts gebraucht.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RegistersPage</name>
+    <message>
+        <source>Registers of the devices</source>
+        <translation>Register der Teilnehmer</translation>
+    </message>
+    <message>
+        <source>The IN word of each device in the four orders. Bold: as it is read now</source>
+        <translation>Das IN-Wort jedes Teilnehmers in den vier Reihenfolgen. Fett: wie es jetzt gelesen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Read now</source>
+        <translation>&amp;Jetzt lesen</translation>
+    </message>
+    <message>
+        <source>Only reads. The word order is kept in the project.</source>
+        <translation>Liest nur. Die Wortreihenfolge steht im Projekt.</translation>
+    </message>
+    <message>
+        <source>What the registers show can only be low word first.</source>
+        <translation>Was die Register zeigen, kann nur „unteres Wort zuerst“ sein.</translation>
+    </message>
+    <message>
+        <source>What the registers show can only be high word first.</source>
+        <translation>Was die Register zeigen, kann nur „oberes Wort zuerst“ sein.</translation>
+    </message>
+    <message>
+        <source>Set low word first</source>
+        <translation>Unteres Wort zuerst einstellen</translation>
+    </message>
+    <message>
+        <source>Set high word first</source>
+        <translation>Oberes Wort zuerst einstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Set low word first</source>
+        <translation>Unteres Wort zuerst ein&amp;stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Set high word first</source>
+        <translation>Oberes Wort zuerst ein&amp;stellen</translation>
+    </message>
+    <message>
+        <source>For IN and OUT of all devices, kept in the project. A bus that is connected is connected anew, in Watch (Alt+S)</source>
+        <translation>Für IN und OUT aller Teilnehmer, im Projekt. Ein verbundener Bus wird neu verbunden, auf Beobachten (Alt+S)</translation>
+    </message>
+    <message>
+        <source>The bus is connected: what is shown is read with each exchange</source>
+        <translation>Der Bus ist verbunden: Was hier steht, wird mit jedem Austausch gelesen</translation>
+    </message>
+    <message>
+        <source>Connects to the gateway, reads the registers of the chosen device, and disconnects (Alt+R)</source>
+        <translation>Verbindet mit dem Gateway, liest die Register des gewählten Teilnehmers und trennt wieder (Alt+J)</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
     </message>
 </context>
 <context>
@@ -14297,6 +15226,26 @@ Zustand: %3 (%4)</translation>
         <source>The master finds the devices of the ring again; data cycles stop meanwhile. Needs Operate.</source>
         <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen solange still. Nur in Bedienen möglich.</translation>
     </message>
+    <message>
+        <source>Connec&amp;tion…</source>
+        <translation>&amp;Verbindung…</translation>
+    </message>
+    <message>
+        <source>How this ring is reached: training bus, or a gateway; with a test</source>
+        <translation>Wie dieser Ring erreicht wird: Übungsbus oder Gateway; mit einem Test</translation>
+    </message>
+    <message>
+        <source>Re&amp;gisters…</source>
+        <translation>Re&amp;gister…</translation>
+    </message>
+    <message>
+        <source>The registers of each device, its word in four readings, and the word order</source>
+        <translation>Die Register jedes Teilnehmers, sein Wort in vier Lesarten und die Wortreihenfolge</translation>
+    </message>
+    <message>
+        <source>Only a ring behind a gateway has registers.</source>
+        <translation>Nur ein Ring hinter einem Gateway hat Register.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingComparison</name>
@@ -14488,6 +15437,21 @@ Zustand: %3 (%4)</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingLinks</name>
+    <message>
+        <source>Training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>A simulated ring in this program. Nothing leaves this computer.</source>
+        <translation>Ein simulierter Ring in diesem Programm. Nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingOutline</name>
     <message>
         <source>%1  %2
@@ -14589,6 +15553,18 @@ Zustand: %7</translation>
     <message>
         <source>fault</source>
         <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>The gateway to the ring: %1. It does not tell the state of the master.</source>
+        <translation>Das Gateway zum Ring: %1. Den Zustand des Masters meldet es nicht.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
     </message>
 </context>
 <context>
@@ -14843,6 +15819,10 @@ Worte: IN %3, OUT %4</translation>
         <source>not connected</source>
         <translation>nicht verbunden</translation>
     </message>
+    <message>
+        <source>%1 exchanges/s</source>
+        <translation>%1 Austausche/s</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingStrangers</name>
@@ -14896,6 +15876,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Takes segment %1, and what is behind it, out of the data cycles, after asking. The rest can be started then.</source>
         <translation>Nimmt Segment %1 und was dahinter liegt nach einer Rückfrage aus den Datenzyklen. Der Rest lässt sich dann starten.</translation>
+    </message>
+    <message>
+        <source>This ring is real</source>
+        <translation>Dieser Ring ist echt</translation>
+    </message>
+    <message>
+        <source>Shafts can be turned and faults caused on a training bus only.</source>
+        <translation>Nur an einem Übungsbus lassen sich Wellen drehen und Fehler auslösen.</translation>
     </message>
 </context>
 <context>
@@ -15601,6 +16589,171 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>sending it takes longer.</source>
         <translation>das Senden dauert länger.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SettingField</name>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>Un&amp;it</translation>
+    </message>
+    <message>
+        <source>The number of the device that has the registers; 1 with most gateways</source>
+        <translation>Die Nummer des Geräts, das die Register hat; 1 bei den meisten Gateways</translation>
+    </message>
+    <message>
+        <source>As set on the gateway; 19200 by the standard</source>
+        <translation>Wie am Gateway eingestellt; 19200 nach der Norm</translation>
+    </message>
+    <message>
+        <source>Data bits, parity and stop bits; 8E1 by the standard</source>
+        <translation>Datenbits, Parität und Stoppbits; 8E1 nach der Norm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>register</comment>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>&amp;IN is in</source>
+        <translation>I&amp;N steht in</translation>
+    </message>
+    <message>
+        <source>Where the gateway shows what comes from the devices</source>
+        <translation>Wo das Gateway zeigt, was von den Teilnehmern kommt</translation>
+    </message>
+    <message>
+        <source>input registers (function 4)</source>
+        <translation>Input-Registern (Funktion 4)</translation>
+    </message>
+    <message>
+        <source>holding registers (function 3)</source>
+        <translation>Holding-Registern (Funktion 3)</translation>
+    </message>
+    <message>
+        <source>The register of the first device of the ring</source>
+        <translation>Das Register des ersten Teilnehmers im Ring</translation>
+    </message>
+    <message>
+        <source>First register of &amp;OUT</source>
+        <translation>Erstes Register von O&amp;UT</translation>
+    </message>
+    <message>
+        <source>OUT is in holding registers. The two areas must not overlap</source>
+        <translation>OUT steht in Holding-Registern. Die beiden Bereiche dürfen sich nicht überschneiden</translation>
+    </message>
+    <message>
+        <source>Function 23 also reads IN in the same transaction; for that IN must be in holding registers</source>
+        <translation>Funktion 23 liest in derselben Transaktion auch IN; dafür muss IN in Holding-Registern stehen</translation>
+    </message>
+    <message>
+        <source>function 16</source>
+        <translation>Funktion 16</translation>
+    </message>
+    <message>
+        <source>function 23, together with IN</source>
+        <translation>Funktion 23, zusammen mit IN</translation>
+    </message>
+    <message>
+        <source>Of the two registers of an encoder, for IN and OUT alike. The test shows which is right</source>
+        <translation>Der beiden Register eines Gebers, für IN und OUT gleich. Der Test zeigt, welche stimmt</translation>
+    </message>
+    <message>
+        <source>high word first</source>
+        <translation>oberes Wort zuerst</translation>
+    </message>
+    <message>
+        <source>low word first</source>
+        <translation>unteres Wort zuerst</translation>
+    </message>
+    <message>
+        <source>Before each write, so that it is noticed if somebody else writes too. Off: it is not</source>
+        <translation>Vor jedem Schreiben, damit auffällt, wenn noch jemand schreibt. Aus: Es fällt nicht auf</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Where the gateway tells its state, if it does; it is shown, and changes nothing</source>
+        <translation>Wo das Gateway seinen Zustand meldet, falls es das tut; er wird gezeigt und ändert nichts</translation>
+    </message>
+    <message>
+        <source>Kept with the project; the program never writes it by itself</source>
+        <translation>Steht im Projekt; das Programm schreibt es nie von sich aus</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <comment>unit of a time</comment>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>From one exchange to the next; 0: as fast as the link is</source>
+        <translation>Von einem Austausch zum nächsten; 0: so schnell, wie die Verbindung ist</translation>
+    </message>
+    <message>
+        <source>How long the gateway needs to pass words on to the ring and back</source>
+        <translation>Wie lange das Gateway braucht, um Worte an den Ring weiterzugeben und zurück</translation>
+    </message>
+    <message>
+        <source>How long an answer is waited for</source>
+        <translation>Wie lange auf eine Antwort gewartet wird</translation>
+    </message>
+    <message>
+        <source>How often a request without a valid answer is repeated before the link counts as lost</source>
+        <translation>Wie oft eine Anfrage ohne gültige Antwort wiederholt wird, bevor die Verbindung als unterbrochen gilt</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>First re&amp;gister of IN</source>
+        <translation>E&amp;rstes Register von IN</translation>
+    </message>
+    <message>
+        <source>OUT is written by</source>
+        <translation>OUT schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Word order</source>
+        <translation>&amp;Wortreihenfolge</translation>
+    </message>
+    <message>
+        <source>OUT is read back</source>
+        <translation>OUT zurücklesen</translation>
+    </message>
+    <message>
+        <source>Status register</source>
+        <translation>Statusregister</translation>
+    </message>
+    <message>
+        <source>Control register</source>
+        <translation>Steuerregister</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Abfrageintervall</translation>
+    </message>
+    <message>
+        <source>Delay after an exchange</source>
+        <translation>Pause nach einem Austausch</translation>
+    </message>
+    <message>
+        <source>Time-out</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Number of retries</source>
+        <translation>Anzahl der Wiederholungen</translation>
     </message>
 </context>
 <context>
@@ -18652,6 +19805,49 @@ Worte: IN %3, OUT %4</translation>
         <source>Not sent yet: %1</source>
         <comment>meaning of a word</comment>
         <translation>Noch nicht gesendet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WordReadingsModel</name>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Registers of its IN word</source>
+        <translation>Register seines IN-Wortes</translation>
+    </message>
+    <message>
+        <source>IN</source>
+        <translation>IN</translation>
+    </message>
+    <message>
+        <source>Registers of its OUT word</source>
+        <translation>Register seines OUT-Wortes</translation>
+    </message>
+    <message>
+        <source>OUT</source>
+        <translation>OUT</translation>
+    </message>
+    <message>
+        <source>High word first</source>
+        <translation>Oberes Wort zuerst</translation>
+    </message>
+    <message>
+        <source>Low word first</source>
+        <translation>Unteres Wort zuerst</translation>
+    </message>
+    <message>
+        <source>High word first, with the bytes of each register exchanged: the gateway has a setting for that</source>
+        <translation>Oberes Wort zuerst, mit vertauschten Bytes in jedem Register: Das Gateway hat eine Einstellung dafür</translation>
+    </message>
+    <message>
+        <source>Low word first, with the bytes of each register exchanged: the gateway has a setting for that</source>
+        <translation>Unteres Wort zuerst, mit vertauschten Bytes in jedem Register: Das Gateway hat eine Einstellung dafür</translation>
+    </message>
+    <message>
+        <source>%1 (set)</source>
+        <translation>%1 (eingestellt)</translation>
     </message>
 </context>
 <context>

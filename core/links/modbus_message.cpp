@@ -9,6 +9,8 @@
 namespace codewheel::modbus_message {
 namespace {
 
+using Done = RegisterPort::Done;
+
 constexpr std::uint8_t writeFunction = 16;
 constexpr std::uint8_t writeAndReadFunction = 23;
 constexpr std::uint8_t exceptionBit = 0x80;
@@ -34,7 +36,7 @@ Register registerAt(std::span<const std::uint8_t> bytes, std::size_t at)
     return static_cast<Register>(bytes[at] << 8 | bytes[at + 1]);
 }
 
-RegisterPort::Done takeException(std::span<const std::uint8_t> answer)
+Done takeException(std::span<const std::uint8_t> answer)
 {
     if (answer.size() != 2)
         return wrongAnswer(GatewayTexts::tr("an exception of the wrong length"));
@@ -76,8 +78,7 @@ std::size_t answerLength(const Message &request)
     return 2 + 2 * std::size_t{registerAt(request, readCountAt)};
 }
 
-RegisterPort::Done take(const Message &request, std::span<const std::uint8_t> answer,
-                        std::span<Register> registers)
+Done take(const Message &request, std::span<const std::uint8_t> answer, std::span<Register> registers)
 {
     const std::uint8_t function = request.front();
     if (!answer.empty() && answer[0] == (function | exceptionBit))

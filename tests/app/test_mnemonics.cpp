@@ -6,6 +6,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QKeySequence>
 #include <QLabel>
@@ -77,6 +78,19 @@ TEST_P(Mnemonics, AreUniqueOnEveryPage)
         // There may be many monitors; each uses its own keys only while it has the focus.
         const std::size_t fewest = action == actions().monitors ? 0 : 1;
         EXPECT_GE(check(*window().centralWidget(), action->text()), fewest) << action->text().toStdString();
+    }
+}
+
+TEST_P(Mnemonics, AreUniqueWithEachKindOfLink)
+{
+    for (QAction *action : {ringActions().connection, lineActions().settings}) {
+        action->trigger();
+        auto *link = page()->findChild<QComboBox *>(QStringLiteral("link"));
+        for (int i = 0; i < link->count(); ++i) {
+            link->setCurrentIndex(i);
+            EXPECT_GE(check(*window().centralWidget(), link->itemText(i)), 2U)
+                << link->itemText(i).toStdString();
+        }
     }
 }
 

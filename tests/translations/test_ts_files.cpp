@@ -18,6 +18,17 @@ const QString englishFile = sourceFolder + QStringLiteral("/translations/codewhe
 // Words that engineers also use in German. Add only what a German manual prints like that.
 const QStringList sameInGerman{
     QStringLiteral("2 MBd"),
+    QStringLiteral("%1 (ms)"),
+    QStringLiteral("&Port"),
+    QStringLiteral("Exceptions %1"),
+    QStringLiteral("Format"),
+    QStringLiteral("Gateway"),
+    QStringLiteral("Ho&st"),
+    QStringLiteral("Host"),
+    QStringLiteral("Port"),
+    QStringLiteral("Ring"),
+    QStringLiteral("Unit"),
+    QStringLiteral("Unit %1"),
     QStringLiteral("Alarm"),
     QStringLiteral("Echo"),
     QStringLiteral("&Terminal"),

@@ -63,7 +63,7 @@ void GatewayForm::makeWhere(QFormLayout &form)
 {
     if (m_transport == GatewaySettings::Transport::rtu) {
         m_port = new PortField(this);
-        m_port->addTo(form, tr("&Port"));
+        m_port->addTo(form, tr("Serial &port"));
         connect(m_port, &PortField::edited, this, &LinkForm::edited);
         connect(m_port, &PortField::refreshWanted, this, &LinkForm::portsWanted);
         return;
@@ -72,7 +72,7 @@ void GatewayForm::makeWhere(QFormLayout &form)
                       tr("The name or address of the gateway in the network, such as 192.168.0.5"));
     m_host->setMaxLength(longestHost);
     m_host->setPlaceholderText(QStringLiteral("192.168.0.5"));
-    form.addRow(tr("&Host"), m_host);
+    form.addRow(tr("Ho&st"), m_host);
     addSentence(form, m_host->toolTip());
     m_tcpPort = describe(new IntegerField(this), "tcpPort", tr("Port"), tr("502 with nearly every gateway"));
     m_tcpPort->setRange(gateway_limits::tcpPort.least, gateway_limits::tcpPort.most);

@@ -15,25 +15,26 @@ struct GatewayPresetTexts
 
 std::vector<GatewayPreset> gatewayPresets()
 {
-    using Texts = GatewayPresetTexts;
     return {
-        {Texts::tr("High word first"),
-         Texts::tr("IN in input registers, OUT in holding registers, both from 0"),
+        {GatewayPresetTexts::tr("High word first"),
+         GatewayPresetTexts::tr("IN in input registers, OUT in holding registers, both from 0"),
          {}},
-        {Texts::tr("Low word first"),
-         Texts::tr("The same, but the first register of each encoder is the low half of its word"),
+        {GatewayPresetTexts::tr("Low word first"),
+         GatewayPresetTexts::tr(
+             "The same, but the first register of each encoder is the low half of its word"),
          {{QStringLiteral("order"), QStringLiteral("low")}}},
-        {Texts::tr("Holding registers only"),
-         Texts::tr("IN from 0 and OUT from 512, read by function 3 and written by function 16"),
+        {GatewayPresetTexts::tr("Holding registers only"),
+         GatewayPresetTexts::tr("IN from 0 and OUT from 512, read by function 3 and written by function 16"),
          {{QStringLiteral("in-area"), QStringLiteral("holding")},
           {QStringLiteral("out"), QStringLiteral("512")}}},
-        {Texts::tr("Holding registers, function 23"),
-         Texts::tr("The same, but OUT is written and IN is read in one transaction"),
+        {GatewayPresetTexts::tr("Holding registers, function 23"),
+         GatewayPresetTexts::tr("The same, but OUT is written and IN is read in one transaction"),
          {{QStringLiteral("in-area"), QStringLiteral("holding")},
           {QStringLiteral("out"), QStringLiteral("512")},
           {QStringLiteral("write"), QStringLiteral("23")}}},
-        {Texts::tr("A training bus of Codewheel"),
-         Texts::tr("As another Codewheel offers its training bus; the state of the ring is in register 8192"),
+        {GatewayPresetTexts::tr("A training bus of Codewheel"),
+         GatewayPresetTexts::tr(
+             "As another Codewheel offers its training bus; the state of the ring is in register 8192"),
          {{QStringLiteral("status"), QStringLiteral("8192")}}},
     };
 }

@@ -10,6 +10,7 @@ struct SettingFieldTexts
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::SettingField)
 };
+
 SettingField ofUnit(GatewaySettings::Transport transport)
 {
     const bool isTcp = transport == GatewaySettings::Transport::tcp;
@@ -20,10 +21,10 @@ SettingField ofUnit(GatewaySettings::Transport transport)
 
 std::vector<SettingField> ofSerialLine()
 {
-    return {{QStringLiteral("baud"), SettingFieldTexts::tr("&Baud rate"),
+    return {{QStringLiteral("baud"), SettingFieldTexts::tr("Baud rate"),
              SettingFieldTexts::tr("As set on the gateway; 19200 by the standard"), gateway_limits::baudRate},
             {QStringLiteral("format"),
-             SettingFieldTexts::tr("&Format"),
+             SettingFieldTexts::tr("Format"),
              SettingFieldTexts::tr("Data bits, parity and stop bits; 8E1 by the standard"),
              {},
              {},
@@ -48,13 +49,13 @@ std::vector<SettingField> ofImage()
          {},
          {{QStringLiteral("input"), SettingFieldTexts::tr("input registers (function 4)")},
           {QStringLiteral("holding"), SettingFieldTexts::tr("holding registers (function 3)")}}},
-        {QStringLiteral("in"), SettingFieldTexts::tr("Fi&rst register of IN"),
+        {QStringLiteral("in"), SettingFieldTexts::tr("First re&gister of IN"),
          SettingFieldTexts::tr("The register of the first device of the ring"), gateway_limits::registers},
         {QStringLiteral("out"), SettingFieldTexts::tr("First register of &OUT"),
          SettingFieldTexts::tr("OUT is in holding registers. The two areas must not overlap"),
          gateway_limits::registers},
         {QStringLiteral("write"),
-         SettingFieldTexts::tr("OUT is &written by"),
+         SettingFieldTexts::tr("OUT is written by"),
          SettingFieldTexts::tr(
              "Function 23 also reads IN in the same transaction; for that IN must be in holding registers"),
          {},
@@ -63,7 +64,7 @@ std::vector<SettingField> ofImage()
          {{QStringLiteral("16"), SettingFieldTexts::tr("function 16")},
           {QStringLiteral("23"), SettingFieldTexts::tr("function 23, together with IN")}}},
         {QStringLiteral("order"),
-         SettingFieldTexts::tr("Wor&d order"),
+         SettingFieldTexts::tr("&Word order"),
          SettingFieldTexts::tr(
              "Of the two registers of an encoder, for IN and OUT alike. The test shows which is right"),
          {},
@@ -72,7 +73,7 @@ std::vector<SettingField> ofImage()
          {{QStringLiteral("high"), SettingFieldTexts::tr("high word first")},
           {QStringLiteral("low"), SettingFieldTexts::tr("low word first")}}},
         {QStringLiteral("read-back"),
-         SettingFieldTexts::tr("OUT is read &back"),
+         SettingFieldTexts::tr("OUT is read back"),
          SettingFieldTexts::tr(
              "Before each write, so that it is noticed if somebody else writes too. Off: it is not"),
          {},
@@ -81,14 +82,14 @@ std::vector<SettingField> ofImage()
          {{QStringLiteral("on"), SettingFieldTexts::tr("yes")},
           {QStringLiteral("off"), SettingFieldTexts::tr("no")}}},
         {QStringLiteral("status"),
-         SettingFieldTexts::tr("&Status register"),
+         SettingFieldTexts::tr("Status register"),
          SettingFieldTexts::tr(
              "Where the gateway tells its state, if it does; it is shown, and changes nothing"),
          gateway_limits::registers,
          {},
          none},
         {QStringLiteral("control"),
-         SettingFieldTexts::tr("Contro&l register"),
+         SettingFieldTexts::tr("Control register"),
          SettingFieldTexts::tr("Kept with the project; the program never writes it by itself"),
          gateway_limits::registers,
          {},
@@ -99,15 +100,15 @@ std::vector<SettingField> ofImage()
 std::vector<SettingField> ofTimes()
 {
     const QString ms = SettingFieldTexts::tr(" ms", "unit of a time");
-    return {{QStringLiteral("interval"), SettingFieldTexts::tr("Poll inter&val"),
+    return {{QStringLiteral("interval"), SettingFieldTexts::tr("Poll interval"),
              SettingFieldTexts::tr("From one exchange to the next; 0: as fast as the link is"),
              gateway_limits::interval, ms},
-            {QStringLiteral("delay"), SettingFieldTexts::tr("D&elay after an exchange"),
+            {QStringLiteral("delay"), SettingFieldTexts::tr("Delay after an exchange"),
              SettingFieldTexts::tr("How long the gateway needs to pass words on to the ring and back"),
              gateway_limits::delay, ms},
-            {QStringLiteral("time-out"), SettingFieldTexts::tr("Ti&me-out"),
+            {QStringLiteral("time-out"), SettingFieldTexts::tr("Time-out"),
              SettingFieldTexts::tr("How long an answer is waited for"), gateway_limits::timeOut, ms},
-            {QStringLiteral("retries"), SettingFieldTexts::tr("&Number of retries"),
+            {QStringLiteral("retries"), SettingFieldTexts::tr("Number of retries"),
              SettingFieldTexts::tr(
                  "How often a request without a valid answer is repeated before the link counts as lost"),
              gateway_limits::retries}};
