@@ -120,7 +120,7 @@ TEST(CliGatewayRing, SomebodyElseWhoWritesIsNamed)
     GatewayPeer peer(line("--other-writer 3"));
     const CliRun run = RingProject().run(line("write 1.0 steps=1000 --yes --json"), peer.link());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_EQ(errorKey(run), "outsOfOther");
+    EXPECT_EQ(errorKey(run), "outNotOurs");
     EXPECT_THAT(run.err, HasSubstr("Somebody else writes to 2.0: OUT is 80000000 there"));
     EXPECT_TRUE(peer.out().endsWith(line(" 80000000 00000000"))); // nobody has overwritten it
 }

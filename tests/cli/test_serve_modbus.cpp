@@ -256,7 +256,7 @@ TEST(CliServeModbus, BadOptionsAreRefusedBeforeAnythingIsServed)
         {"serve modbus-rtu --address 0.0.0.0", "optionOfOtherService"},
         {"serve esc --port 7", "optionOfOtherService"},
         {"serve modbus-rtu --port ttyS0,baud=1", "linkSettingWrong"},
-        {"serve modbus-rtu --port ,wings=2", "linkSettingWrong"},
+        {"serve modbus-rtu --port ,wings=2", "linkSettingUnknown"},
         {"serve modbus-tcp --fault-plan /there/is/none", "fileNotReadable"},
     };
     for (const auto &[line, key] : rows) {

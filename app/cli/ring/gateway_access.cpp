@@ -203,8 +203,10 @@ void GatewayAccess::rest()
 
 void GatewayAccess::operate(bool on)
 {
+    if (on)
+        m_refusal.reset();
     ring().setOperate(on);
-    waitUntil([&] { return ring().isOperating() == on; });
+    waitUntil([&] { return ring().isOperating() == on || (on && m_refusal); });
 }
 
 void GatewayAccess::exchange()
@@ -225,13 +227,14 @@ Instant GatewayAccess::longestTurn() const
     return longestExchange + m_gateway.pollInterval;
 }
 
-// A job ends with the bus; what the bus says is why.
+// A job ends with the bus, or does not begin after it has gone back to Watch; what the bus says is why.
 Complaint GatewayAccess::complaint(const Refusal &why) const
 {
+    const bool isOfBus =
+        why.id == RefusalId::outsOfOther || why.id == RefusalId::busStopped || why.id == RefusalId::watchOnly;
     Complaint told = complaintAbout(why);
-    const bool isOfBus = why.id == RefusalId::outsOfOther || why.id == RefusalId::busStopped;
     if (isOfBus && m_refusal)
-        told.text = refusalText(*m_refusal);
+        told = complaintAbout(*m_refusal);
     else if (!isConnected())
         told.text = linkLost().text + u' ' + told.text;
     return told;
