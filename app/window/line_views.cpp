@@ -277,7 +277,7 @@ void LineViews::showPlanned()
 void LineViews::showName()
 {
     const PlannedBus *planned = findBus(m_line.project().project(), m_line.id());
-    const QString name = planned != nullptr ? planned->name : QString();
+    const QString name = planned != nullptr ? planned->name : m_line.nameOfNew();
     m_connection->setAbout(name);
     m_search->setAbout(name);
 }

@@ -11,6 +11,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/label_text.h"
+#include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
 
 #include <QComboBox>
@@ -37,7 +38,7 @@ GatewayForm::GatewayForm(GatewaySettings::Transport transport, QWidget *parent)
     auto *form = new QFormLayout(this);
     form->setContentsMargins({});
     form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    form->setVerticalSpacing(grid::margin);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makeWhere(*form);
     makePresets(*form);
@@ -72,13 +73,11 @@ void GatewayForm::makeWhere(QFormLayout &form)
                       tr("The name or address of the gateway in the network, such as 192.168.0.5"));
     m_host->setMaxLength(longestHost);
     m_host->setPlaceholderText(QStringLiteral("192.168.0.5"));
-    form.addRow(tr("Ho&st"), m_host);
-    addSentence(form, m_host->toolTip());
+    addRow(form, tr("Ho&st"), m_host, m_host->toolTip());
     m_tcpPort = describe(new IntegerField(this), "tcpPort", tr("Port"), tr("502 with nearly every gateway"));
     m_tcpPort->setRange(gateway_limits::tcpPort.least, gateway_limits::tcpPort.most);
     m_tcpPort->setGroupSeparatorShown(false);
-    form.addRow(tr("&Port"), m_tcpPort);
-    addSentence(form, m_tcpPort->toolTip());
+    addRow(form, tr("&Port"), m_tcpPort, m_tcpPort->toolTip());
     connect(m_host, &QLineEdit::textEdited, this, &LinkForm::edited);
 }
 
@@ -86,22 +85,22 @@ void GatewayForm::makePresets(QFormLayout &form)
 {
     m_preset = describe(new QComboBox(this), "preset", tr("Register map"),
                         tr("Sets the registers below as they are with usual gateways"));
-    m_presetSentence = wrappedLabel(this, "presetSentence");
-    m_presetSentence->setFont(textFont(TextSize::small));
-    form.addRow(tr("Register m&ap"), m_preset);
-    form.addRow(QString(), m_presetSentence);
+    m_presetSentence = addRow(form, tr("Register m&ap"), m_preset, {});
     for (const GatewayPreset &preset : gatewayPresets())
         m_preset->addItem(preset.title);
     m_preset->addItem(tr("As set below"));
     connect(m_preset, &QComboBox::activated, this, &GatewayForm::usePreset);
 }
 
-void GatewayForm::addSentence(QFormLayout &form, const QString &sentence)
+QLabel *GatewayForm::addRow(QFormLayout &form, const QString &label, QWidget *field, const QString &sentence)
 {
-    auto *label = wrappedLabel(this, "settingSentence");
-    label->setFont(textFont(TextSize::small));
-    label->setText(sentence);
-    form.addRow(QString(), label);
+    auto *below = wrappedLabel(this, "settingSentence");
+    below->setFont(textFont(TextSize::small));
+    below->setText(sentence);
+    auto *row = layOutColumn({field, below}, {.spacing = 0});
+    form.addRow(label, row);
+    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(field);
+    return below;
 }
 
 void GatewayForm::addField(QFormLayout &form, const SettingField &field)
@@ -125,8 +124,7 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
         editor = number;
     }
     editor->setObjectName(field.name);
-    form.addRow(field.label, editor);
-    addSentence(form, field.sentence);
+    addRow(form, field.label, editor, field.sentence);
 }
 
 GatewayForm::Texts GatewayForm::texts() const

@@ -43,7 +43,8 @@ private:
     void makeWhere(QFormLayout &form);
     void makePresets(QFormLayout &form);
     void addField(QFormLayout &form, const SettingField &field);
-    void addSentence(QFormLayout &form, const QString &sentence);
+    // With its sentence below it.
+    QLabel *addRow(QFormLayout &form, const QString &label, QWidget *field, const QString &sentence);
     Texts texts() const;
     void setTexts(const Texts &texts);
     void usePreset(int index);

@@ -67,8 +67,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
 
 QString LineSettingsForm::sentence() const
 {
-    return tr("Encoders at a serial adapter. From connecting on they are asked for positions. Nothing is "
-              "written to an encoder.");
+    return tr("Encoders at a serial adapter. From connecting on they are asked for positions.");
 }
 
 bool LineSettingsForm::showPlan(const KindData &plan)
