@@ -11488,10 +11488,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation> U/min</translation>
     </message>
     <message>
-        <source>Encoders at a serial adapter. From connecting on they are asked for positions. Nothing is written to an encoder.</source>
-        <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt. In keinen Geber wird geschrieben.</translation>
-    </message>
-    <message>
         <source>Lo&amp;w latency</source>
         <translation>&amp;Kurze Latenz</translation>
     </message>
@@ -11502,6 +11498,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Serial port</source>
         <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>Encoders at a serial adapter. From connecting on they are asked for positions.</source>
+        <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt.</translation>
     </message>
 </context>
 <context>
@@ -19805,6 +19805,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Not sent yet: %1</source>
         <comment>meaning of a word</comment>
         <translation>Noch nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>Not known: it cannot be read back. Operate replaces it.</source>
+        <translation>Unbekannt: Es lässt sich nicht zurücklesen. Bedienen ersetzt es.</translation>
     </message>
 </context>
 <context>

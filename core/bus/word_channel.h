@@ -24,6 +24,7 @@ struct WordsOnBus
     Word inEdges = 0;
     Word outEdges = 0;
     bool heldByJob = false;
+    bool outIsKnown = true; // false: the bus does not tell it, and nobody has sent one yet
 
     friend bool operator==(const WordsOnBus &, const WordsOnBus &) = default;
 };
@@ -49,6 +50,7 @@ public:
     Word inEdges() const { return m_words.inEdges; }
     Word outEdges() const { return m_words.outEdges; }
     bool heldByJob() const { return m_words.heldByJob; }
+    bool outIsKnown() const { return m_words.outIsKnown; }
     const Freshness &freshness() const { return m_freshness; } // of both words
     QDateTime dateTime(Instant at) const;
 

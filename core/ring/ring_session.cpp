@@ -208,8 +208,9 @@ void RingSession::showDevice(std::size_t place)
                                                  .awakeSince = shown->awakeSince,
                                                  .now = shown->at};
     const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
-    d->channels[place]->show({device.in, device.out, device.inEdges, device.outEdges, device.heldByJob},
-                             {seen, circumstances}, shown->at);
+    d->channels[place]->show(
+        {device.in, device.out, device.inEdges, device.outEdges, device.heldByJob, shown->outIsKnown},
+        {seen, circumstances}, shown->at);
     if (d->sessions[place] && !d->isStale(place))
         d->sessions[place]->show(device.reading, circumstances);
 }

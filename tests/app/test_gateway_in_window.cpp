@@ -119,6 +119,33 @@ TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)
     EXPECT_EQ(outThere(0), 0x0200'00FFu);
 }
 
+// What is there may move the machine: no zeros are shown that nobody has seen.
+TEST_F(GatewayInWindowTest, OutThatIsNotReadBackIsADashUntilItIsWritten)
+{
+    choose(QStringLiteral("gateway.hall"));
+    for (auto *readBack : connection().findChildren<QComboBox *>(QStringLiteral("read-back")))
+        readBack->setCurrentIndex(readBack->findData(QStringLiteral("off")));
+    click(button(connection(), QStringLiteral("Connect")));
+    advance(20);
+    ASSERT_FALSE(asked->readsBack);
+    actions().monitors->trigger();
+    advance(50);
+    const auto shownOut = [this] {
+        for (const auto *field : window().findChildren<QLineEdit *>())
+            if (field->isVisible() && field->accessibleName().startsWith(QStringLiteral("OUT 1.0")))
+                return field->text();
+        return QString();
+    };
+    EXPECT_EQ(shownOut(), QStringLiteral("–"));
+    bus().channel(fraba)->stage(0x0200'00FF);
+    EXPECT_EQ(shownOut(), QStringLiteral("020000FF")) << "what is typed";
+    bus().channel(fraba)->unstage();
+    EXPECT_EQ(shownOut(), QStringLiteral("–"));
+    bus().setOperate(true);
+    advance(50);
+    EXPECT_EQ(shownOut(), QStringLiteral("00000000"));
+}
+
 TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
 {
     connectGateway();

@@ -168,11 +168,15 @@ void ConnectPage::ask(const QString &sentence, const QString &answer)
 void ConnectPage::setTesting(bool on)
 {
     m_isTesting = on;
-    if (on) {
-        m_steps->clear();
-        setResult(nullptr);
-    }
+    if (on)
+        clearSteps();
     showButtons();
+}
+
+void ConnectPage::clearSteps()
+{
+    m_steps->clear();
+    setResult(nullptr);
 }
 
 void ConnectPage::addStep(Role role, const QString &what, const QString &sentence)
@@ -245,6 +249,7 @@ void ConnectPage::connectNow()
     if (!isComplete())
         return;
     m_problem->withdraw();
+    clearSteps(); // they tell of the time before
     Q_EMIT connectWanted(plan());
 }
 

@@ -72,6 +72,7 @@ private:
     void keep();
     void test();
     void showButtons();
+    void clearSteps();
     void scrollToSteps();
 
     QString m_about;

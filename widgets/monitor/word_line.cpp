@@ -99,7 +99,10 @@ bool WordLine::isOld() const
 
 bool WordLine::isKnown() const
 {
-    return m_channel == nullptr || m_channel->freshness().reason() != Freshness::Reason::notRecorded;
+    if (m_channel == nullptr)
+        return true;
+    const bool isThere = !isOut() || m_channel->outIsKnown() || m_channel->staged();
+    return isThere && m_channel->freshness().reason() != Freshness::Reason::notRecorded;
 }
 
 QString WordLine::bitText(int bit) const
@@ -139,7 +142,9 @@ void WordLine::showWord()
 QString WordLine::explain() const
 {
     if (!isKnown())
-        return freshnessText(Freshness::Reason::notRecorded);
+        return m_channel->freshness().isOfRecording()
+                   ? freshnessText(Freshness::Reason::notRecorded)
+                   : tr("Not known: it cannot be read back. Operate replaces it.");
     if (m_description == nullptr)
         return tr("Not explained: there is no description of this device.");
     k3::ExplainContext context;

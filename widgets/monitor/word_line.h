@@ -48,7 +48,7 @@ public:
     Word onBus() const;
     Word edges() const;
     bool isOld() const;
-    bool isKnown() const; // false: nobody recorded it
+    bool isKnown() const; // false: nobody recorded it, or the bus does not tell it
     QString bitText(int bit) const;
     QString meaning() const;
     QString hexText() const { return copiedText(WordNotation::hexadecimal); }
