@@ -109,13 +109,8 @@ Result<void> GatewayLink::watch(std::span<Word> out, std::span<Word> in)
         std::vector<Word> there;
         if (auto read = readOut(there); !read)
             return read;
-        for (std::size_t i = 0; i < m_devices.size(); ++i) {
-            Device &device = m_devices[i];
-            if (m_map->out(i).count == 0 || !device.out.take(there[i], m_answeredAt))
-                continue;
-            out[i] = there[i];
-            device.own.found(there[i]);
-        }
+        for (std::size_t i = 0; i < m_devices.size(); ++i)
+            showOut(i, there[i], out[i]);
     }
     beginToRead();
     auto done = readIn().and_then([this] { return readDoubtfulAgain(); });
@@ -144,7 +139,12 @@ Result<std::optional<bool>> GatewayLink::sendZeros(std::span<Word> in)
     settle(begun);
     if (!m_readsBack)
         return std::optional<bool>();
-    return areZerosThere().map([](bool there) { return std::optional(there); });
+    auto there = areZerosThere();
+    if (there && !*there) // their answer may have been a late one, to a write of before
+        there = writeOut(std::vector<Word>(in.size()), Overwrites::anything).and_then([this] {
+            return areZerosThere();
+        });
+    return there.map([](bool are) { return std::optional(are); });
 }
 
 // An exchange is what elsewhere is a bus cycle: with the time the ring takes to react.

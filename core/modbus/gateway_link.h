@@ -43,7 +43,8 @@ public:
     Result<std::vector<Word>> readBackOut() override;
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
     Result<void> watch(std::span<Word> out, std::span<Word> in) override;
-    // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag).
+    // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag), and
+    // sends them once more if they are not.
     Result<std::optional<bool>> sendZeros(std::span<Word> in) override;
     bool isUpToDate(std::size_t device) const override;
     std::optional<Instant> age(std::size_t device) const override;
@@ -80,6 +81,7 @@ private:
     bool cannotReadBack(const Refusal &why) const;
     Result<void> checkIsOurs();
     std::vector<std::size_t> notOurs(const std::vector<Word> &there);
+    void showOut(std::size_t device, Word there, Word &out);
     Result<void> writeOut(std::span<const Word> out, Overwrites overwrites);
     bool putOut(std::span<const Word> out);
     Result<void> writeBlocks(Overwrites overwrites);

@@ -91,6 +91,20 @@ std::vector<std::size_t> GatewayLink::notOurs(const std::vector<Word> &there)
     return devices;
 }
 
+// In Watch. One that was replaced just before is not taken over: what replaces it is on its way.
+void GatewayLink::showOut(std::size_t device, Word there, Word &out)
+{
+    Device &its = m_devices[device];
+    if (m_map->out(device).count == 0 || !its.out.take(there, m_answeredAt))
+        return;
+    const bool isOurs = its.own.isKnown() && its.own.takes(there, m_port->now());
+    if (isOurs && there != its.own.word())
+        return;
+    out = there;
+    if (!isOurs)
+        its.own.found(there);
+}
+
 // Somebody else's word shows in two reads that agree; so does a word that is another one in each read.
 Result<void> GatewayLink::checkIsOurs()
 {

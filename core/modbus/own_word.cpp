@@ -31,10 +31,8 @@ bool OwnWord::takes(Word there, Instant now)
 {
     if (!isKnown())
         return true;
-    // The newest of those that are equal: it has arrived.
-    auto own = m_words.end();
-    while (own != m_words.begin()) {
-        --own;
+    // The oldest of those that are equal: the newest may not have arrived yet, nor what came in between.
+    for (auto own = m_words.begin(); own != m_words.end(); ++own) {
         const bool isLast = std::next(own) == m_words.end();
         if (own->word == there && (isLast || now - own->replacedAt < gatewayLag)) {
             m_words.erase(m_words.begin(), own);
