@@ -25,7 +25,8 @@ bool RingRunner::Private::carryOutCommands()
 // A gateway keeps the outputs as they are while nothing is exchanged.
 bool RingRunner::Private::zerosGoNext() const
 {
-    return zerosAreDue && ring.connected && (ring.state == MasterState::run || !link.boundsWordsToCycles());
+    return zerosAreDue && ring.connected && !ringIsOther &&
+           (ring.state == MasterState::run || !link.boundsWordsToCycles());
 }
 
 bool RingRunner::Private::carryOutNext()
@@ -133,14 +134,21 @@ void RingRunner::Private::carryOut(command::SetOperate c)
         return;
     }
     if (!c.on)
-        takeBackWhatMustNotStand();
+        takeBackWhatWatchDoesNotSend();
     ring.operate = c.on;
     tellOfRing({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
 }
 
-// A word written but not yet exchanged that nobody could remove in Watch.
-void RingRunner::Private::takeBackWhatMustNotStand()
+// Words written but not yet exchanged: through a gateway nothing is sent in Watch; elsewhere all but what
+// nobody could remove there.
+void RingRunner::Private::takeBackWhatWatchDoesNotSend()
 {
+    if (!link.boundsWordsToCycles()) {
+        for (const std::size_t i : written)
+            refuseWord(i, {RefusalKind::busy, RefusalId::watchOnly, {structure[i].number.toString()}});
+        goOnWithWhatWasExchanged();
+        return;
+    }
     std::erase_if(written, [this](std::size_t i) {
         const bool mayStand = !drivers[i] || drivers[i]->mayStand(image[i]);
         if (!mayStand)
@@ -272,13 +280,13 @@ void RingRunner::Private::step(std::size_t i)
     Snapshot::Device &device = ring.devices[i];
     if (!link.boundsWordsToCycles())
         device.inRing = link.isUpToDate(i);
+    const Word out = image[i];
+    device.outEdges = device.out ^ out;
+    device.out = out; // a gateway has got it, whatever it says of IN
     if (!device.inRing)
         return;
-    const Word out = image[i];
     const Word in = received[i];
-    device.outEdges = device.out ^ out;
     device.inEdges = ring.cycle == 1 ? 0 : device.in ^ in;
-    device.out = out;
     device.in = in;
     const auto age = link.age(i);
     if (!age)

@@ -39,13 +39,15 @@ RingFound RingRunner::Private::found(RingStructure there, std::vector<Word> out)
 void RingRunner::Private::loseLink(const Refusal &why)
 {
     ring.connected = false;
+    runsAgain = ring.state == MasterState::run;
     leaveRun(MasterState::busFail);
-    runsAgain = true;
     ring.operate = false;
     ring.whyLost = Refusal{RefusalKind::link, why.id, why.arguments};
     refuseOfRing(*ring.whyLost);
+    if (zerosAreDue)
+        tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
     link.close();
-    reopenAt = ring.at + betweenTries;
+    reopenAt = link.now() + betweenTries; // the last exchange may have taken long
 }
 
 void RingRunner::Private::waitForLink()

@@ -56,7 +56,7 @@ struct RingRunner::Private
     void goOnWithWhatWasExchanged();
     Word goesOn(std::size_t device, Word last) const;
     Result<void> mayWrite(std::size_t device, Word word) const;
-    void takeBackWhatMustNotStand();
+    void takeBackWhatWatchDoesNotSend();
     void zeroOut();
     void refuseWord(std::size_t device, Refusal why);
     void refuseOfRing(const Refusal &why);
