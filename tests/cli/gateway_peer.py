@@ -86,6 +86,7 @@ class Ring:
         self.options = options
         self.encoders = [Encoder(i + 1) for i in range(options.devices)]
         self.writes = 0
+        self.words = 0  # of them, those with a word other than 0: a job is under way
 
     def arranged(self, pair):
         """Of the registers of a word, high word first, or back."""
@@ -121,8 +122,10 @@ class Out(ModbusSequentialDataBlock):
     def setValues(self, address, values):
         super().setValues(address, values)
         self.ring.writes += 1
-        if self.ring.writes == self.ring.options.other_writer:
-            super().setValues(2, self.ring.registers_of(RUN))  # to the second encoder
+        if any(values):
+            self.ring.words += 1
+            if self.ring.words == self.ring.options.other_writer:
+                super().setValues(2, self.ring.registers_of(RUN))  # to the second encoder
         image = super().getValues(0, 2 * len(self.ring.encoders))
         for i, encoder in enumerate(self.ring.encoders):
             encoder.take(self.ring.word_of(image[2 * i : 2 * i + 2]))
@@ -195,5 +198,5 @@ parser.add_argument("--registers", type=int, default=0, help="of IN that exist; 
 parser.add_argument("--low-word-first", action="store_true")
 parser.add_argument("--exchange-bytes", action="store_true")
 parser.add_argument("--no-read-back", action="store_true")
-parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes")
+parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
 asyncio.run(serve(Ring(parser.parse_args())))

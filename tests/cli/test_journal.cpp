@@ -16,10 +16,13 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {
+
+using testing::HasSubstr;
 
 class CliJournal : public testing::Test
 {
