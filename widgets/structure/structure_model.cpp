@@ -48,10 +48,8 @@ void StructureModel::addBus(EncoderBus &bus)
 {
     bus.disconnect(this);
     BusBranch *branch = find(bus.id());
-    if (branch == nullptr) {
-        const auto behind = std::ranges::upper_bound(m_branches, bus.id(), {}, &BusBranch::bus);
-        branch = &*m_branches.insert(behind, BusBranch{.bus = bus.id()});
-    }
+    if (branch == nullptr) // rebuild() sorts; until then the others stay where their indexes say
+        branch = &m_branches.emplace_back(BusBranch{.bus = bus.id()});
     branch->connected = &bus;
     rebuild();
     followBus(bus);
