@@ -72,9 +72,12 @@ bool RingLinks::plansGateway() const
 
 bool RingLinks::canConnect() const
 {
-    const auto gateway = plannedGateway(m_parts.ring.project().project(), m_parts.ring.id());
-    if (!gateway || !*gateway)
-        return true; // a training ring, or a plan whose refusal says what is wrong
+    const Project &project = m_parts.ring.project().project();
+    const auto gateway = plannedGateway(project, m_parts.ring.id());
+    if (!gateway) // a training ring, unless nothing is planned yet
+        return !devicesOn(project, m_parts.ring.id()).empty();
+    if (!*gateway)
+        return true; // its refusal says what is wrong
     const GatewaySettings &its = **gateway;
     return !(its.transport == GatewaySettings::Transport::tcp ? its.host : its.serialPort).isEmpty();
 }

@@ -119,6 +119,18 @@ TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)
     EXPECT_EQ(outThere(0), 0x0200'00FFu);
 }
 
+TEST_F(GatewayInWindowTest, ARingThatNobodyHasPlannedIsConnectedOnItsPage)
+{
+    shown->project().setProject(Project(), {});
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_TRUE(connection().isVisible());
+    EXPECT_FALSE(bus().isOpen());
+    click(button(connection(), QStringLiteral("Connect")));
+    advance(50);
+    EXPECT_TRUE(bus().isOpen()) << "the training bus is chosen there";
+}
+
 // What is there may move the machine: no zeros are shown that nobody has seen.
 TEST_F(GatewayInWindowTest, OutThatIsNotReadBackIsADashUntilItIsWritten)
 {
