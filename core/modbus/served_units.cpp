@@ -56,9 +56,8 @@ ServedUnits::carryOut(int unit, std::span<const std::uint8_t> pdu, const ModbusR
     const auto readNow = [&]() -> tl::expected<void, ModbusException> {
         if (request.readCount == 0)
             return {};
-        return ring->read(request.area, request.readFirst, request.readCount).map([&](auto &&registers) {
-            read = std::move(registers);
-        });
+        return ring->read(request.area, request.readFirst, request.readCount)
+            .map([&](std::vector<Register> registers) { read = std::move(registers); });
     };
     if (const auto canBeRead = readNow(); !canBeRead)
         return tl::unexpected(canBeRead.error());
