@@ -58,10 +58,13 @@ bool WordGate::believe(const Read &read)
     return true;
 }
 
-bool WordGate::isJump(const Read &read) const
+// Seen from the last word believed, and from the read before: what lies far behind that, and near an older
+// word, is torn.
+bool WordGate::isJump(const Read &read, const std::optional<Read> &before) const
 {
+    const auto isNearTo = [&](Word word) { return isNear(std::int64_t{read.word} - word); };
     const bool isExpected = m_hasWord && mayMove(m_word) && read.at - m_wordAt <= longestMovement &&
-                            isNear(std::int64_t{read.word} - m_word);
+                            isNearTo(m_word) && (!before || !mayMove(before->word) || isNearTo(before->word));
     return mayMove(read.word) && !isExpected;
 }
 
@@ -72,7 +75,7 @@ bool WordGate::take(Word word, Instant at)
     const auto beforeLast = std::exchange(m_beforeLast, last);
     const bool isSame = last && last->word == word;
     const bool isSameThrice = isSame && beforeLast && beforeLast->word == word;
-    if (!m_canTear || isSameThrice || (isSame && !isJump(read)))
+    if (!m_canTear || isSameThrice || (isSame && !isJump(read, beforeLast)))
         return believe(read);
     return last && beforeLast && isOnTheWay(*beforeLast, *last, read) && believe(*last);
 }

@@ -14,8 +14,8 @@ namespace codewheel {
 // give it (spec modbus-gateway.md). A position that moves never does that; it is believed when it is the
 // middle one of three reads in a row that are positions, one behind the other and near each other: a word
 // torn at the carry from one register into the other is not between its neighbours, or 65536 steps away. A
-// shaft that trembles there may tear two reads in a row alike, so a position that is not near one of just
-// before needs three equal reads.
+// shaft that trembles there may tear two reads in a row alike, so a position that is not near the last one
+// believed, and near the read before, needs three equal reads.
 class WordGate
 {
 public:
@@ -43,7 +43,7 @@ private:
 
     bool mayMove(Word word) const;
     bool isOnTheWay(const Read &before, const Read &read, const Read &after) const;
-    bool isJump(const Read &read) const;
+    bool isJump(const Read &read, const std::optional<Read> &before) const;
     bool believe(const Read &read);
 
     std::optional<Profile> m_profile;

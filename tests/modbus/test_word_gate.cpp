@@ -84,6 +84,13 @@ TEST(WordGate, APositionFarFromTheOneBeforeIsBelievedAfterThreeEqualReads)
               (std::vector<Word>{0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 5}));
 }
 
+// 0001FC00 -> 00020100 read as 00010100, by an answer that comes twice. It is near what was believed before.
+TEST(WordGate, APositionFarFromTheReadBeforeIsNotBelievedBecauseItIsNearAnOlderOne)
+{
+    EXPECT_EQ(believed(k3, {0x1'4000, 0x1'4000, 0x1'4000, 0x1'F800, 0x1'FC00, 0x1'0100, 0x1'0100}),
+              (std::vector<Word>{0, 0, 0x1'4000, 0x1'4000, 0x1'4000, 0x1'4000, 0x1'4000}));
+}
+
 // A confirmation C20000FF that begins while the word is read, in either order.
 TEST(WordGate, AWordTornBetweenPositionAndHandshakeIsNotBelieved)
 {
