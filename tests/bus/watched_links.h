@@ -3,7 +3,7 @@
 #pragma once
 
 #include "esc_line/byte_link.h"
-#include "ring/process_data_link.h"
+#include "tests/support/passing_link.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,11 +44,11 @@ private:
 };
 
 // Counts cycles in which a word other than 00000000 went out.
-class WatchedRingLink final : public ProcessDataLink
+class WatchedRingLink final : public PassingLink
 {
 public:
     WatchedRingLink(std::unique_ptr<ProcessDataLink> link, LinkWatch &watch)
-        : m_link(std::move(link))
+        : PassingLink(std::move(link))
         , m_watch(watch)
     {}
 
@@ -56,46 +56,35 @@ public:
     {
         if (!m_watch.waitWhileBlocked())
             return refuse(RefusalKind::stopped, RefusalId::cancelled);
-        return m_watch.isGone ? gone() : m_link->open();
+        return m_watch.isGone ? gone() : PassingLink::open();
     }
-    void close() override { m_link->close(); }
-    Result<std::vector<Word>> readBackOut() override { return m_link->readBackOut(); }
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override
     {
         if (m_watch.isGone)
             return gone();
         m_watch.changes += std::ranges::any_of(out, [](Word word) { return word != 0; }) ? 1 : 0;
-        return m_link->exchange(out, in);
+        return PassingLink::exchange(out, in);
     }
     // A link that bounds words to cycles sends them in Watch too.
     Result<void> watch(std::span<Word> out, std::span<Word> in) override
     {
-        if (m_link->boundsWordsToCycles())
+        if (boundsWordsToCycles())
             return exchange(out, in);
         if (m_watch.isGone)
             return gone();
-        return m_link->watch(out, in);
+        return PassingLink::watch(out, in);
     }
     Result<std::optional<bool>> sendZeros(std::span<Word> in) override
     {
         if (m_watch.isGone)
             return gone();
-        return m_link->sendZeros(in);
+        return PassingLink::sendZeros(in);
     }
-    std::optional<Instant> age(std::size_t device) const override { return m_link->age(device); }
-    bool isUpToDate(std::size_t device) const override { return m_link->isUpToDate(device); }
-    std::shared_ptr<const LinkFigures> figures() const override { return m_link->figures(); }
-    Instant now() const override { return m_link->now(); }
-    void wait(Instant until) override { m_link->wait(until); }
-    bool isDue() const override { return m_link->isDue(); }
-    bool boundsWordsToCycles() const override { return m_link->boundsWordsToCycles(); }
-    bool isSimulated() const override { return m_link->isSimulated(); }
     void interrupt() override
     {
         m_watch.interrupt();
-        m_link->interrupt();
+        PassingLink::interrupt();
     }
-    MasterLink *master() override { return m_link->master(); }
 
 private:
     static tl::unexpected<Refusal> gone()
@@ -103,7 +92,6 @@ private:
         return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("cable pulled")});
     }
 
-    std::unique_ptr<ProcessDataLink> m_link;
     LinkWatch &m_watch;
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/process_data_link.h"
+
+#include <memory>
+#include <utility>
+
+namespace codewheel::test {
+
+// A link that passes everything on to another one, for links that look at what passes, or stop it.
+class PassingLink : public ProcessDataLink
+{
+public:
+    explicit PassingLink(std::unique_ptr<ProcessDataLink> link)
+        : m_link(std::move(link))
+    {}
+
+    Result<RingStructure> open() override { return m_link->open(); }
+    void close() override { m_link->close(); }
+    Result<std::vector<Word>> readBackOut() override { return m_link->readBackOut(); }
+    Result<void> exchange(std::span<const Word> out, std::span<Word> in) override
+    {
+        return m_link->exchange(out, in);
+    }
+    Result<void> watch(std::span<Word> out, std::span<Word> in) override { return m_link->watch(out, in); }
+    Result<std::optional<bool>> sendZeros(std::span<Word> in) override { return m_link->sendZeros(in); }
+    std::optional<Instant> age(std::size_t device) const override { return m_link->age(device); }
+    bool isUpToDate(std::size_t device) const override { return m_link->isUpToDate(device); }
+    std::shared_ptr<const LinkFigures> figures() const override { return m_link->figures(); }
+    Instant now() const override { return m_link->now(); }
+    void wait(Instant until) override { m_link->wait(until); }
+    bool isDue() const override { return m_link->isDue(); }
+    bool boundsWordsToCycles() const override { return m_link->boundsWordsToCycles(); }
+    bool isSimulated() const override { return m_link->isSimulated(); }
+    void interrupt() override { m_link->interrupt(); }
+    MasterLink *master() override { return m_link->master(); }
+
+private:
+    std::unique_ptr<ProcessDataLink> m_link;
+};
+
+} // namespace codewheel::test
