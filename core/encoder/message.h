@@ -96,8 +96,19 @@ enum class MessageId : std::uint8_t {
     recordingGoesOn,          // file, values lost meanwhile
     recordingEnded,           // file, text of its size
     training,                 // text of what the trainer did (QString)
+    offerBegun,               // where a simulated ring is offered to others: "127.0.0.1:1502"
+    offerEnded,               // where it was offered; so for the next four
+    offerEndedWithRing,       // the ring was closed
+    offerEndedWithStructure,  // another ring was read in
+    offerEndedWithProject,    // another project was opened
+    offerEndedWithRealRing,   // a real ring is used now
+    clientCame,               // address of a client of the offered ring
+    clientLeft,               // address, requests, writes
+    clientRefused,            // address
+    clientsPassed,            // of many in a short time: how many came, left, were refused
+    seatRestarted,            // unit
 };
-inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;
+inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::seatRestarted) + 1;
 
 struct Message
 {

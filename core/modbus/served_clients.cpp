@@ -23,6 +23,8 @@ void ServedClients::took(unsigned id, int unit, const ServedUnits::Answer &answe
 {
     const std::scoped_lock lock(m_mutex);
     count(m_total, answer);
+    if (answer.written)
+        m_writtenTo.insert_or_assign(unit, ServedClient::Written{unit, *answer.written, now});
     const auto client = std::ranges::find(m_clients, id, &ServedClient::id);
     if (client == m_clients.end())
         return;
@@ -55,6 +57,17 @@ std::vector<ServedClient> ServedClients::clients() const
     return m_clients;
 }
 
+ClientCounts ServedClients::counts() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return countsNow();
+}
+
+ClientCounts ServedClients::countsNow() const
+{
+    return {.came = m_everCame, .left = m_everCame - m_clients.size(), .refused = m_refused};
+}
+
 std::uint64_t ServedClients::everCame() const
 {
     const std::scoped_lock lock(m_mutex);
@@ -67,6 +80,12 @@ std::uint64_t ServedClients::refusedConnections() const
     return m_refused;
 }
 
+std::map<int, ServedClient::Written> ServedClients::writtenTo() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_writtenTo;
+}
+
 ServedClient ServedClients::total() const
 {
     const std::scoped_lock lock(m_mutex);
@@ -77,6 +96,12 @@ std::vector<ClientNews> ServedClients::takeNews()
 {
     const std::scoped_lock lock(m_mutex);
     return std::exchange(m_news, {});
+}
+
+std::pair<std::vector<ClientNews>, ClientCounts> ServedClients::takeNewsAndCounts()
+{
+    const std::scoped_lock lock(m_mutex);
+    return {std::exchange(m_news, {}), countsNow()};
 }
 
 void ServedClients::tell(ClientNews::What what, const ServedClient &client)

@@ -7,8 +7,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace codewheel {
@@ -22,6 +24,8 @@ struct ServedClient
         int unit = 0;
         ServedWord word;
         Time at;
+
+        friend bool operator==(const Written &, const Written &) = default;
     };
 
     unsigned id = 0; // counts the clients of a server, from 1
@@ -32,6 +36,18 @@ struct ServedClient
     std::uint64_t writes = 0;         // those that were carried out
     std::uint64_t refused = 0;        // those answered with an exception
     std::optional<Written> written{}; // the last
+
+    friend bool operator==(const ServedClient &, const ServedClient &) = default;
+};
+
+// How many came to a server, left it again, and were refused, so far.
+struct ClientCounts
+{
+    std::uint64_t came = 0;
+    std::uint64_t left = 0;
+    std::uint64_t refused = 0;
+
+    friend bool operator==(const ClientCounts &, const ClientCounts &) = default;
 };
 
 struct ClientNews
@@ -61,10 +77,16 @@ public:
     std::vector<ServedClient> clients() const; // in the order in which they came
     std::uint64_t everCame() const;
     std::uint64_t refusedConnections() const;
+    // What was written last to each unit, by whomever.
+    std::map<int, ServedClient::Written> writtenTo() const;
     ServedClient total() const; // what all of them have done, those who left included
     std::vector<ClientNews> takeNews();
+    // And what the counts are with them, those that were dropped included.
+    std::pair<std::vector<ClientNews>, ClientCounts> takeNewsAndCounts();
+    ClientCounts counts() const;
 
 private:
+    ClientCounts countsNow() const; // under the lock
     void tell(ClientNews::What what, const ServedClient &client);
     static void count(ServedClient &client, const ServedUnits::Answer &answer);
 
@@ -72,6 +94,7 @@ private:
     mutable std::mutex m_mutex; // guards everything below
     std::vector<ServedClient> m_clients;
     ServedClient m_total;
+    std::map<int, ServedClient::Written> m_writtenTo;
     unsigned m_everCame = 0;
     std::uint64_t m_refused = 0;
     std::vector<ClientNews> m_news;

@@ -5,7 +5,7 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "modbus/served_ring.h"
+#include "modbus/served_table.h"
 
 #include <QJsonObject>
 
@@ -27,36 +27,30 @@ QJsonValue firstJson(const RegisterBlock &block)
     return block.count == 0 ? QJsonValue() : QJsonValue(block.first);
 }
 
-RegisterBlock asHolding(const RegisterBlock &in)
-{
-    return {in.first + served_registers::inAsHolding, in.count};
-}
-
 } // namespace
 
 QString registerTable(const RingStructure &ring, const Catalog &catalog)
 {
-    const auto map = servedMap(ring);
-    if (!map)
+    const auto rows = servedTable(ring);
+    if (rows.empty())
         return {};
     TextTable table;
     table.add({CommandLine::tr("place"), CommandLine::tr("IN, input"), CommandLine::tr("IN, holding"),
                CommandLine::tr("OUT, holding"), CommandLine::tr("device")});
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        table.add({ring[i].number.toString(), rangeText(map->in(i)), rangeText(asHolding(map->in(i))),
-                   rangeText(map->out(i)),
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        table.add({rows[i].place.toString(), rangeText(rows[i].in), rangeText(rows[i].inHolding),
+                   rangeText(rows[i].out),
                    participantName(ring[i], catalog.find(ring[i].deviceKey, ring[i].deviceCode))});
     return table.toString();
 }
 
 QJsonArray registerJson(const RingStructure &ring)
 {
-    const auto map = servedMap(ring);
     QJsonArray json;
-    for (std::size_t i = 0; map && i < ring.size(); ++i)
-        json.append(QJsonObject{{QStringLiteral("place"), ring[i].number.toString()},
-                                {QStringLiteral("in"), firstJson(map->in(i))},
-                                {QStringLiteral("out"), firstJson(map->out(i))}});
+    for (const ServedRegisters &row : servedTable(ring))
+        json.append(QJsonObject{{QStringLiteral("place"), row.place.toString()},
+                                {QStringLiteral("in"), firstJson(row.in)},
+                                {QStringLiteral("out"), firstJson(row.out)}});
     return json;
 }
 
