@@ -3,8 +3,8 @@
 
 #include "cli/json.h"
 #include "cli/line/pseudo_terminal_link.h"
-#include "cli/ring/offered_rings.h"
 #include "cli/ring/register_table.h"
+#include "cli/ring/rings_to_offer.h"
 #include "cli/ring/serve_news.h"
 #include "cli/stop_signals.h"
 #include "cli/texts.h"
@@ -146,14 +146,14 @@ Checked<Answer> serveModbusTcp(const Call &call)
     const auto port = call.arguments.number("--port", usualPort, 0, lastPort);
     if (!port)
         return tl::unexpected(port.error());
-    auto rings = OfferedRings::of(call);
+    auto rings = ringsToOffer(call);
     if (!rings)
         return tl::unexpected(rings.error());
     StopSignals stop; // before there is a thread that could get them
     rings->start();
     ServerPlace place{.port = *port};
     place.host = call.arguments.value("--address").value_or(place.host);
-    const auto server = ModbusTcpServer::start(place, rings->units(writingOf(call)));
+    const auto server = ModbusTcpServer::start(place, unitsOf(*rings, writingOf(call)));
     if (!server)
         return tl::unexpected(complaintAbout(server.error()));
     const ServerPlace served = (*server)->place();
@@ -170,14 +170,14 @@ Checked<Answer> serveModbusRtu(const Call &call)
     auto offer = lineOffer(call.arguments);
     if (!offer)
         return tl::unexpected(offer.error());
-    auto rings = OfferedRings::of(call);
+    auto rings = ringsToOffer(call);
     if (!rings)
         return tl::unexpected(rings.error());
     StopSignals stop;
     rings->start();
     const GatewaySettings &settings = offer->settings;
     const auto server = ModbusRtuServer::start(std::move(offer->line), settings.serial,
-                                               rings->units(writingOf(call)), settings.unit);
+                                               unitsOf(*rings, writingOf(call)), settings.unit);
     if (!server)
         return tl::unexpected(complaintAbout(server.error()));
     call.terminal.print((*server)->port() + u'\n');

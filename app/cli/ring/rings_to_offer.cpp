@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/ring/offered_rings.h"
+#include "cli/ring/rings_to_offer.h"
 
 #include "cli/texts.h"
 #include "encoder/bus_names.h"
@@ -11,12 +11,6 @@ namespace codewheel {
 namespace {
 
 constexpr int mostSeats = 64;
-constexpr std::chrono::milliseconds busCycle{1};
-
-OfferedRings::Ring offered(const Call &call, const QString &name, TrainingBus bus)
-{
-    return {name, makeTrainingSession(call.catalog, QDateTime::currentDateTime(), std::move(bus))};
-}
 
 Checked<std::vector<const PlannedBus *>> simulatedRings(const Project &project)
 {
@@ -77,7 +71,7 @@ Checked<void> startFaults(const Call &call, const std::vector<OfferedRings::Ring
 
 } // namespace
 
-Checked<OfferedRings> OfferedRings::of(const Call &call)
+Checked<OfferedRings> ringsToOffer(const Call &call)
 {
     const auto seats = call.arguments.number("--seats", 0, 1, mostSeats);
     if (!seats)
@@ -95,40 +89,21 @@ Checked<OfferedRings> OfferedRings::of(const Call &call)
     const std::size_t count = std::max<std::size_t>({planned.size(), static_cast<std::size_t>(*seats), 1});
     for (std::size_t i = 0; i < count; ++i) {
         const PlannedBus *bus = planned.empty() ? nullptr : planned[planned.size() == 1 ? 0 : i];
-        all.m_rings.push_back(offered(call, bus != nullptr ? bus->name : CommandLine::tr("Ring"),
-                                      bus != nullptr ? makePlannedRing(*call.project, bus->id, call.catalog)
-                                                     : makeTrainingBus(call.catalog)));
+        all.add(bus != nullptr ? bus->name : CommandLine::tr("Ring"),
+                makeTrainingSession(call.catalog, QDateTime::currentDateTime(),
+                                    bus != nullptr ? makePlannedRing(*call.project, bus->id, call.catalog)
+                                                   : makeTrainingBus(call.catalog)));
     }
-    if (auto started = startFaults(call, all.m_rings, planned.size() > 1); !started)
+    if (auto started = startFaults(call, all.rings(), planned.size() > 1); !started)
         return tl::unexpected(started.error());
     return all;
 }
 
-void OfferedRings::start()
+ServedUnits unitsOf(const OfferedRings &rings, ServedUnits::Writing writing)
 {
-    for (Ring &ring : m_rings) {
-        ring.training.bus->offerTo(ring.guests);
-        if (!ring.training.bus->open(EncoderBus::Start::operating)) // a simulated link always opens
-            Q_UNREACHABLE();
-        ring.training.bus->advance(1); // so that the first client finds it running
-        ring.training.bus->startThread(busCycle);
-    }
-}
-
-void OfferedRings::pump()
-{
-    for (Ring &ring : m_rings)
-        ring.training.bus->pump();
-}
-
-ServedUnits OfferedRings::units(ServedUnits::Writing writing) const
-{
-    if (m_rings.size() == 1)
-        return ServedUnits(m_rings.front().guests, writing);
-    std::map<int, std::shared_ptr<RingGuests>> units;
-    for (std::size_t i = 0; i < m_rings.size(); ++i)
-        units[static_cast<int>(i) + 1] = m_rings[i].guests;
-    return ServedUnits(units, writing);
+    if (rings.rings().size() == 1)
+        return ServedUnits(rings.rings().front().guests, writing);
+    return rings.units(writing);
 }
 
 } // namespace codewheel
