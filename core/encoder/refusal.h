@@ -162,6 +162,8 @@ enum class RefusalId : std::uint8_t {
     serverPortTaken,      // port
     serverPortPrivileged, // port
     serverAddressNotOurs, // address
+    realRingNotOffered,   //
+    closedRingNotOffered, //
     registersUnanswered,  // link, text of the registers, tries
     registersRefused,     // link, text of the registers, code of the exception, its meaning
     registersGarbled,     // link, text of the registers, what was wrong

@@ -487,6 +487,11 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "This computer does not have the address %1. Take one of its own, "
                                  "or 0.0.0.0 for all it has.")},
+    RefusalRow{RefusalId::realRingNotOffered, "realRingNotOffered",
+               QT_TRANSLATE_NOOP("Refusal", "A real ring is never offered to others, only a training bus.")},
+    RefusalRow{RefusalId::closedRingNotOffered, "closedRingNotOffered",
+               QT_TRANSLATE_NOOP("Refusal", "The ring of this window is not connected. Connect it, or give "
+                                            "each seat a ring of its own.")},
     RefusalRow{RefusalId::registersUnanswered, "registersUnanswered",
                QT_TRANSLATE_NOOP("Refusal", "%1 does not answer (%2, tries: %3). Check unit number, settings "
                                             "of the line, and supply.")},

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/offer/offered_view.h"
+
+#include "encoder/sentence.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/heading_width.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/quiet_table.h"
+#include "widgets/look/role_label.h"
+#include "widgets/look/wrapped_label.h"
+#include "widgets/offer/served_clients_model.h"
+#include "widgets/offer/served_text.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QPushButton>
+#include <QTabWidget>
+
+namespace codewheel {
+namespace {
+
+const QString widestWritten = QStringLiteral("10.0  00000000  00:00:00");
+
+// As wide as their widest text from the start, so that nothing moves while it is shown; the last one has the
+// rest.
+void fixColumns(QTableView &table, const QStringList &widest)
+{
+    QHeaderView &header = *table.horizontalHeader();
+    const QFontMetrics letters(numberFont());
+    for (int column = 0; column < widest.size(); ++column) {
+        header.setSectionResizeMode(column, QHeaderView::Interactive);
+        header.resizeSection(column, std::max(headingWidth(header, column),
+                                              letters.horizontalAdvance(widest[column]) + 4 * grid::unit));
+    }
+    header.setStretchLastSection(true);
+}
+
+QString howText(const OfferedPlace &place)
+{
+    QStringList sentences;
+    sentences << (place.seats == 0
+                      ? OfferedView::tr("All units are the ring of this window.")
+                      : OfferedView::tr("Units 1 to %n are the seats, each with a ring of its own. The ring "
+                                        "of this window is not offered.",
+                                        nullptr, place.seats));
+    if (place.readOnly)
+        sentences << OfferedView::tr("Clients may only read.");
+    if (place.reachesOthers)
+        sentences << OfferedView::tr("It can be reached from other computers, without a password.");
+    return sentences.join(u' ');
+}
+
+} // namespace
+
+OfferedView::OfferedView(QWidget *parent)
+    : QWidget(parent)
+    , m_clients(new ServedClientsModel(this))
+    , m_seats(new SeatsModel(this))
+    , m_registers(new ServedRegistersModel(this))
+    , m_address(named(new RoleLabel(this), "offeredAddress"))
+    , m_copy(describe(new QPushButton(lineIcon(Icon::copy), tr("Cop&y"), this), "copyAddress",
+                      tr("Copies address and port (Alt+Y)")))
+    , m_how(wrappedLabel(this, "offeredHow"))
+    , m_counts(wrappedLabel(this, "clientCounts"))
+    , m_tables(named(new QTabWidget(this), "offeredTables"))
+    , m_seatPage(makeSeats())
+{
+    m_tables->addTab(addTable(*m_clients, "servedClients", tr("Clients"),
+                              {QStringLiteral("192.168.100.100:50000"), QStringLiteral("00:00:00"),
+                               QStringLiteral("255"), ServedText::count(10'000'000),
+                               ServedText::count(1'000'000), ServedText::count(100'000), widestWritten}),
+                     tr("Clients"));
+    m_tables->addTab(m_seatPage, tr("Seats"));
+    m_tables->addTab(
+        addTable(*m_registers, "servedRegisters", tr("Registers"),
+                 {QStringLiteral("10.0"), QStringLiteral("1000\u20131001"), QStringLiteral("1000\u20131001"),
+                  QStringLiteral("1000\u20131001"), QString(grid::largeIcon, u'n')}),
+        tr("Registers"));
+    m_copy->setAutoDefault(false);
+    connect(m_copy, &QPushButton::clicked, this, &OfferedView::copy);
+    layOutColumn(this, {layOutRow({m_address, m_copy, Stretch{1}}), m_how, m_counts, {m_tables, 1}},
+                 {.spacing = grid::margin, .margins = QMargins()});
+    setFocusProxy(m_tables->widget(0));
+}
+
+OfferedView::~OfferedView()
+{
+    for (auto *table : findChildren<QTableView *>())
+        table->setModel(nullptr);
+}
+
+QTableView *OfferedView::addTable(QAbstractItemModel &model, const char *id, const QString &name,
+                                  const QStringList &widest)
+{
+    auto *table = named(new QTableView(this), id);
+    setUpQuietTable(*table, model, name);
+    fixColumns(*table, widest);
+    return table;
+}
+
+QWidget *OfferedView::makeSeats()
+{
+    auto *page = named(new QWidget(this), "seatPage");
+    m_seatTable =
+        addTable(*m_seats, "seatTable", tr("Seats"),
+                 {QStringLiteral("64"), QStringLiteral("64"), QString(grid::smallIcon, u'n'), widestWritten});
+    m_restart =
+        describe(new QPushButton(lineIcon(Icon::refresh), tr("Sta&rt seat afresh"), page), "restartSeat",
+                 tr("Gives the chosen seat a new ring, with factory settings and without what was "
+                    "written to it (Alt+R)"));
+    m_restart->setAutoDefault(false);
+    connect(m_restart, &QPushButton::clicked, this, &OfferedView::restart);
+    connect(m_seatTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &OfferedView::showButtons);
+    connect(m_seats, &QAbstractItemModel::modelReset, this, &OfferedView::showButtons);
+    layOutColumn(page, {{m_seatTable, 1}, layOutRow({Stretch{1}, m_restart})},
+                 {.spacing = grid::margin, .margins = QMargins()});
+    showButtons();
+    return page;
+}
+
+void OfferedView::setPlace(const OfferedPlace &place)
+{
+    m_place = place;
+    m_address->setState(place.reachesOthers ? Role::attention : Role::running,
+                        sentence(tr("Offered at %1"), {place.address}));
+    m_how->setText(howText(place));
+    m_tables->setTabVisible(m_tables->indexOf(m_seatPage), place.seats > 0);
+}
+
+void OfferedView::setDevices(std::vector<ServedDevice> devices)
+{
+    m_registers->show(std::move(devices));
+}
+
+void OfferedView::showClients(const std::vector<ServedClient> &clients, const ClientCounts &counts)
+{
+    m_clients->show(clients);
+    const QString text = ServedText::clients(counts);
+    if (m_counts->text() != text)
+        m_counts->setText(text);
+}
+
+void OfferedView::showSeats(const std::vector<Seat> &seats)
+{
+    m_seats->show(seats);
+}
+
+void OfferedView::copy()
+{
+    QApplication::clipboard()->setText(m_place.address);
+}
+
+// The current row may be one that nobody has chosen.
+void OfferedView::showButtons()
+{
+    m_restart->setEnabled(m_seatTable->selectionModel()->hasSelection());
+}
+
+void OfferedView::restart()
+{
+    for (const QModelIndex &chosen : m_seatTable->selectionModel()->selectedRows())
+        Q_EMIT restartWanted(m_seats->rowAt(chosen.row()).unit);
+}
+
+} // namespace codewheel
