@@ -5,6 +5,8 @@
 #include "app/window/window_actions.h"
 #include "widgets/look/icons.h"
 
+#include <QMenu>
+
 namespace codewheel {
 
 RingActions::RingActions(WindowActions &window)
@@ -26,23 +28,40 @@ RingActions::RingActions(WindowActions &window)
                   tr("Confirms peripheral faults; one whose cause is still there comes back. Needs "
                      "Operate."));
     switchSegment = action(Icon::power, tr("Switch se&gment off or on"));
+    offer = action(Icon::training, tr("&Offer to others…"));
+    endOffer = described(action(Icon::stop, tr("&Stop offering")), {},
+                         tr("The ring is no longer offered to others: all clients are disconnected"));
     showSegment(false, false);
     showRegisters(false);
+    showOffer({}, false);
     window.insert(WindowActions::Section::connections,
                   {connection, registers, connectBus, disconnectBus, readIn});
+    makeTrainingMenu(window);
     window.insert(WindowActions::Section::services, {confirmDiagnostics, switchSegment});
+}
+
+void RingActions::makeTrainingMenu(WindowActions &window)
+{
+    auto *menu = new QMenu(tr("Tr&aining"), window.menuParent());
+    menu->setToolTipsVisible(true);
+    menu->addActions({offer, endOffer});
+    offer->setParent(menu);
+    endOffer->setParent(menu);
+    window.insert(WindowActions::Section::connections, {menu->menuAction()});
 }
 
 void RingActions::disable()
 {
-    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics})
+    for (QAction *action :
+         {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics, offer, endOffer})
         action->setEnabled(false);
     showSegment(false, false);
 }
 
 void RingActions::tellBus(const QString &bus)
 {
-    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics})
+    for (QAction *action :
+         {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics, offer, endOffer})
         codewheel::tellBus(action, bus);
 }
 
@@ -62,6 +81,16 @@ void RingActions::showRegisters(bool isGateway)
               isGateway ? tr("The registers of each device, its word in four readings, and the word order")
                         : tr("Only a ring behind a gateway has registers."));
     registers->setEnabled(isGateway);
+}
+
+void RingActions::showOffer(const QString &whyNot, bool isOffered)
+{
+    described(offer, Qt::ALT | Qt::SHIFT | Qt::Key_O,
+              !whyNot.isEmpty()
+                  ? whyNot
+                  : tr("Any Modbus client can work on this simulated ring; who does is shown there"));
+    offer->setEnabled(whyNot.isEmpty() || isOffered);
+    endOffer->setEnabled(isOffered);
 }
 
 } // namespace codewheel

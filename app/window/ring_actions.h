@@ -24,6 +24,8 @@ public:
 
     // Whether it is, or is planned to be, behind a gateway.
     void showRegisters(bool isGateway);
+    // Whether a ring can be offered (empty: it can), and is.
+    void showOffer(const QString &whyNot, bool isOffered);
 
     QAction *connection; // its page
     QAction *registers;  // of a gateway
@@ -32,6 +34,11 @@ public:
     QAction *readIn;
     QAction *confirmDiagnostics;
     QAction *switchSegment; // of the chosen device
+    QAction *offer;         // its page
+    QAction *endOffer;
+
+private:
+    void makeTrainingMenu(WindowActions &window);
 };
 
 } // namespace codewheel

@@ -2,13 +2,17 @@
 #include "app/window/ring_at_work.h"
 
 #include "app/journal_files.h"
+#include "app/window/ring_offer.h"
 #include "journal/ledger_keeper.h"
 #include "links/modbus_port.h"
 #include "project/bus_kind.h"
 #include "project/gateway_plan.h"
 #include "project/project_take_over.h"
 #include "project/ring_plan.h"
+#include "simulator/planned_ring.h"
 #include "widgets/project/project_document.h"
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -21,15 +25,29 @@ TrainingBus trainingRing(const BusAtWork::Surroundings &its)
     return make != nullptr ? (*make)(its.catalog) : makeTrainingBus(its.catalog);
 }
 
+bool isTrainingPlant(const RingStructure &ring, const Catalog &catalog)
+{
+    return std::ranges::equal(
+        ring, trainingPlan(catalog), [](const Participant &device, const TrainingParticipant &planned) {
+            return device.number == planned.number &&
+                   device.deviceKey == (planned.device != nullptr ? planned.device->key : QString());
+        });
+}
+
 } // namespace
 
 RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
     : BusAtWork(id, std::move(its), parent)
     , m_training(makeTrainingSession(catalog(), surroundings().clock(), trainingRing(surroundings()), id))
     , m_makePort([](const GatewaySettings &settings) { return std::make_unique<ModbusPort>(settings); })
+    , m_offer(std::make_unique<RingOffer>(*this))
 {
     tellMessagesOf(*bus());
     connect(bus(), &RingSession::nodesChanged, this, &RingAtWork::tellPlan);
+    connect(m_offer.get(), &RingOffer::messaged, this, [this](const Message &message) {
+        Q_EMIT messaged(message,
+                        surroundings().byThread ? surroundings().clock() : bus()->dateTime(bus()->now()));
+    });
     connect(&project(), &ProjectDocument::replaced, this, &RingAtWork::followProject);
     keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
 }
@@ -120,6 +138,16 @@ std::optional<Place> RingAtWork::turning() const
         if (shaft.revolutionsPerMinute != 0)
             return Place{id(), shaft.number};
     return std::nullopt;
+}
+
+TrainingSession RingAtWork::makeSeat() const
+{
+    const RingStructure planned = structureOf(project().project(), id());
+    return makeTrainingSession(catalog(), QDateTime::currentDateTime(),
+                               planned.empty() || isTrainingPlant(planned, catalog())
+                                   ? trainingRing(surroundings())
+                                   : makePlannedRing(project().project(), id(), catalog()),
+                               id());
 }
 
 // What the plan of the training ring knows of its encoders, the first time.

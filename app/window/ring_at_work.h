@@ -9,6 +9,8 @@
 
 namespace codewheel {
 
+class RingOffer;
+
 // A ring of the program: a training ring, the same at each start, or a real one behind a gateway, as the
 // project plans its link.
 class RingAtWork final : public BusAtWork
@@ -34,6 +36,9 @@ public:
     void openTraining() override; // and plans it as it is: nothing differs at first
     std::optional<Place> turning() const override;
     void start() override;
+    RingOffer &offer() { return *m_offer; } // to others
+    // Another training ring, with the devices that the project plans here.
+    TrainingSession makeSeat() const;
     // Instead of the registers of a real gateway.
     void setPorts(MakePort makePort) { m_makePort = std::move(makePort); }
     std::unique_ptr<RegisterPort> makePort(const GatewaySettings &settings) const
@@ -57,6 +62,7 @@ private:
     std::optional<GatewaySettings> m_gateway;
     MakePort m_makePort;
     bool m_planIsTold = false;
+    std::unique_ptr<RingOffer> m_offer; // nobody uses the ring any more when it goes
 };
 
 } // namespace codewheel

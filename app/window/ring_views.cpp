@@ -2,6 +2,7 @@
 #include "app/window/ring_views.h"
 
 #include "app/window/leaving.h"
+#include "app/window/offer_views.h"
 #include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
@@ -20,6 +21,7 @@
 #include "widgets/master/master_panel.h"
 #include "widgets/master/ring_comparison.h"
 #include "widgets/master/ring_plan_fields.h"
+#include "widgets/offer/offer_page.h"
 #include "widgets/project/device_names.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -67,6 +69,8 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_registers(own(new RegistersPage(&parts.pages)))
     , m_links(
           new RingLinks({ring, *m_connection, parts.settings, parts.leaving, *m_connect, *m_registers}, this))
+    , m_offerPage(own(new OfferPage(&parts.pages)))
+    , m_offer(new OfferViews(ring, *m_offerPage, parts.settings, parts.status, this))
     , m_comparison(own(new RingComparison(ring.project(), *ring.bus(), &parts.pages)))
     , m_leds(own(new LedRow(*ring.bus(), &parts.device)))
     , m_planFields(own(new RingPlanFields(ring.project(), ring.id())))
@@ -80,9 +84,13 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     m_registers->setObjectName(QStringLiteral("ringRegisters"));
     parts.pages.addWidget(m_connect);
     parts.pages.addWidget(m_registers);
+    m_offerPage->setObjectName(QStringLiteral("offerPage"));
+    parts.pages.addWidget(m_offerPage);
+    setHelpTopic(*m_offerPage, "serving.md#in-the-window");
     setHelpTopic(*m_connect, "gateway.md#connecting");
     setHelpTopic(*m_registers, "gateway.md#registers");
     setHelpTopic(*m_gateway, "gateway.md#the-panel");
+    connect(m_offer, &OfferViews::changed, this, &RingViews::showState);
     connect(m_gateway, &GatewayPanel::connectionWanted, this, &RingViews::showConnection);
     connect(m_gateway, &GatewayPanel::registersWanted, this, [this] { showPage(m_registers); });
     connect(&ring, &RingAtWork::linkChanged, this, &RingViews::showLink);
@@ -104,6 +112,8 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
     onAction(m_actions.connection, [this] { showConnection(); });
     onAction(m_actions.registers, [this] { showPage(m_registers); });
+    onAction(m_actions.offer, [this] { showOffer(); });
+    onAction(m_actions.endOffer, [this] { m_offer->end(); });
     onAction(m_actions.connectBus, [this] { connectBus(); });
     onAction(m_actions.disconnectBus, [this] { m_connection->disconnectRing(); });
     onAction(m_actions.readIn, [this] { m_connection->readIn(); });
@@ -127,6 +137,12 @@ void RingViews::showConnection()
 {
     m_links->listPorts();
     showPage(m_connect);
+}
+
+void RingViews::showOffer()
+{
+    m_offer->listAddresses();
+    showPage(m_offerPage);
 }
 
 // Where it was asked for.
@@ -190,6 +206,7 @@ void RingViews::showFrame()
 {
     if (m_registers->isVisible())
         m_links->showRegisters();
+    m_offer->showFrame();
     m_training->refresh();
     showStatus();
 }
@@ -254,6 +271,8 @@ void RingViews::showState()
     m_actions.tellBus(called());
     m_actions.connection->setEnabled(isMeant());
     m_actions.showRegisters(isMeant() && (m_ring.gateway() || m_links->plansGateway()));
+    m_actions.showOffer(m_offer->whyNot(), m_offer->isOn());
+    m_actions.offer->setEnabled(isMeant() && m_actions.offer->isEnabled());
     m_actions.connectBus->setEnabled(isMeant() && isClosed);
     m_actions.disconnectBus->setEnabled(isMeant() && !isClosed);
     m_actions.readIn->setEnabled(isMeant() && hasMaster && !bus.isReadingIn());

@@ -13,6 +13,8 @@ class ConnectPage;
 class GatewayPanel;
 class LedRow;
 class MasterPanel;
+class OfferPage;
+class OfferViews;
 class RingActions;
 class RingAtWork;
 class RingComparison;
@@ -56,6 +58,7 @@ private:
     void showRefused(const Refusal &why);
     void showPage(QWidget *page);
     void showConnection();
+    void showOffer();
 
     RingAtWork &m_ring;
     const WindowParts m_parts;
@@ -70,6 +73,8 @@ private:
     ConnectPage *m_connect;
     RegistersPage *m_registers;
     RingLinks *m_links;
+    OfferPage *m_offerPage;
+    OfferViews *m_offer;
     RingComparison *m_comparison;
     LedRow *m_leds;
     RingPlanFields *m_planFields; // in the structure editor

@@ -3,6 +3,7 @@
 
 #include "app/window/window_size.h"
 #include "encoder/place.h"
+#include "widgets/offer/offer_wish.h"
 #include "widgets/settings/program_settings.h"
 
 #include <QByteArray>
@@ -54,6 +55,9 @@ public:
     // The settings that a link of this kind was connected with last; empty: it never was.
     std::map<QString, QString> lastLink(const QString &kind) const;
     void setLastLink(const QString &kind, const std::map<QString, QString> &settings);
+
+    OfferWish offer() const; // how a ring was offered last
+    void setOffer(const OfferWish &wish);
 
     std::optional<Place> pinnedDial() const; // by the user
     void setPinnedDial(std::optional<Place> place);

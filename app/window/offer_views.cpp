@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/offer_views.h"
+
+#include "app/window/ring_at_work.h"
+#include "app/window/ring_offer.h"
+#include "app/window/status_line.h"
+#include "app/window/window_settings.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "links/own_addresses.h"
+#include "project/ring_plan.h"
+#include "widgets/look/role_label.h"
+#include "widgets/offer/offer_form.h"
+#include "widgets/offer/offer_page.h"
+#include "widgets/offer/offered_view.h"
+#include "widgets/project/project_document.h"
+
+namespace codewheel {
+
+OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settings, StatusLine &status,
+                       QObject *parent)
+    : QObject(parent)
+    , m_offer(ring.offer())
+    , m_ring(ring)
+    , m_page(page)
+    , m_settings(settings)
+    , m_line(status)
+    , m_status(status.addState())
+{
+    m_status->setObjectName(QStringLiteral("offerState"));
+    m_status->setToolTip(tr("A simulated ring is offered to others (Bus > Training > Offer to others)"));
+    connect(&page, &OfferPage::offerWanted, this, &OfferViews::begin);
+    connect(&page, &OfferPage::endWanted, this, &OfferViews::end);
+    connect(&page.offered(), &OfferedView::restartWanted, &m_offer, &RingOffer::restart);
+    connect(&m_offer, &RingOffer::changed, this, &OfferViews::showPlace);
+    connect(&ring.project(), &ProjectDocument::changed, this, &OfferViews::showName);
+    page.form().show(settings.offer());
+    showName();
+    showPlace();
+}
+
+OfferViews::~OfferViews()
+{
+    delete m_status;
+}
+
+QString OfferViews::whyNot() const
+{
+    const auto why = m_offer.whyNot();
+    return why ? refusalText(*why) : QString();
+}
+
+bool OfferViews::isOn() const
+{
+    return m_offer.isOn();
+}
+
+void OfferViews::end()
+{
+    m_offer.end();
+}
+
+void OfferViews::listAddresses()
+{
+    m_page.form().setAddresses(ownAddresses());
+    m_page.setWhyNot(whyNot());
+}
+
+void OfferViews::showName()
+{
+    const PlannedBus *bus = findBus(m_ring.project().project(), m_ring.id());
+    m_page.setAbout(bus != nullptr ? bus->name : m_ring.nameOfNew());
+}
+
+void OfferViews::begin(const OfferWish &wish)
+{
+    if (const auto begun = m_offer.begin(wish); !begun)
+        m_page.setProblem(refusalText(begun.error()));
+    else
+        m_settings.setOffer(wish);
+}
+
+void OfferViews::showPlace()
+{
+    m_page.setPlace(m_offer.isOn() ? std::optional(m_offer.place()) : std::nullopt);
+    if (m_offer.isOn())
+        m_page.offered().setDevices(m_offer.devices());
+    m_status->setVisible(m_offer.isOn());
+    showFrame();
+    Q_EMIT changed();
+}
+
+void OfferViews::showFrame()
+{
+    m_page.setWhyNot(whyNot());
+    if (!m_offer.isOn())
+        return;
+    m_offer.takeFrame();
+    showStatus();
+    if (m_page.isVisible()) {
+        m_page.offered().showClients(m_offer.clients(), m_offer.counts());
+        m_page.offered().showSeats(m_offer.seats());
+    }
+}
+
+void OfferViews::showStatus()
+{
+    const OfferedPlace place = m_offer.place();
+    const ClientCounts counts = m_offer.counts();
+    const QString text =
+        sentence(tr("Offered at %1, %2"),
+                 {place.address, tr("%n clients", nullptr, static_cast<int>(counts.came - counts.left))});
+    const Role role = place.reachesOthers ? Role::attention : Role::running;
+    if (m_status->word() == text && m_status->role() == role)
+        return;
+    m_status->setState(role, text);
+    m_line.fit();
+}
+
+} // namespace codewheel

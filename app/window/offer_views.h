@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+namespace codewheel {
+
+class OfferPage;
+struct OfferWish;
+class RingAtWork;
+class RingOffer;
+class RoleLabel;
+class StatusLine;
+class WindowSettings;
+
+// What the window shows of a ring that is offered to others: its page, and the status line, also when the
+// page is closed. Used by RingViews.
+class OfferViews : public QObject
+{
+    Q_OBJECT
+
+public:
+    OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settings, StatusLine &status,
+               QObject *parent = nullptr);
+    ~OfferViews() override;
+
+    // Why it cannot be offered now, in a sentence; empty: it can.
+    QString whyNot() const;
+    bool isOn() const;
+    void end();
+    void listAddresses(); // of this computer, as they are now
+    void showFrame();
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void begin(const OfferWish &wish);
+    void showPlace();
+    void showStatus();
+    void showName();
+
+    RingOffer &m_offer;
+    RingAtWork &m_ring;
+    OfferPage &m_page;
+    WindowSettings &m_settings;
+    StatusLine &m_line;
+    QPointer<RoleLabel> m_status;
+};
+
+} // namespace codewheel

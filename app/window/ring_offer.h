@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/offered_rings.h"
+#include "links/modbus_tcp_server.h"
+#include "modbus/served_news.h"
+#include "widgets/offer/offer_wish.h"
+#include "widgets/offer/offered_view.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace codewheel {
+
+class Catalog;
+class RingAtWork;
+
+// The devices of a ring, with their names and registers.
+std::vector<ServedDevice> servedDevices(const RingStructure &ring, const Catalog &catalog);
+
+// A simulated ring offered to others by Modbus/TCP: the ring of the window, or one for each seat of a class.
+// Belongs to its RingAtWork, so it outlives the window; never begins by itself. It ends when what is offered
+// is no longer there: clients are answered with exception 4, then disconnected.
+class RingOffer : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit RingOffer(RingAtWork &ring);
+    ~RingOffer() override;
+
+    // Why it cannot be offered, however it is wanted; empty: it can.
+    std::optional<Refusal> whyNot() const;
+    // Refused: as whyNot(), closedRingNotOffered, or as ModbusTcpServer::start().
+    Result<void> begin(const OfferWish &wish);
+    void end();
+    bool isOn() const { return m_server != nullptr; }
+
+    // While it is on.
+    OfferedPlace place() const;
+    std::vector<ServedClient> clients() const { return m_server->clients().clients(); }
+    ClientCounts counts() const { return m_server->clients().counts(); }
+    std::vector<Seat> seats() const;
+    std::vector<ServedDevice> devices() const; // of one of the rings: they are alike
+    void restart(int unit);                    // the ring of a seat
+
+    // With each frame of the window: what has happened since the last one.
+    void takeFrame();
+
+Q_SIGNALS:
+    void changed(); // it is on, or no longer
+    void messaged(const codewheel::Message &message);
+
+private:
+    bool offersWindowsRing() const { return isOn() && !m_wish.hasSeats; }
+    void endAs(MessageId why);
+    void stop();
+    void tell(Message message);
+    void followBus();
+
+    RingAtWork &m_ring;
+    OfferWish m_wish;
+    std::shared_ptr<RingGuests> m_guests; // of the window's ring
+    OfferedRings m_seats;
+    ServedNews m_news;
+    std::unique_ptr<ModbusTcpServer> m_server; // ends first
+};
+
+} // namespace codewheel
