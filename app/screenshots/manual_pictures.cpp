@@ -2,6 +2,7 @@
 #include "app/screenshots/manual_pictures.h"
 
 #include "app/screenshots/line_pictures.h"
+#include "app/screenshots/offer_picture.h"
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/report_picture.h"
@@ -254,7 +255,8 @@ QString fileOf(const Picture &picture, const QString &suffix)
 std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures(), trendPictures(), recordingPictures()})
+    for (const auto &more :
+         {wizardPictures(), linePictures(), trendPictures(), recordingPictures(), offerPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }
