@@ -2,8 +2,10 @@
 // The training ring of the window offered to others: clients of libmodbus use it while the trainer looks on.
 #include "project/ring_plan.h"
 #include "tests/app/offer_test.h"
+#include "tests/support/register_bank.h"
 #include "widgets/offer/offer_form.h"
 
+#include <QDockWidget>
 #include <QTabWidget>
 #include <QTest>
 
@@ -18,7 +20,30 @@ using test::fraba;
 using test::ModbusClient;
 using test::partOf;
 
-using OfferInWindow = test::OfferTest;
+class OfferInWindow : public test::OfferTest
+{
+protected:
+    void planGateway()
+    {
+        Project project = shown->project().project();
+        RingPlan plan = ringPlan(project, firstRing);
+        plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
+        setRingPlan(project, firstRing, plan);
+        shown->project().edit(std::move(project), QStringLiteral("Connection"));
+    }
+    bool isInTrace(const QString &word)
+    {
+        const auto *rows = window()
+                               .findChild<QDockWidget *>(QStringLiteral("traceDock"))
+                               ->findChild<QTableView *>()
+                               ->model();
+        for (int row = 0; row < rows->rowCount(); ++row)
+            for (int column = 0; column < rows->columnCount(); ++column)
+                if (rows->index(row, column).data().toString().contains(word))
+                    return true;
+        return false;
+    }
+};
 
 constexpr int illegalFunction = MODBUS_ENOBASE + 1;
 constexpr int noSuchUnit = MODBUS_ENOBASE + 11;
@@ -36,6 +61,7 @@ TEST_F(OfferInWindow, WhatAClientWritesIsOnTheRingAndIsSeen)
     EXPECT_TRUE(waitFor([&] {
         return inTable("servedClients", 0, 6).startsWith(QStringLiteral("1.0  020000FF"));
     })) << inTable("servedClients", 0, 6).toStdString();
+    EXPECT_TRUE(waitFor([&] { return isInTrace(QStringLiteral("020000FF")); }));
     EXPECT_EQ(inTable("servedClients", 0, 4), QStringLiteral("1"));
     EXPECT_EQ(inTable("servedRegisters", 1, 1), QStringLiteral("2\u20133"));
     EXPECT_TRUE(isSaid(QStringLiteral("is connected to the offered ring")));
@@ -147,14 +173,47 @@ TEST_F(OfferInWindow, ARingThatIsDisconnectedIsNoLongerOffered)
     EXPECT_TRUE(isSaid(QStringLiteral("The ring was disconnected")));
 }
 
+TEST_F(OfferInWindow, ARingWithOtherDevicesIsNoLongerOffered)
+{
+    offer();
+    ModbusClient client(port());
+    ASSERT_EQ(client.readHolding(0, 2).size(), 2U);
+    shown->controls().setFault(TrainingFault::wireBreak, NodeId("6.0"), 1);
+    EXPECT_TRUE(waitFor([&] { return !bus().isRunning(); }));
+    EXPECT_TRUE(ring().offer().isOn()) << "a fault alone is the clients' affair";
+    ringActions().readIn->trigger();
+    EXPECT_TRUE(waitFor([&] { return bus().structure().size() == 5U; }));
+    EXPECT_FALSE(ring().offer().isOn());
+    EXPECT_TRUE(client.readHolding(0, 2).empty());
+    EXPECT_TRUE(isSaid(QStringLiteral("The ring has other devices now")));
+}
+
+TEST_F(OfferInWindow, SeatsGoOnWithoutTheRingButNotBesideARealOne)
+{
+    offer(2);
+    ModbusClient client(port(), 2);
+    ASSERT_EQ(client.write(0, {high, low}), 0);
+    ringActions().disconnectBus->trigger();
+    ASSERT_FALSE(bus().isOpen());
+    EXPECT_TRUE(ring().offer().isOn());
+    EXPECT_EQ(client.readHolding(0, 2), (std::vector<std::uint16_t>{high, low}));
+
+    auto gateway = std::make_shared<test::RegisterBank>();
+    ring().setPorts(
+        [&](const GatewaySettings &) { return std::make_unique<test::RegisterBankPort>(gateway); });
+    planGateway();
+    ringActions().connectBus->trigger();
+    EXPECT_FALSE(bus().isSimulated());
+    EXPECT_FALSE(ring().offer().isOn());
+    EXPECT_TRUE(client.readHolding(0, 2).empty());
+    EXPECT_TRUE(isSaid(QStringLiteral("This ring is a real one now")));
+    EXPECT_EQ(gateway->writes, 0) << "nothing of a client reaches it";
+}
+
 TEST_F(OfferInWindow, ARealRingIsNeverOffered)
 {
     ringActions().disconnectBus->trigger();
-    Project project = shown->project().project();
-    RingPlan plan = ringPlan(project, firstRing);
-    plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
-    setRingPlan(project, firstRing, plan);
-    shown->project().edit(std::move(project), QStringLiteral("Connection"));
+    planGateway();
     window().showFrame();
     EXPECT_FALSE(ringActions().offer->isEnabled());
     EXPECT_TRUE(ringActions().offer->toolTip().contains(QStringLiteral("never offered")));
