@@ -1943,6 +1943,50 @@
         <source>The link is lost, so the zeros of the ALARM STOP have not arrived: they go out first once it is back. Stop the machine by its own means.</source>
         <translation>Die Verbindung ist unterbrochen, die Nullen des ALARM-STOPPs sind also nicht angekommen: Sie gehen als Erstes hinaus, sobald sie wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
+    <message>
+        <source>Offered to others at %1 by Modbus.</source>
+        <translation>Wird anderen an %1 über Modbus angeboten.</translation>
+    </message>
+    <message>
+        <source>No longer offered to others at %1.</source>
+        <translation>Wird anderen an %1 nicht mehr angeboten.</translation>
+    </message>
+    <message>
+        <source>The ring was disconnected, so it is no longer offered at %1.</source>
+        <translation>Der Ring wurde getrennt, also wird er an %1 nicht mehr angeboten.</translation>
+    </message>
+    <message>
+        <source>The ring has other devices now, in other registers, so it is no longer offered at %1. Offer it again.</source>
+        <translation>Der Ring hat jetzt andere Teilnehmer, in anderen Registern; er wird an %1 nicht mehr angeboten. Ihn neu anbieten.</translation>
+    </message>
+    <message>
+        <source>Another project was opened, so nothing is offered at %1 any more. Offer it again.</source>
+        <translation>Ein anderes Projekt wurde geöffnet, also wird an %1 nichts mehr angeboten. Neu anbieten.</translation>
+    </message>
+    <message>
+        <source>This ring is a real one now, so nothing is offered at %1 any more.</source>
+        <translation>Dieser Ring ist jetzt ein echter, also wird an %1 nichts mehr angeboten.</translation>
+    </message>
+    <message>
+        <source>%1 is connected to the offered ring.</source>
+        <translation>%1 ist mit dem angebotenen Ring verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 has left the offered ring (requests: %2, of them writes: %3).</source>
+        <translation>%1 hat den angebotenen Ring verlassen (Anfragen: %2, davon Schreibvorgänge: %3).</translation>
+    </message>
+    <message>
+        <source>%1 was disconnected: the offered ring has as many clients as it can have.</source>
+        <translation>%1 wurde getrennt: Der angebotene Ring hat schon so viele Clients, wie er haben kann.</translation>
+    </message>
+    <message>
+        <source>More clients of the offered ring in a short time: %1 came, %2 left, %3 were refused.</source>
+        <translation>Weitere Clients des angebotenen Rings in kurzer Zeit: %1 kamen, %2 gingen, %3 wurden abgewiesen.</translation>
+    </message>
+    <message>
+        <source>The ring of seat %1 starts afresh, with factory settings.</source>
+        <translation>Der Ring von Sitzplatz %1 beginnt neu, mit Werkseinstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>
@@ -3003,6 +3047,14 @@
     <message>
         <source>Somebody else writes to the outputs of this bus: it is in Watch now.</source>
         <translation>Auf die Ausgänge dieses Busses schreibt noch jemand: Er ist jetzt auf Beobachten.</translation>
+    </message>
+    <message>
+        <source>A real ring is never offered to others, only a training bus.</source>
+        <translation>Ein echter Ring wird anderen nie angeboten, nur ein Übungsbus.</translation>
+    </message>
+    <message>
+        <source>The ring of this window is not connected. Connect it, or give each seat a ring of its own.</source>
+        <translation>Der Ring dieses Fensters ist nicht verbunden. Ihn verbinden, oder jedem Sitzplatz einen eigenen Ring geben.</translation>
     </message>
 </context>
 <context>
@@ -12632,6 +12684,192 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::OfferForm</name>
+    <message>
+        <source>This computer only: %1</source>
+        <translation>Nur dieser Rechner: %1</translation>
+    </message>
+    <message>
+        <source>All addresses of this computer: %1</source>
+        <translation>Alle Adressen dieses Rechners: %1</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Whether programs on other computers reach it, and at which address</source>
+        <translation>Ob Programme auf anderen Rechnern ihn erreichen und unter welcher Adresse</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>1502, or another free one from 1024 on; 502 is for administrators</source>
+        <translation>1502, oder ein anderer freier ab 1024; 502 ist Administratoren vorbehalten</translation>
+    </message>
+    <message>
+        <source>&amp;One ring for all</source>
+        <translation>Ei&amp;n Ring für alle</translation>
+    </message>
+    <message>
+        <source>All clients work on the ring of this window, whatever unit they ask</source>
+        <translation>Alle Clients arbeiten am Ring dieses Fensters, welche Unit sie auch fragen</translation>
+    </message>
+    <message>
+        <source>A ring for each &amp;seat</source>
+        <translation>Je &amp;Sitzplatz ein Ring</translation>
+    </message>
+    <message>
+        <source>Each seat has a ring of its own, with the devices of this one: unit 1 is seat 1. The ring of this window is nobody&apos;s seat</source>
+        <translation>Jeder Sitzplatz hat einen eigenen Ring mit den Teilnehmern von diesem: Unit 1 ist Sitzplatz 1. Der Ring dieses Fensters ist niemandes Sitzplatz</translation>
+    </message>
+    <message>
+        <source>Seats</source>
+        <translation>Sitzplätze</translation>
+    </message>
+    <message>
+        <source>How many seats there are: 1 to 64</source>
+        <translation>Wie viele Sitzplätze es gibt: 1 bis 64</translation>
+    </message>
+    <message>
+        <source>Clients may onl&amp;y read</source>
+        <translation>Clients dürfen nur &amp;lesen</translation>
+    </message>
+    <message>
+        <source>What they want to write is refused with exception 1</source>
+        <translation>Was sie schreiben wollen, wird mit Exception 1 abgelehnt</translation>
+    </message>
+    <message>
+        <source>any free one</source>
+        <translation>ein freier</translation>
+    </message>
+    <message>
+        <source>&amp;Where</source>
+        <translation>&amp;Wo</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>Sea&amp;ts</source>
+        <translation>Si&amp;tzplätze</translation>
+    </message>
+    <message>
+        <source>Modbus has no password: whoever reaches this port in the network may use the ring.</source>
+        <translation>Modbus hat kein Passwort: Wer diesen Port im Netz erreicht, darf den Ring benutzen.</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer reach it.</source>
+        <translation>Nur Programme auf diesem Rechner erreichen ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OfferPage</name>
+    <message>
+        <source>Offe&amp;r</source>
+        <translation>Anb&amp;ieten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop offering</source>
+        <translation>Nicht &amp;mehr anbieten</translation>
+    </message>
+    <message>
+        <source>Disconnects all clients (Alt+S)</source>
+        <translation>Trennt alle Clients (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Other programs can use the simulated ring. Nothing real is offered.</source>
+        <translation>Andere Programme können den simulierten Ring benutzen. Nichts Echtes wird angeboten.</translation>
+    </message>
+    <message>
+        <source>Other programs can use the ring from then on (Alt+R)</source>
+        <translation>Von da an können andere Programme den Ring benutzen (Alt+I)</translation>
+    </message>
+    <message>
+        <source>Offer to others</source>
+        <translation>Anderen anbieten</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OfferViews</name>
+    <message>
+        <source>A simulated ring is offered to others (Bus &gt; Training &gt; Offer to others)</source>
+        <translation>Ein simulierter Ring wird anderen angeboten (Bus &gt; Übung &gt; Anderen anbieten)</translation>
+    </message>
+    <message>
+        <source>Offered at %1, %2</source>
+        <translation>Angeboten an %1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n clients</source>
+        <translation>
+            <numerusform>%n Client</numerusform>
+            <numerusform>%n Clients</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OfferedView</name>
+    <message>
+        <source>All units are the ring of this window.</source>
+        <translation>Alle Units sind der Ring dieses Fensters.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Units 1 to %n are the seats, each with a ring of its own. The ring of this window is not offered.</source>
+        <translation>
+            <numerusform>Unit %n ist der einzige Sitzplatz, mit einem eigenen Ring. Der Ring dieses Fensters wird nicht angeboten.</numerusform>
+            <numerusform>Die Units 1 bis %n sind die Sitzplätze, jeder mit einem eigenen Ring. Der Ring dieses Fensters wird nicht angeboten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clients may only read.</source>
+        <translation>Clients dürfen nur lesen.</translation>
+    </message>
+    <message>
+        <source>It can be reached from other computers, without a password.</source>
+        <translation>Er ist von anderen Rechnern erreichbar, ohne Passwort.</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies address and port (Alt+Y)</source>
+        <translation>Kopiert Adresse und Port (Alt+K)</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Clients</translation>
+    </message>
+    <message>
+        <source>Seats</source>
+        <translation>Sitzplätze</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt seat afresh</source>
+        <translation>Sitzplatz ne&amp;u starten</translation>
+    </message>
+    <message>
+        <source>Gives the chosen seat a new ring, with factory settings and without what was written to it (Alt+R)</source>
+        <translation>Gibt dem gewählten Sitzplatz einen neuen Ring, mit Werkseinstellungen und ohne das, was in ihn geschrieben wurde (Alt+U)</translation>
+    </message>
+    <message>
+        <source>Offered at %1</source>
+        <translation>Angeboten an %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::OrderingKeyReader</name>
     <message>
         <source>A code consists of the letters A to Z and digits.</source>
@@ -15246,6 +15484,26 @@ Zustand: %3 (%4)</translation>
         <source>Only a ring behind a gateway has registers.</source>
         <translation>Nur ein Ring hinter einem Gateway hat Register.</translation>
     </message>
+    <message>
+        <source>&amp;Offer to others…</source>
+        <translation>&amp;Anderen anbieten…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop offering</source>
+        <translation>Nicht &amp;mehr anbieten</translation>
+    </message>
+    <message>
+        <source>The ring is no longer offered to others: all clients are disconnected</source>
+        <translation>Der Ring wird anderen nicht mehr angeboten: Alle Clients werden getrennt</translation>
+    </message>
+    <message>
+        <source>Tr&amp;aining</source>
+        <translation>Üb&amp;ung</translation>
+    </message>
+    <message>
+        <source>Any Modbus client can work on this simulated ring; who does is shown there</source>
+        <translation>Jeder Modbus-Client kann an diesem simulierten Ring arbeiten; wer es tut, steht dort</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingComparison</name>
@@ -16191,6 +16449,41 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::SeatsModel</name>
+    <message>
+        <source>Seat</source>
+        <translation>Sitzplatz</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Clients</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Written last</source>
+        <translation>Zuletzt geschrieben</translation>
+    </message>
+    <message>
+        <source>Its number is the Modbus unit</source>
+        <translation>Seine Nummer ist die Modbus-Unit</translation>
+    </message>
+    <message>
+        <source>How many clients asked this unit last</source>
+        <translation>Wie viele Clients zuletzt diese Unit gefragt haben</translation>
+    </message>
+    <message>
+        <source>State of its ring</source>
+        <translation>Zustand seines Rings</translation>
+    </message>
+    <message>
+        <source>Device, OUT word, and when it was on the bus, whoever wrote it</source>
+        <translation>Teilnehmer, OUT-Wort und wann es auf dem Bus war, wer immer es schrieb</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SegmentModel</name>
     <message numerus="yes">
         <source>%n errors in the last five minutes</source>
@@ -16462,6 +16755,124 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Leave the encoder unchanged, OUT back to 0</source>
         <translation>Geber un&amp;verändert lassen, OUT zurück auf 0</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ServedClientsModel</name>
+    <message>
+        <source>Client</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unit</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Wrote last</source>
+        <translation>Schrieb zuletzt</translation>
+    </message>
+    <message>
+        <source>Address and port of the client</source>
+        <translation>Adresse und Port des Clients</translation>
+    </message>
+    <message>
+        <source>When it connected</source>
+        <translation>Wann er sich verbunden hat</translation>
+    </message>
+    <message>
+        <source>The unit of its last request; with seats, its seat</source>
+        <translation>Die Unit seiner letzten Anfrage; mit Sitzplätzen sein Sitzplatz</translation>
+    </message>
+    <message>
+        <source>Requests so far</source>
+        <translation>Anfragen bisher</translation>
+    </message>
+    <message>
+        <source>Requests that wrote something, and were carried out</source>
+        <translation>Anfragen, die etwas geschrieben haben und ausgeführt wurden</translation>
+    </message>
+    <message>
+        <source>Requests that were answered with an exception</source>
+        <translation>Anfragen, die mit einer Exception beantwortet wurden</translation>
+    </message>
+    <message>
+        <source>Device, OUT word, and when it was on the bus</source>
+        <translation>Teilnehmer, OUT-Wort und wann es auf dem Bus war</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ServedRegistersModel</name>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>IN, input</source>
+        <translation>IN, Input</translation>
+    </message>
+    <message>
+        <source>IN, holding</source>
+        <translation>IN, Holding</translation>
+    </message>
+    <message>
+        <source>OUT, holding</source>
+        <translation>OUT, Holding</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Number of the device in the ring</source>
+        <translation>Nummer des Teilnehmers im Ring</translation>
+    </message>
+    <message>
+        <source>Input registers of its IN word, counted from 0, high word first (function 4)</source>
+        <translation>Input-Register seines IN-Wortes, ab 0 gezählt, oberes Wort zuerst (Funktion 4)</translation>
+    </message>
+    <message>
+        <source>Holding registers that show its IN word too (functions 3 and 23)</source>
+        <translation>Holding-Register, die sein IN-Wort auch zeigen (Funktionen 3 und 23)</translation>
+    </message>
+    <message>
+        <source>Holding registers of its OUT word (functions 3, 6, 16, 22, 23)</source>
+        <translation>Holding-Register seines OUT-Wortes (Funktionen 3, 6, 16, 22, 23)</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ServedText</name>
+    <message>
+        <source>%1 came, %2 refused</source>
+        <comment>clients so far</comment>
+        <translation>%1 kamen, %2 abgewiesen</translation>
+    </message>
+    <message>
+        <source>Nobody is connected (%1).</source>
+        <translation>Niemand ist verbunden (%1).</translation>
+    </message>
+    <message>
+        <source>Connected: %1 (%2).</source>
+        <translation>Verbunden: %1 (%2).</translation>
     </message>
 </context>
 <context>

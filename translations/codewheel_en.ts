@@ -155,6 +155,26 @@
     </message>
 </context>
 <context>
+    <name>codewheel::OfferViews</name>
+    <message numerus="yes">
+        <source>%n clients</source>
+        <translation>
+            <numerusform>%n client</numerusform>
+            <numerusform>%n clients</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OfferedView</name>
+    <message numerus="yes">
+        <source>Units 1 to %n are the seats, each with a ring of its own. The ring of this window is not offered.</source>
+        <translation>
+            <numerusform>Unit %n is the only seat, with a ring of its own. The ring of this window is not offered.</numerusform>
+            <numerusform>Units 1 to %n are the seats, each with a ring of its own. The ring of this window is not offered.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportTexts</name>
     <message numerus="yes">
         <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/manual_pictures.h"
 
+#include "app/screenshots/gateway_pictures.h"
 #include "app/screenshots/line_pictures.h"
 #include "app/screenshots/offer_picture.h"
 #include "app/screenshots/project_pictures.h"
@@ -255,8 +256,8 @@ QString fileOf(const Picture &picture, const QString &suffix)
 std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
-    for (const auto &more :
-         {wizardPictures(), linePictures(), trendPictures(), recordingPictures(), offerPictures()})
+    for (const auto &more : {wizardPictures(), linePictures(), gatewayPictures(), trendPictures(),
+                             recordingPictures(), offerPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }

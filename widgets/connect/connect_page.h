@@ -48,6 +48,7 @@ public:
     void ask(const QString &sentence, const QString &answer);
 
     void setTesting(bool on); // begins a new list of steps
+    bool isTesting() const { return m_isTesting; }
     void addStep(Role role, const QString &what, const QString &sentence);
     // Below the steps; null: none.
     void setResult(QWidget *table);
