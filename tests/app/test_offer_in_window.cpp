@@ -59,8 +59,8 @@ TEST_F(OfferInWindow, WhatAClientWritesIsOnTheRingAndIsSeen)
     ASSERT_EQ(client.write(0, {high, low}), 0);
     EXPECT_TRUE(waitFor([&] { return out(fraba) == 0x0200'00FFu; }));
     EXPECT_TRUE(waitFor([&] {
-        return inTable("servedClients", 0, 6).startsWith(QStringLiteral("1.0  020000FF"));
-    })) << inTable("servedClients", 0, 6).toStdString();
+        return inTable("servedClients", 0, 2).startsWith(QStringLiteral("1.0  020000FF"));
+    })) << inTable("servedClients", 0, 2).toStdString();
     EXPECT_TRUE(waitFor([&] { return isInTrace(QStringLiteral("020000FF")); }));
     EXPECT_EQ(inTable("servedClients", 0, 4), QStringLiteral("1"));
     EXPECT_EQ(inTable("servedRegisters", 1, 1), QStringLiteral("2\u20133"));
@@ -246,13 +246,15 @@ TEST_F(OfferInWindow, AThousandConnectionsDoNotFloodTheMessages)
 {
     offer();
     const auto before = shown->messages().rowCount();
-    for (int i = 0; i < 1'000; ++i)
+    for (int i = 0; i < 1'000; ++i) {
         EXPECT_TRUE(ModbusClient(port()).isConnected());
+        window().showFrame();
+    }
     EXPECT_TRUE(waitFor([&] {
         const ClientCounts counts = ring().offer().counts();
         return counts.came == counts.left && counts.came + counts.refused == 1'000;
     }));
-    EXPECT_LE(shown->messages().rowCount() - before, 3 * static_cast<int>(ServedNews::mostAlone));
+    EXPECT_LE(shown->messages().rowCount() - before, 100);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "widgets/offer/offered_view.h"
 
 #include "encoder/sentence.h"
+#include "modbus/served_ring.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -69,16 +70,12 @@ OfferedView::OfferedView(QWidget *parent)
     , m_seatPage(makeSeats())
 {
     m_tables->addTab(addTable(*m_clients, "servedClients", tr("Clients"),
-                              {QStringLiteral("192.168.100.100:50000"), QStringLiteral("00:00:00"),
-                               QStringLiteral("255"), ServedText::count(10'000'000),
-                               ServedText::count(1'000'000), ServedText::count(100'000), widestWritten}),
+                              {QStringLiteral("192.168.100.100:50000"), QStringLiteral("255"), widestWritten,
+                               ServedText::count(1'000'000), ServedText::count(100'000),
+                               ServedText::count(10'000), QStringLiteral("00:00:00")}),
                      tr("Clients"));
     m_tables->addTab(m_seatPage, tr("Seats"));
-    m_tables->addTab(
-        addTable(*m_registers, "servedRegisters", tr("Registers"),
-                 {QStringLiteral("10.0"), QStringLiteral("1000\u20131001"), QStringLiteral("1000\u20131001"),
-                  QStringLiteral("1000\u20131001"), QString(grid::largeIcon, u'n')}),
-        tr("Registers"));
+    m_tables->addTab(makeRegisters(), tr("Registers"));
     m_copy->setAutoDefault(false);
     connect(m_copy, &QPushButton::clicked, this, &OfferedView::copy);
     layOutColumn(this, {layOutRow({m_address, m_copy, Stretch{1}}), m_how, m_counts, {m_tables, 1}},
@@ -119,6 +116,22 @@ QWidget *OfferedView::makeSeats()
     layOutColumn(page, {{m_seatTable, 1}, layOutRow({Stretch{1}, m_restart})},
                  {.spacing = grid::margin, .margins = QMargins()});
     showButtons();
+    return page;
+}
+
+QWidget *OfferedView::makeRegisters()
+{
+    auto *page = new QWidget(this);
+    QTableView *table =
+        addTable(*m_registers, "servedRegisters", tr("Registers"),
+                 {QStringLiteral("10.0"), QStringLiteral("1000\u20131001"), QStringLiteral("1000\u20131001"),
+                  QStringLiteral("1000\u20131001"), QString(grid::largeIcon, u'n')});
+    auto *rules = wrappedLabel(page, "registerRules");
+    rules->setText(
+        sentence(tr("Registers are counted from 0, with the high word first. The status register is "
+                    "%1, the diagnostic parameter %2, as input and as holding registers."),
+                 {QString::number(served_registers::status), QString::number(served_registers::parameter)}));
+    layOutColumn(page, {{table, 1}, rules}, {.spacing = grid::margin, .margins = QMargins()});
     return page;
 }
 

@@ -50,6 +50,7 @@ private:
     QTableView *addTable(QAbstractItemModel &model, const char *id, const QString &name,
                          const QStringList &widest);
     QWidget *makeSeats();
+    QWidget *makeRegisters();
     void copy();
     void restart();
     void showButtons();

@@ -10,7 +10,8 @@ namespace {
 
 bool isNumber(int column)
 {
-    return column >= ServedClientsModel::unit && column <= ServedClientsModel::refused;
+    return column == ServedClientsModel::unit ||
+           (column >= ServedClientsModel::requests && column <= ServedClientsModel::refused);
 }
 
 } // namespace
@@ -51,15 +52,15 @@ QString ServedClientsModel::text(const ServedClient &client, int column)
 QVariant ServedClientsModel::headerCell(int column, int role) const
 {
     static constexpr const char *titles[] = {
-        QT_TR_NOOP("Client"), QT_TR_NOOP("Since"),   QT_TR_NOOP("Unit"),      QT_TR_NOOP("Requests"),
-        QT_TR_NOOP("Writes"), QT_TR_NOOP("Refused"), QT_TR_NOOP("Wrote last")};
+        QT_TR_NOOP("Client"), QT_TR_NOOP("Unit"),    QT_TR_NOOP("Wrote last"), QT_TR_NOOP("Requests"),
+        QT_TR_NOOP("Writes"), QT_TR_NOOP("Refused"), QT_TR_NOOP("Since")};
     static constexpr const char *tips[] = {QT_TR_NOOP("Address and port of the client"),
-                                           QT_TR_NOOP("When it connected"),
                                            QT_TR_NOOP("The unit of its last request; with seats, its seat"),
+                                           QT_TR_NOOP("Device, OUT word, and when it was on the bus"),
                                            QT_TR_NOOP("Requests so far"),
                                            QT_TR_NOOP("Requests that wrote something, and were carried out"),
                                            QT_TR_NOOP("Requests that were answered with an exception"),
-                                           QT_TR_NOOP("Device, OUT word, and when it was on the bus")};
+                                           QT_TR_NOOP("When it connected")};
     if (role == Qt::TextAlignmentRole)
         return QVariant((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return role == Qt::DisplayRole   ? tr(titles[column])

@@ -13,7 +13,7 @@ class ServedClientsModel : public TableModelBase<ServedClient>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { address, since, unit, requests, writes, refused, written, columnCount_ };
+    enum Column : std::uint8_t { address, unit, written, requests, writes, refused, since, columnCount_ };
 
     using TableModelBase::TableModelBase;
 
