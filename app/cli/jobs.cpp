@@ -13,7 +13,7 @@ namespace {
 // A bus is in Watch until something has to be sent.
 Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
 {
-    const auto started = allowed.encoder().start(allowed.job());
+    auto started = allowed.encoder().start(allowed.job());
     if (started || started.error().id != RefusalId::watchOnly)
         return started;
     bus.prepare(allowed.job());

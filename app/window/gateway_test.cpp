@@ -18,7 +18,7 @@ struct GatewayTest::Run
     Run(std::unique_ptr<RegisterPort> itsPort, const GatewaySettings &settings,
         std::vector<CheckedDevice> devices, std::optional<NodeId> only)
         : port(std::move(itsPort))
-        , check(*port, settings, std::move(devices), std::move(only))
+        , check(*port, settings, std::move(devices), only)
         , thread([this](const std::stop_token &stop) { work(stop); })
     {}
     ~Run() { cancel(); }
@@ -60,7 +60,7 @@ void GatewayTest::start(std::unique_ptr<RegisterPort> port, const GatewaySetting
                         std::vector<CheckedDevice> devices, std::optional<NodeId> only)
 {
     m_run.reset();
-    m_run = std::make_unique<Run>(std::move(port), settings, std::move(devices), std::move(only));
+    m_run = std::make_unique<Run>(std::move(port), settings, std::move(devices), only);
     m_looks.start();
 }
 

@@ -50,7 +50,7 @@ void RingRunner::Private::carryOut(const command::SetOut &c)
 
 Result<void> RingRunner::Private::mayWrite(std::size_t device, Word word) const
 {
-    const auto allowed = maySend(ring, device, structure[device].number.toString(), RefusalId::wordHeldByJob);
+    auto allowed = maySend(ring, device, structure[device].number.toString(), RefusalId::wordHeldByJob);
     const CyclicDriver *driver = drivers[device].get();
     if (allowed && driver && !driver->mayStand(word) && !link.boundsWordsToCycles())
         return refuse(RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {word});

@@ -210,25 +210,29 @@ void GatewayForm::setLast(const Texts &texts)
         m_preset->addItem(tr("As used last: %1").arg(m_last[m_host != nullptr ? hostSetting : portSetting]));
 }
 
+GatewayForm::Texts GatewayForm::withRegistersOf(const GatewayPreset &preset) const
+{
+    Texts wanted = texts();
+    const Texts usual = allSettingTexts({.transport = m_transport});
+    for (const char *name : {"in-area", "in", "out", "write", "order", "status", "control"})
+        wanted[QString::fromLatin1(name)] = usual.at(QString::fromLatin1(name));
+    for (const auto &[name, text] : preset.registers)
+        wanted[name] = text;
+    if (m_host != nullptr)
+        wanted[hostSetting] = m_host->text();
+    wanted[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
+    return wanted;
+}
+
 // Of a preset only the registers; what was used last is all of it.
 void GatewayForm::usePreset(int index)
 {
     const auto presets = gatewayPresets();
     const auto i = static_cast<std::size_t>(index);
-    if (i > presets.size()) {
+    if (i > presets.size())
         setTexts(m_last);
-    } else if (i < presets.size()) {
-        Texts wanted = texts();
-        const Texts usual = allSettingTexts({.transport = m_transport});
-        for (const char *name : {"in-area", "in", "out", "write", "order", "status", "control"})
-            wanted[QString::fromLatin1(name)] = usual.at(QString::fromLatin1(name));
-        for (const auto &[name, text] : presets[i].registers)
-            wanted[name] = text;
-        if (m_host != nullptr)
-            wanted[hostSetting] = m_host->text();
-        wanted[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
-        setTexts(wanted);
-    }
+    else if (i < presets.size())
+        setTexts(withRegistersOf(presets[i]));
     Q_EMIT edited();
 }
 

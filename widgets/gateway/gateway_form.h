@@ -16,6 +16,7 @@ namespace codewheel {
 
 class PortField;
 class TextField;
+struct GatewayPreset;
 struct SettingField;
 
 // The settings of a ring behind a Modbus gateway, for one transport. Its plan is a ProjectLink.
@@ -47,6 +48,7 @@ private:
     QLabel *addRow(QFormLayout &form, const QString &label, QWidget *field, const QString &sentence);
     Texts texts() const;
     void setTexts(const Texts &texts);
+    Texts withRegistersOf(const GatewayPreset &preset) const;
     void usePreset(int index);
     void showPreset();
 

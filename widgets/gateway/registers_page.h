@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
 #include "modbus/word_reading.h"
 #include "widgets/look/page.h"
 

@@ -152,7 +152,7 @@ Checked<EncoderSession *> GatewayAccess::encoder(const Call &call, NodeId node, 
 
 Checked<void> GatewayAccess::contact(const Call &call, const ProjectDevice &planned)
 {
-    if (const auto opened = open(); !opened)
+    if (auto opened = open(); !opened)
         return opened;
     return inContact(call, planned.place());
 }
