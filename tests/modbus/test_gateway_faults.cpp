@@ -22,7 +22,7 @@ constexpr bool isSanitized = false;
 #else
 constexpr bool isSanitized = false;
 #endif
-constexpr Instant runTime = Instant(isSanitized ? 6h : 24h) / runs; // on the ring's clock
+constexpr Instant runTime = Instant(isSanitized ? 2h : 24h) / runs; // on the ring's clock
 
 // A ring that somebody works with, while the link to its gateway fails in all ways.
 class FaultyDays
