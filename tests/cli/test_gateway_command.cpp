@@ -21,7 +21,7 @@ QString wordsOf(const char *text)
 std::vector<std::string> outcomesOf(const CliRun &run)
 {
     std::vector<std::string> outcomes;
-    for (const QJsonValue &step : run.json()[u"steps"].toArray())
+    for (const auto &step : run.json()[u"steps"].toArray())
         outcomes.push_back((step[u"step"].toString() + u' ' + step[u"outcome"].toString()).toStdString());
     return outcomes;
 }

@@ -13,7 +13,6 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 QString line(const char *text)
 {

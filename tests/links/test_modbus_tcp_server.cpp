@@ -206,6 +206,7 @@ TEST_F(ModbusTcpServerTest, EachOfManyClientsFindsEachOfItsWritesOnTheBusOnce)
     constexpr std::uint16_t writes = 1'000;
     serve(clientCount);
     std::vector<std::future<int>> acknowledged;
+    acknowledged.reserve(clientCount);
     for (int i = 0; i < clientCount; ++i)
         acknowledged.push_back(std::async(std::launch::async, [i, port = port()] {
             ModbusClient client(port);
@@ -338,6 +339,7 @@ TEST_F(ModbusTcpServerTest, MoreThanItServesAtOnceAreDisconnectedAndCounted)
 {
     serve(4, {.clients = 8});
     std::vector<std::unique_ptr<Peer>> peers;
+    peers.reserve(8);
     for (int i = 0; i < 8; ++i)
         peers.push_back(std::make_unique<Peer>(port()));
     ASSERT_TRUE(m_ring->waitFor([&] { return clients().clients().size() == 8; }));

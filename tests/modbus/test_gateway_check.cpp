@@ -70,6 +70,7 @@ protected:
     static std::vector<CheckOutcome> outcomesOf(const std::vector<GatewayFinding> &findings)
     {
         std::vector<CheckOutcome> all;
+        all.reserve(findings.size());
         for (const GatewayFinding &finding : findings)
             all.push_back(finding.outcome);
         return all;

@@ -7,7 +7,7 @@ namespace {
 
 using namespace test;
 
-LinkUnderTest gateway(const char *name, GatewaySettings settings)
+LinkUnderTest gateway(const char *name, const GatewaySettings &settings)
 {
     return {name, [settings] {
                 return std::make_unique<GatewayLink>(

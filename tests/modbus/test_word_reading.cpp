@@ -16,6 +16,7 @@ SendingEncoder senderNamed(const char16_t *key, std::optional<std::int64_t> tota
 std::vector<Word> wordsOf(const std::vector<WordReading> &readings)
 {
     std::vector<Word> words;
+    words.reserve(readings.size());
     for (const WordReading &reading : readings)
         words.push_back(reading.word);
     return words;
@@ -24,6 +25,7 @@ std::vector<Word> wordsOf(const std::vector<WordReading> &readings)
 std::vector<Plausibility> judgementsOf(const std::vector<WordReading> &readings)
 {
     std::vector<Plausibility> all;
+    all.reserve(readings.size());
     for (const WordReading &reading : readings)
         all.push_back(reading.plausibility);
     return all;

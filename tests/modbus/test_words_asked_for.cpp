@@ -291,10 +291,10 @@ private:
     void look(int first, std::span<const Register> from)
     {
         ASSERT_EQ(first, 0);
-        ASSERT_EQ(from.size(), std::size_t{2 * devicesOfWords});
+        ASSERT_EQ(from.size(), 2 * m_asked.size());
         EXPECT_TRUE(m_mayWrite || m_zerosAreDue);
         for (int i = 0; i < devicesOfWords; ++i) {
-            const auto at = static_cast<std::size_t>(2 * i);
+            const std::size_t at = 2 * static_cast<std::size_t>(i);
             const Word sent = word(from[at], from[at + 1]);
             m_written += sent != outOf(i) ? 1 : 0;
             EXPECT_TRUE(sent == outOf(i) || (sent == 0 && m_zerosAreDue) ||

@@ -80,7 +80,7 @@ private:
     bool happens(double rate, Kind kind);
     Done transact(const Request &request, std::span<Register> to);
     // What is answered without the gateway, if that is.
-    std::optional<Done> failBefore(const Request &request, std::span<Register> to);
+    std::optional<Done> failBefore(const Request &request);
     Done answer(const Request &request, Registers registers, std::span<Register> to);
     std::optional<Registers> takeLate(const Request &request);
     void keepLate(const Request &request, Registers registers, Instant at);

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <modbus.h>
 #include <mutex>
 #include <thread>
 #include <vector>
-
-typedef struct _modbus modbus_t;
-typedef struct _modbus_mapping_t modbus_mapping_t;
 
 namespace codewheel {
 

@@ -40,7 +40,7 @@ public:
     void close() override { m_open = false; }
     Done read(RegisterArea area, int first, std::span<Register> to) override
     {
-        if (const auto begun = begin(); !begun)
+        if (auto begun = begin(); !begun)
             return begun;
         if (first + static_cast<int>(to.size()) > m_bank->endOf(area))
             return exception(2);
@@ -50,7 +50,7 @@ public:
     }
     Done write(int first, std::span<const Register> from) override
     {
-        if (const auto begun = begin(); !begun)
+        if (auto begun = begin(); !begun)
             return begun;
         if (first + static_cast<int>(from.size()) > m_bank->holdingEnd)
             return exception(2);
