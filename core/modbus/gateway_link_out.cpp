@@ -85,9 +85,13 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
 std::vector<std::size_t> GatewayLink::notOurs(const std::vector<Word> &there)
 {
     std::vector<std::size_t> devices;
-    for (std::size_t i = 0; i < m_devices.size(); ++i)
-        if (m_map->out(i).count > 0 && !m_devices[i].own.takes(there[i], m_port->now()))
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        OwnWord &own = m_devices[i].own;
+        if (!own.isKnown())
+            own.found(there[i]); // nothing was written yet, and that may still be so after the first write
+        if (m_map->out(i).count > 0 && !own.takes(there[i], m_port->now()))
             devices.push_back(i);
+    }
     return devices;
 }
 

@@ -53,6 +53,22 @@ TEST_F(GatewayLinkTest, WatchShowsWhatSomebodyElseWrites)
     EXPECT_EQ(out, (std::vector<Word>{0, 0x0200'00FF}));
 }
 
+// Its OUT words take two writes.
+TEST_F(GatewayLinkTest, WhatAnInterruptedExchangeDidNotWriteIsNotSomebodyElses)
+{
+    makeOpen(70);
+    out.assign(70, 0x0200'00FF);
+    bank->onWrite = [this] {
+        if (bank->writes == 1)
+            link->interrupt();
+    };
+    const auto interrupted = link->exchange(out, in);
+    ASSERT_FALSE(interrupted);
+    EXPECT_EQ(interrupted.error().kind, RefusalKind::stopped);
+    EXPECT_TRUE(link->exchange(out, in));
+    EXPECT_EQ(link->readBackOut(), out);
+}
+
 TEST_F(GatewayLinkTest, AForeignWordIsNamedAndNotOverwritten)
 {
     makeOpen(2);
