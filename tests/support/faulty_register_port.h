@@ -83,6 +83,7 @@ private:
     std::optional<Done> failBefore(const Request &request);
     Done answer(const Request &request, Registers registers, std::span<Register> to);
     std::optional<Registers> takeLate(const Request &request);
+    void dropWhatHasCome(const Request &request);
     void keepLate(const Request &request, Registers registers, Instant at);
     void tear(RegisterArea area, int first, Registers &registers);
     Instant someTime(Instant most);
