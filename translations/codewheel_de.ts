@@ -12868,6 +12868,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Offered at %1</source>
         <translation>Angeboten an %1</translation>
     </message>
+    <message>
+        <source>Registers are counted from 0, with the high word first. The status register is %1, the diagnostic parameter %2, as input and as holding registers.</source>
+        <translation>Register werden ab 0 gezählt, mit dem oberen Wort zuerst. Das Statusregister ist %1, der Diagnoseparameter %2, als Input- und als Holding-Register.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::OrderingKeyReader</name>
@@ -20262,7 +20266,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>%1 (set)</source>
-        <translation>%1 (eingestellt)</translation>
+        <translation>%1 (gilt)</translation>
     </message>
 </context>
 <context>

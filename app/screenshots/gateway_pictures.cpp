@@ -25,8 +25,9 @@ namespace {
 using namespace scene;
 using namespace std::chrono_literals;
 
-constexpr QSize withAllSettings(1280, 1250);
+constexpr QSize withAllSettings(1280, 1330);
 constexpr int untilTested = 10'000; // ms
+constexpr int untilCounted = 3'000; // ms
 constexpr int betweenLooks = 20;    // ms
 
 // A gateway whose encoders stand still, in a clock of its own: the same in each picture.
@@ -128,11 +129,9 @@ QWidget *registersAtWork(TrainingWindow &shown)
 QWidget *panelAtWork(TrainingWindow &shown)
 {
     connectGateway(shown);
-    auto *panel = dock(shown, "masterDock");
-    panel->show();
-    panel->raise();
-    shown.advance(whileMilliseconds);
-    return panel;
+    shown.window().actions().monitors->trigger(); // without a page the panels have their room
+    shown.advance(untilCounted);
+    return dock(shown, "masterDock");
 }
 
 } // namespace

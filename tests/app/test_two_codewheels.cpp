@@ -45,7 +45,7 @@ protected:
         const RingActions &its = *other->window().findChild<RingActions *>();
         its.disconnectBus->trigger();
         its.connection->trigger();
-        const auto &connection = *other->window().findChild<ConnectPage *>();
+        const auto &connection = *other->window().findChild<ConnectPage *>(QStringLiteral("ringConnection"));
         partOf<QComboBox>(connection, "link").setCurrentText(QStringLiteral("Modbus/TCP gateway"));
         auto &host = partOf<QLineEdit>(connection, "host");
         host.setFocus();
