@@ -12710,7 +12710,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>1502, oder ein anderer freier ab 1024; 502 ist Administratoren vorbehalten</translation>
     </message>
     <message>
-        <source>&amp;One ring for all</source>
+        <source>One ring for &amp;all</source>
         <translation>Ei&amp;n Ring für alle</translation>
     </message>
     <message>
@@ -12773,7 +12773,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::OfferPage</name>
     <message>
-        <source>Offe&amp;r</source>
+        <source>&amp;Offer</source>
         <translation>Anb&amp;ieten</translation>
     </message>
     <message>
@@ -12789,7 +12789,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Andere Programme können den simulierten Ring benutzen. Nichts Echtes wird angeboten.</translation>
     </message>
     <message>
-        <source>Other programs can use the ring from then on (Alt+R)</source>
+        <source>Other programs can use the ring from then on (Alt+O)</source>
         <translation>Von da an können andere Programme den Ring benutzen (Alt+I)</translation>
     </message>
     <message>
@@ -14225,7 +14225,7 @@ Zeigt mehr über die Aufzeichnung</translation>
         <translation>Das IN-Wort jedes Teilnehmers in den vier Reihenfolgen. Fett: wie es jetzt gelesen wird</translation>
     </message>
     <message>
-        <source>&amp;Read now</source>
+        <source>Read &amp;now</source>
         <translation>&amp;Jetzt lesen</translation>
     </message>
     <message>
@@ -14265,7 +14265,7 @@ Zeigt mehr über die Aufzeichnung</translation>
         <translation>Der Bus ist verbunden: Was hier steht, wird mit jedem Austausch gelesen</translation>
     </message>
     <message>
-        <source>Connects to the gateway, reads the registers of the chosen device, and disconnects (Alt+R)</source>
+        <source>Connects to the gateway, reads the registers of the chosen device, and disconnects (Alt+N)</source>
         <translation>Verbindet mit dem Gateway, liest die Register des gewählten Teilnehmers und trennt wieder (Alt+J)</translation>
     </message>
     <message>

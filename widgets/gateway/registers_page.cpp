@@ -44,7 +44,7 @@ RegistersPage::RegistersPage(QWidget *parent)
     , m_meanings(wrappedLabel(this, "meanings"))
     , m_told(new InlineMessage(this))
     , m_order(new InlineMessage(this))
-    , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read now"), this))
+    , m_read(new QPushButton(lineIcon(Icon::read), tr("Read &now"), this))
     , m_swap(new QPushButton(this))
 {
     setAccessibleName(title());
@@ -158,7 +158,7 @@ void RegistersPage::showButtons()
     m_read->setEnabled(chosen() >= 0 && !m_isLive && !m_isReading);
     m_read->setToolTip(m_isLive ? tr("The bus is connected: what is shown is read with each exchange")
                                 : tr("Connects to the gateway, reads the registers of the chosen device, and "
-                                     "disconnects (Alt+R)"));
+                                     "disconnects (Alt+N)"));
 }
 
 void RegistersPage::read()

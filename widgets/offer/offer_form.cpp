@@ -37,7 +37,7 @@ OfferForm::OfferForm(QWidget *parent)
     , m_warning(wrappedLabel(this, "offerWarning"))
     , m_port(describe(new IntegerField(this), "offerPort", tr("Port"),
                       tr("1502, or another free one from 1024 on; 502 is for administrators")))
-    , m_oneRing(describe(new WrappedRadioButton(tr("&One ring for all"), this), "oneRing",
+    , m_oneRing(describe(new WrappedRadioButton(tr("One ring for &all"), this), "oneRing",
                          tr("All clients work on the ring of this window, whatever unit they ask")))
     , m_eachSeat(describe(new WrappedRadioButton(tr("A ring for each &seat"), this), "eachSeat",
                           tr("Each seat has a ring of its own, with the devices of this one: unit 1 is seat "

@@ -28,7 +28,7 @@ OfferPage::OfferPage(QWidget *parent)
     , m_offered(new OfferedView(this))
     , m_parts(new QStackedWidget(this))
     , m_problem(new InlineMessage(this))
-    , m_offer(describe(new QPushButton(lineIcon(Icon::start), tr("Offe&r"), this), "offer", QString()))
+    , m_offer(describe(new QPushButton(lineIcon(Icon::start), tr("&Offer"), this), "offer", QString()))
     , m_end(describe(new QPushButton(lineIcon(Icon::stop), tr("&Stop offering"), this), "stopOffering",
                      tr("Disconnects all clients (Alt+S)")))
 {
@@ -88,7 +88,7 @@ void OfferPage::showButtons()
     m_offer->setVisible(!m_isOffered);
     m_end->setVisible(m_isOffered);
     m_offer->setEnabled(m_whyNot.isEmpty());
-    m_offer->setToolTip(m_whyNot.isEmpty() ? tr("Other programs can use the ring from then on (Alt+R)")
+    m_offer->setToolTip(m_whyNot.isEmpty() ? tr("Other programs can use the ring from then on (Alt+O)")
                                            : m_whyNot);
     setFocusProxy(m_isOffered ? static_cast<QWidget *>(m_offered) : m_form);
 }
