@@ -59,7 +59,7 @@ public:
     Instant now() const override { return m_now; }
     void wait(Instant until) override { m_now = std::max(m_now, until); }
     void interrupt() override {}
-    QString name() const override { return QStringLiteral("192.168.0.5:502"); }
+    QString name() const override { return QStringLiteral("192.168.0.5:502, unit 1"); }
 
 private:
     static constexpr Instant roundTrip = 1'200us;
