@@ -20,6 +20,8 @@ const QStringList sameInGerman{
     QStringLiteral("2 MBd"),
     QStringLiteral("%1 (ms)"),
     QStringLiteral("&Port"),
+    QStringLiteral("Client"),
+    QStringLiteral("Clients"),
     QStringLiteral("Exceptions %1"),
     QStringLiteral("Format"),
     QStringLiteral("Gateway"),
