@@ -169,10 +169,7 @@ void RegistersPage::read()
 
 void RegistersPage::tell(const QString &sentence)
 {
-    if (sentence.isEmpty())
-        m_told->withdraw();
-    else
-        m_told->showMessage(Role::attention, sentence);
+    m_told->showMessage(Role::attention, sentence);
 }
 
 } // namespace codewheel

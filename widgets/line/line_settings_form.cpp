@@ -248,12 +248,9 @@ void LineSettingsForm::setSettings(const LineSettings &settings)
 void LineSettingsForm::tellBaudRate(const QString &sentence, std::optional<int> wanted)
 {
     m_rateWanted = wanted;
-    if (sentence.isEmpty())
-        m_rateTold->withdraw();
-    else
-        m_rateTold->showMessage(Role::attention, sentence,
-                                wanted ? tr("Set the line to %1 Bd").arg(QLocale().toString(*wanted))
-                                       : QString());
+    m_rateTold->showMessage(Role::attention, sentence,
+                            wanted ? tr("Set the line to %1 Bd").arg(QLocale().toString(*wanted))
+                                   : QString());
 }
 
 void LineSettingsForm::takeRate()

@@ -63,6 +63,10 @@ InlineMessage::InlineMessage(QWidget *parent)
 void InlineMessage::showMessage(Role role, const QString &sentence, const QString &actionText,
                                 const QString &otherActionText)
 {
+    if (sentence.isEmpty()) {
+        withdraw();
+        return;
+    }
     m_role = role;
     rephrase(sentence);
     m_action->setText(actionText);

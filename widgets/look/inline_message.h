@@ -22,8 +22,8 @@ class InlineMessage : public QFrame
 public:
     explicit InlineMessage(QWidget *parent = nullptr);
 
-    // actionText, otherActionText: on the buttons; no button if empty. Role: attention or fault, or running
-    // for good news.
+    // An empty sentence withdraws it. actionText, otherActionText: on the buttons; no button if empty. Role:
+    // attention or fault, or running for good news.
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
     void withdraw(); // the cause is gone

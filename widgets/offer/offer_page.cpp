@@ -71,10 +71,7 @@ void OfferPage::setPlace(const std::optional<OfferedPlace> &place)
 
 void OfferPage::setProblem(const QString &sentence)
 {
-    if (sentence.isEmpty())
-        m_problem->withdraw();
-    else
-        m_problem->showMessage(Role::fault, sentence);
+    m_problem->showMessage(Role::fault, sentence);
 }
 
 void OfferPage::setWhyNot(const QString &sentence)

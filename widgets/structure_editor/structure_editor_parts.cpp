@@ -142,12 +142,8 @@ void StructureEditor::makeTree()
         [this](const QModelIndex &cell, const QString &text) { return m_model->complaint(cell, text); },
         this);
     m_tree->setItemDelegate(cells);
-    connect(cells, &CheckedDelegate::inputChecked, this, [this](const QString &wrong) {
-        if (wrong.isEmpty())
-            m_message->withdraw();
-        else
-            m_message->showMessage(Role::attention, wrong);
-    });
+    connect(cells, &CheckedDelegate::inputChecked, this,
+            [this](const QString &wrong) { m_message->showMessage(Role::attention, wrong); });
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
