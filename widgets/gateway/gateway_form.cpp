@@ -29,6 +29,16 @@ constexpr int longestHost = 253; // RFC 1035
 const QString hostSetting = QStringLiteral("host");
 const QString portSetting = QStringLiteral("port");
 
+// The settings that a preset decides; what it does not name is as usual.
+std::map<QString, QString> registersOf(const GatewayPreset &preset, GatewaySettings::Transport transport)
+{
+    const std::map<QString, QString> usual = allSettingTexts({.transport = transport});
+    std::map<QString, QString> registers = preset.registers;
+    for (const char *name : {"in-area", "in", "out", "write", "order", "status", "control"})
+        registers.insert(*usual.find(QString::fromLatin1(name)));
+    return registers;
+}
+
 } // namespace
 
 GatewayForm::GatewayForm(GatewaySettings::Transport transport, QWidget *parent)
@@ -242,19 +252,12 @@ void GatewayForm::showPreset()
     if (m_isSetting)
         return;
     const auto presets = gatewayPresets();
-    const Texts usual = allSettingTexts({.transport = m_transport});
     const Texts set = texts();
-    std::size_t chosen = presets.size();
-    for (std::size_t i = 0; i < presets.size() && chosen == presets.size(); ++i) {
-        bool isSame = true;
-        for (const char *of : {"in-area", "in", "out", "write", "order", "status", "control"}) {
-            const QString name = QString::fromLatin1(of);
-            const auto its = presets[i].registers.find(name);
-            isSame &= set.at(name) == (its == presets[i].registers.end() ? usual.at(name) : its->second);
-        }
-        if (isSame)
-            chosen = i;
-    }
+    const auto isSet = [&](const GatewayPreset &preset) {
+        return std::ranges::all_of(registersOf(preset, m_transport),
+                                   [&](const auto &its) { return set.at(its.first) == its.second; });
+    };
+    const auto chosen = static_cast<std::size_t>(std::ranges::find_if(presets, isSet) - presets.begin());
     m_preset->setCurrentIndex(static_cast<int>(chosen));
     m_presetSentence->setText(chosen < presets.size()
                                   ? presets[chosen].sentence
