@@ -49,7 +49,7 @@ RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
                         surroundings().byThread ? surroundings().clock() : bus()->dateTime(bus()->now()));
     });
     connect(&project(), &ProjectDocument::replaced, this, &RingAtWork::followProject);
-    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+    keepAccountOfLink();
 }
 
 RingAtWork::~RingAtWork()
@@ -81,7 +81,12 @@ Result<void> RingAtWork::open()
     return openLink();
 }
 
-// Of its writes those to real encoders are kept.
+// Of writes, those to real encoders are kept.
+void RingAtWork::keepAccountOfLink()
+{
+    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+}
+
 void RingAtWork::use(std::unique_ptr<ProcessDataLink> link)
 {
     Q_EMIT aboutToChange();
@@ -89,7 +94,7 @@ void RingAtWork::use(std::unique_ptr<ProcessDataLink> link)
     auto before = bus()->useLink(std::move(link));
     if (before->isSimulated())
         m_trainingLink = std::move(before);
-    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+    keepAccountOfLink();
     Q_EMIT changed();
     Q_EMIT linkChanged();
 }

@@ -55,6 +55,7 @@ private:
     void useTraining();
     void useGateway(const GatewaySettings &settings);
     void use(std::unique_ptr<ProcessDataLink> link);
+    void keepAccountOfLink();
     Result<void> openLink();
 
     TrainingSession m_training;

@@ -92,7 +92,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     setHelpTopic(*m_gateway, "gateway.md#the-panel");
     connect(m_offer, &OfferViews::changed, this, &RingViews::showState);
     connect(m_gateway, &GatewayPanel::connectionWanted, this, &RingViews::showConnection);
-    connect(m_gateway, &GatewayPanel::registersWanted, this, [this] { showPage(m_registers); });
+    connect(m_gateway, &GatewayPanel::registersWanted, this, [this] { showRegisters(); });
     connect(&ring, &RingAtWork::linkChanged, this, &RingViews::showLink);
     connect(&ring.project(), &ProjectDocument::changed, this, &RingViews::showState);
     connect(m_connection, &RingConnection::told, this, &RingViews::told);
@@ -111,7 +111,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     connect(m_training, &TrainingPanel::planned, this,
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
     onAction(m_actions.connection, [this] { showConnection(); });
-    onAction(m_actions.registers, [this] { showPage(m_registers); });
+    onAction(m_actions.registers, [this] { showRegisters(); });
     onAction(m_actions.offer, [this] { showOffer(); });
     onAction(m_actions.endOffer, [this] { m_offer->end(); });
     onAction(m_actions.connectBus, [this] { connectBus(); });
@@ -128,7 +128,6 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
 
 void RingViews::showPage(QWidget *page)
 {
-    m_links->showRegisters();
     m_parts.pages.setCurrentWidget(page);
     page->setFocus();
 }
@@ -137,6 +136,12 @@ void RingViews::showConnection()
 {
     m_links->listPorts();
     showPage(m_connect);
+}
+
+void RingViews::showRegisters()
+{
+    m_links->showRegisters();
+    showPage(m_registers);
 }
 
 void RingViews::showOffer()

@@ -58,6 +58,7 @@ private:
     void showRefused(const Refusal &why);
     void showPage(QWidget *page);
     void showConnection();
+    void showRegisters();
     void showOffer();
 
     RingAtWork &m_ring;

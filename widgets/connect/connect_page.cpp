@@ -149,10 +149,7 @@ void ConnectPage::setConnected(bool on)
 
 void ConnectPage::setProblem(const QString &sentence)
 {
-    if (sentence.isEmpty())
-        m_problem->withdraw();
-    else
-        m_problem->showMessage(Role::fault, sentence);
+    m_problem->showMessage(Role::fault, sentence);
 }
 
 void ConnectPage::tell(const QString &sentence)
@@ -169,14 +166,8 @@ void ConnectPage::setTesting(bool on)
 {
     m_isTesting = on;
     if (on)
-        clearSteps();
+        m_steps->clear();
     showButtons();
-}
-
-void ConnectPage::clearSteps()
-{
-    m_steps->clear();
-    setResult(nullptr);
 }
 
 void ConnectPage::addStep(Role role, const QString &what, const QString &sentence)
@@ -189,16 +180,6 @@ void ConnectPage::scrollToSteps()
 {
     if (m_steps->count() > 0)
         m_area->verticalScrollBar()->setValue(m_steps->y());
-}
-
-void ConnectPage::setResult(QWidget *table)
-{
-    delete m_result;
-    m_result = table;
-    if (table != nullptr) {
-        auto *column = static_cast<QVBoxLayout *>(m_content->layout());
-        column->insertWidget(column->count() - 1, table);
-    }
 }
 
 void ConnectPage::showButtons()
@@ -249,7 +230,7 @@ void ConnectPage::connectNow()
     if (!isComplete())
         return;
     m_problem->withdraw();
-    clearSteps(); // they tell of the time before
+    m_steps->clear(); // they tell of the time before
     Q_EMIT connectWanted(plan());
 }
 

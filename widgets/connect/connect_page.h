@@ -50,8 +50,6 @@ public:
     void setTesting(bool on); // begins a new list of steps
     bool isTesting() const { return m_isTesting; }
     void addStep(Role role, const QString &what, const QString &sentence);
-    // Below the steps; null: none.
-    void setResult(QWidget *table);
     const CheckList &steps() const { return *m_steps; }
 
 Q_SIGNALS:
@@ -73,7 +71,6 @@ private:
     void keep();
     void test();
     void showButtons();
-    void clearSteps();
     void scrollToSteps();
 
     QString m_about;
@@ -84,7 +81,6 @@ private:
     QStackedWidget *m_forms;
     InlineMessage *m_problem;
     CheckList *m_steps;
-    QWidget *m_result = nullptr;
     QPushButton *m_test;
     QPushButton *m_keep;
     QPushButton *m_connect;
