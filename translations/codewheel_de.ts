@@ -7661,10 +7661,6 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
         <translation>Beendet den Test nach dem laufenden Schritt (Alt+T)</translation>
     </message>
     <message>
-        <source>Disconnect first: a gateway may have room for one client only</source>
-        <translation>Erst trennen: Ein Gateway hat vielleicht nur für einen Client Platz</translation>
-    </message>
-    <message>
         <source>Tries these settings step by step, and says what answers and what does not. Only reads (Alt+T)</source>
         <translation>Probiert diese Einstellungen Schritt für Schritt und sagt, was antwortet und was nicht. Liest nur (Alt+T)</translation>
     </message>
@@ -7695,6 +7691,10 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
     <message>
         <source>Connection</source>
         <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Disconnect first: a serial port has one user, and a gateway may have room for one client only</source>
+        <translation>Zuerst trennen: Ein serieller Anschluss hat nur einen Benutzer, und ein Gateway hat vielleicht nur Platz für einen Client</translation>
     </message>
 </context>
 <context>
@@ -10554,6 +10554,83 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
     </message>
 </context>
 <context>
+    <name>codewheel::LineCheck</name>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Silence before asking</source>
+        <translation>Stille vor dem Fragen</translation>
+    </message>
+    <message>
+        <source>Any encoder</source>
+        <translation>Irgendein Geber</translation>
+    </message>
+    <message>
+        <source>Encoder %1</source>
+        <translation>Geber %1</translation>
+    </message>
+    <message>
+        <source>Not tested: the test was ended.</source>
+        <translation>Nicht geprüft: Der Test wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Not tested, because of what failed before.</source>
+        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
+    </message>
+    <message>
+        <source>The port %1 is there.</source>
+        <translation>Der Anschluss %1 ist da.</translation>
+    </message>
+    <message>
+        <source>Opened at %1 Bd.</source>
+        <translation>Mit %1 Bd geöffnet.</translation>
+    </message>
+    <message>
+        <source>The adapter does not grant low latency: it may collect bytes for up to 16 ms, which halves the rate of positions.</source>
+        <translation>Der Adapter gewährt keine kurze Latenz: Er kann Bytes bis zu 16 ms lang sammeln, was die Rate der Positionen halbiert.</translation>
+    </message>
+    <message>
+        <source>Nothing came within %1 ms.</source>
+        <translation>Innerhalb von %1 ms kam nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
+        <translation>
+            <numerusform>%n Byte kam, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
+            <numerusform>%n Bytes kamen, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
+        <translation>
+            <numerusform>%n Byte kam, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
+            <numerusform>%n Bytes kamen, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the request came back: the adapter hears itself, and no encoder answers. Check address, wires and supply.</source>
+        <translation>Nur die Anfrage kam zurück: Der Adapter hört sich selbst, und kein Geber antwortet. Prüfen Sie Adresse, Adern und Versorgung.</translation>
+    </message>
+    <message>
+        <source>Nothing came. Check address, baud rate, wires (A and B may be swapped) and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
+        <translation>Nichts kam. Prüfen Sie Adresse, Baudrate, Adern (A und B können vertauscht sein) und Versorgung; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
+    </message>
+    <message>
+        <source>It answers, but not with a position: %1.</source>
+        <translation>Er antwortet, aber nicht mit einer Position: %1.</translation>
+    </message>
+    <message>
+        <source>It answers after %1 ms: position %2 (%3h).</source>
+        <translation>Er antwortet nach %1 ms: Position %2 (%3h).</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineEncoderBox</name>
     <message>
         <source>Raw position</source>
@@ -11437,7 +11514,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>&amp;Stop bits</source>
-        <translation>S&amp;toppbits</translation>
+        <translation>Stoppb&amp;its</translation>
     </message>
     <message>
         <source>2 for these encoders</source>
@@ -11460,15 +11537,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Poll &amp;interval</source>
-        <translation>Abfrage&amp;intervall</translation>
+        <translation>Abfrageinterval&amp;l</translation>
     </message>
     <message>
         <source>Between position requests of one encoder; 10 ms is the shortest of the manual</source>
         <translation>Zwischen den Positionsanfragen eines Gebers; kürzester Wert laut Handbuch: 10 ms</translation>
-    </message>
-    <message>
-        <source>&amp;Time-out</source>
-        <translation>&amp;Zeitgrenze</translation>
     </message>
     <message>
         <source>From the end of a request to the beginning of its answer</source>
@@ -11499,16 +11572,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>29 passt zum Beispiel des Handbuchs; der Wert lässt sich am Gerät bestimmen</translation>
     </message>
     <message>
-        <source>Top speed</source>
-        <translation>Höchstdrehzahl</translation>
-    </message>
-    <message>
         <source>A position that jumps further than this speed allows is marked suspect and asked for again</source>
         <translation>Eine Position, die weiter springt, als diese Drehzahl erlaubt, gilt als verdächtig und wird noch einmal abgefragt</translation>
-    </message>
-    <message>
-        <source>T&amp;op speed</source>
-        <translation>Höchstdrehzah&amp;l</translation>
     </message>
     <message>
         <source>Choose a serial port, or type the path of one.</source>
@@ -11554,6 +11619,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Encoders at a serial adapter. From connecting on they are asked for positions.</source>
         <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt.</translation>
+    </message>
+    <message>
+        <source>Without it many adapters collect bytes for up to 16 ms</source>
+        <translation>Ohne sie sammeln viele Adapter Bytes bis zu 16 ms lang</translation>
+    </message>
+    <message>
+        <source>Time-&amp;out</source>
+        <translation>&amp;Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Maximum speed</source>
+        <translation>Maximale Drehzahl</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum speed</source>
+        <translation>Ma&amp;ximale Drehzahl</translation>
     </message>
 </context>
 <context>

@@ -94,6 +94,23 @@
     </message>
 </context>
 <context>
+    <name>codewheel::LineCheck</name>
+    <message numerus="yes">
+        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
+        <translation>
+            <numerusform>%n byte came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
+            <numerusform>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
+        <translation>
+            <numerusform>%n byte came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
+            <numerusform>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineRecordView</name>
     <message numerus="yes">
         <source>and %n more, listed below</source>

@@ -161,6 +161,11 @@ void LineAtWork::open(const LinePlan &line)
     Q_EMIT openingChanged();
 }
 
+std::unique_ptr<ByteLink> LineAtWork::makeLink(const LinePlan &line) const
+{
+    return std::make_unique<SerialPortLink>(keptAdapterOf(line), m_ports);
+}
+
 void LineAtWork::goOnOpening()
 {
     m_opening.session->pump();

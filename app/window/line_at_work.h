@@ -36,6 +36,8 @@ public:
     void openPort(const LinePlan &line);
     // The same again, with the adapter that was refused (portOfOther) instead of the line's own.
     void openOtherAdapter(const LinePlan &line);
+    // To a line as planned, for testing it.
+    std::unique_ptr<ByteLink> makeLink(const LinePlan &line) const;
     bool isOpening() const { return m_opening.session != nullptr; } // a port
     // With the port and adapter now open: the adapter may have been moved, or another one chosen, meanwhile.
     LinePlan asOpened(LinePlan line) const;

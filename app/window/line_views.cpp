@@ -5,12 +5,14 @@
 #include "app/window/line_actions.h"
 #include "app/window/line_at_work.h"
 #include "app/window/line_keeper.h"
-#include "app/window/line_ports.h"
 #include "app/window/line_rate.h"
+#include "app/window/link_test.h"
+#include "app/window/port_rows.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
+#include "esc_line/line_check.h"
 #include "esc_line/line_session.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
@@ -106,6 +108,9 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(m_connection, &ConnectPage::connectWanted, this, &LineViews::connectAs);
     connect(m_connection, &ConnectPage::keepWanted, this,
             [this](const KindData &plan) { keepPort(wanted(plan.as<LinePlan>()->settings)); });
+    connect(m_connection, &ConnectPage::testWanted, this, &LineViews::test);
+    connect(m_connection, &ConnectPage::testCancelled, &m_test, &BackgroundSteps::cancel);
+    connect(&m_test, &BackgroundSteps::ended, this, [this] { m_connection->setTesting(false); });
     connect(m_connection, &ConnectPage::agreed, this, &LineViews::connectOtherAdapter);
     connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
@@ -255,7 +260,8 @@ void LineViews::setLine(LineSession *line)
     m_search->setLine(line);
     m_comparison->setBus(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
-    m_connection->setConnected(line != nullptr);
+    using enum ConnectPage::Connected;
+    m_connection->setConnected(line == nullptr ? no : m_line.training() != nullptr ? simulated : real);
     showStatus();
     showActions();
 }
@@ -297,7 +303,7 @@ void LineViews::showSearch()
 
 void LineViews::listPorts()
 {
-    const LinePorts ports = linePorts(m_line.ports());
+    const PortRows ports = portRows(m_line.ports());
     m_connection->setPorts(ports.rows, ports.trouble);
 }
 
@@ -321,6 +327,24 @@ void LineViews::connectAs(const KindData &plan)
         m_opened = wish;
         m_line.openPort(m_opened);
     });
+}
+
+// Its encoders are those of the project.
+void LineViews::test(const KindData &plan)
+{
+    const LinePlan line = wanted(plan.as<LinePlan>()->settings);
+    std::vector<LineAddress> addresses;
+    for (const ProjectDevice &encoder : devicesOn(m_line.project().project(), m_line.id()))
+        addresses.push_back(LineAddress::of(encoder.place().node));
+    m_connection->setProblem({});
+    m_connection->setTesting(true);
+    m_test.start(std::make_unique<LinkTest<LineCheck, ByteLink>>(
+        m_line.makeLink(line),
+        [this](const LineFinding &finding) {
+            m_connection->addStep(finding.outcome, LineCheck::stepText(finding.step, finding.address),
+                                  finding.sentence);
+        },
+        line.settings, std::move(addresses)));
 }
 
 void LineViews::connectOtherAdapter(const KindData &plan)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/background_steps.h"
 #include "app/window/bus_views.h"
 #include "app/window/line_status.h"
 #include "encoder/refusal.h"
@@ -73,6 +74,7 @@ private:
     void listPorts();
     LinePlan wanted(const LineSettings &wish) const;
     void connectAs(const KindData &plan);
+    void test(const KindData &plan);
     void connectOtherAdapter(const KindData &plan);
     void showOpened();
     void showRefused(const Refusal &why);
@@ -107,6 +109,7 @@ private:
     LineSettingsForm *m_form;
     LineSearch *m_search;
     LineTrainingPanel *m_training;
+    BackgroundSteps m_test;
     LinePlan m_opened; // when a port was last to be opened
     ComparisonPage *m_comparison;
 };

@@ -2,7 +2,8 @@
 #include "app/window/ring_links.h"
 
 #include "app/window/leaving.h"
-#include "app/window/line_ports.h"
+#include "app/window/link_test.h"
+#include "app/window/port_rows.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
 #include "app/window/window_settings.h"
@@ -20,23 +21,6 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-Role roleOf(GatewayOutcome outcome)
-{
-    switch (outcome) {
-    case GatewayOutcome::passed:
-        return Role::running;
-    case GatewayOutcome::failed:
-        return Role::fault;
-    case GatewayOutcome::skipped:
-        break;
-    }
-    return Role::inactive;
-}
-
-} // namespace
-
 RingLinks::RingLinks(const Parts &parts, QObject *parent)
     : QObject(parent)
     , m_parts(parts)
@@ -54,9 +38,8 @@ RingLinks::RingLinks(const Parts &parts, QObject *parent)
     connect(&page, &ConnectPage::keepWanted, this,
             [this](const KindData &plan) { keep(*plan.as<ProjectLink>()); });
     connect(&page, &ConnectPage::testWanted, this, &RingLinks::test);
-    connect(&page, &ConnectPage::testCancelled, &m_test, &GatewayTest::cancel);
-    connect(&m_test, &GatewayTest::found, this, &RingLinks::take);
-    connect(&m_test, &GatewayTest::ended, this, &RingLinks::endTest);
+    connect(&page, &ConnectPage::testCancelled, &m_test, &BackgroundSteps::cancel);
+    connect(&m_test, &BackgroundSteps::ended, this, &RingLinks::endTest);
     connect(&parts.registers, &RegistersPage::readWanted, this, &RingLinks::readNow);
     connect(&parts.registers, &RegistersPage::orderWanted, this, &RingLinks::setOrder);
     connect(&parts.ring.project(), &ProjectDocument::changed, this, &RingLinks::showPlan);
@@ -102,7 +85,7 @@ void RingLinks::showPlan()
 
 void RingLinks::listPorts()
 {
-    const LinePorts ports = linePorts(serialPorts());
+    const PortRows ports = portRows(serialPorts());
     m_parts.page.setPorts(ports.rows, ports.trouble);
 }
 
@@ -110,7 +93,9 @@ void RingLinks::showState()
 {
     const BusState state = m_parts.ring.bus()->state();
     m_parts.page.setConnecting(state == BusState::opening);
-    m_parts.page.setConnected(state == BusState::open || state == BusState::lost);
+    using enum ConnectPage::Connected;
+    const bool isOpen = state == BusState::open || state == BusState::lost;
+    m_parts.page.setConnected(!isOpen ? no : m_parts.ring.gateway() ? real : simulated);
 }
 
 void RingLinks::keep(const ProjectLink &link)
@@ -165,7 +150,7 @@ void RingLinks::test(const KindData &plan)
     m_lastRead.clear();
     m_parts.page.setProblem({});
     m_parts.page.setTesting(true);
-    m_test.start(m_parts.ring.makePort(m_tested), m_tested, devices());
+    startTest();
 }
 
 void RingLinks::readNow(const NodeId &device)
@@ -173,7 +158,14 @@ void RingLinks::readNow(const NodeId &device)
     m_tested = planned();
     m_isReadNow = true;
     m_parts.registers.setReading(true);
-    m_test.start(m_parts.ring.makePort(m_tested), m_tested, devices(), device);
+    startTest(device);
+}
+
+void RingLinks::startTest(std::optional<NodeId> only)
+{
+    m_test.start(std::make_unique<LinkTest<GatewayCheck, RegisterPort>>(
+        m_parts.ring.makePort(m_tested), [this](const GatewayFinding &finding) { take(finding); }, m_tested,
+        devices(), only));
 }
 
 void RingLinks::take(const GatewayFinding &finding)
@@ -184,12 +176,12 @@ void RingLinks::take(const GatewayFinding &finding)
         m_lastRead.push_back(*finding.shown);
     }
     if (m_isReadNow) {
-        if (finding.outcome == GatewayOutcome::failed)
+        if (finding.outcome == CheckOutcome::failed)
             m_parts.registers.tell(finding.sentence);
         return;
     }
     const NodeId place = finding.shown ? finding.shown->place : NodeId();
-    m_parts.page.addStep(roleOf(finding.outcome), gatewayStepText(finding.step, m_tested.transport, place),
+    m_parts.page.addStep(finding.outcome, gatewayStepText(finding.step, m_tested.transport, place),
                          finding.sentence);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/gateway_test.h"
+#include "app/window/background_steps.h"
 #include "links/serial_ports.h"
+#include "modbus/gateway_check.h"
 #include "project/ring_plan.h"
 
 #include <QObject>
@@ -51,6 +52,7 @@ private:
     void test(const KindData &plan);
     void readNow(const NodeId &device);
     void take(const GatewayFinding &finding);
+    void startTest(std::optional<NodeId> only = std::nullopt);
     void endTest();
     void setOrder(WordOrder order);
     void showState();
@@ -62,7 +64,7 @@ private:
     const Parts m_parts;
     GatewayForm *m_tcp;
     GatewayForm *m_rtu;
-    GatewayTest m_test;
+    BackgroundSteps m_test;
     GatewaySettings m_tested;                // by m_test
     bool m_isReadNow = false;                // m_test is of one device, for the registers
     std::vector<DeviceRegisters> m_lastRead; // by tests

@@ -2,8 +2,8 @@
 #include "app/window/window_kinds.h"
 
 #include "app/window/line_at_work.h"
-#include "app/window/line_ports.h"
 #include "app/window/line_views.h"
+#include "app/window/port_rows.h"
 #include "app/window/replay_at_work.h"
 #include "app/window/replay_views.h"
 #include "app/window/ring_at_work.h"

@@ -84,20 +84,20 @@ QString GatewayCheck::text(const Step &step) const
 
 GatewayFinding GatewayCheck::passed(const QString &sentence) const
 {
-    return {m_steps[m_next].step, GatewayOutcome::passed, sentence};
+    return {m_steps[m_next].step, CheckOutcome::passed, sentence};
 }
 
 GatewayFinding GatewayCheck::failed(const Refusal &why, const QString &more)
 {
     m_isOver |= why.kind == RefusalKind::stopped || why.id == RefusalId::connectionClosed;
     const QString sentence = refusalText(why);
-    return {m_steps[m_next].step, GatewayOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more,
+    return {m_steps[m_next].step, CheckOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more,
             why};
 }
 
 GatewayFinding GatewayCheck::skipped(const QString &sentence) const
 {
-    return {m_steps[m_next].step, GatewayOutcome::skipped, sentence};
+    return {m_steps[m_next].step, CheckOutcome::skipped, sentence};
 }
 
 GatewayFinding GatewayCheck::next()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/check_outcome.h"
 #include "modbus/gateway_map.h"
 #include "modbus/word_reading.h"
 
@@ -33,13 +34,11 @@ struct DeviceRegisters
     friend bool operator==(const DeviceRegisters &, const DeviceRegisters &) = default;
 };
 
-enum class GatewayOutcome : std::uint8_t { passed, failed, skipped };
-
 // What a step of GatewayCheck found.
 struct GatewayFinding
 {
     GatewayStep step = GatewayStep::found;
-    GatewayOutcome outcome = GatewayOutcome::skipped;
+    CheckOutcome outcome = CheckOutcome::skipped;
     QString sentence{};
     std::optional<Refusal> why{};           // of a failed one, if it has a refusal
     std::optional<DeviceRegisters> shown{}; // of a word
@@ -56,8 +55,8 @@ struct CheckedDevice
 
 // Tests a gateway step by step: whether it can be reached, whether its registers are long enough for the
 // project, and whether what they show are words of these encoders. Writes nothing, ever. Each next() does one
-// step, so its caller can show what was found so far, and stop; RegisterPort::interrupt() ends a step that
-// waits. Used by the connect dialog and the command line.
+// step, so its caller can show what was found so far, and stop. Used by the connection page and the command
+// line.
 class GatewayCheck
 {
 public:
@@ -73,6 +72,7 @@ public:
     // What next() will do, for showing progress: "Address", "Word of 3.0". Not done yet.
     QString nextText() const { return text(m_steps[m_next]); }
     GatewayFinding next();
+    void interrupt() { m_port.interrupt(); } // ends a step that waits. Any thread
 
 private:
     struct Step

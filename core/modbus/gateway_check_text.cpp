@@ -144,12 +144,12 @@ QString registerText(Register word)
     return hexCode(word, registerDigits);
 }
 
-GatewayOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings)
+CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings)
 {
     const WordReading *set = readingSet(shown, settings);
     if (set == nullptr || set->plausibility == Plausibility::notKnown)
-        return GatewayOutcome::skipped;
-    return fits(set) ? GatewayOutcome::passed : GatewayOutcome::failed;
+        return CheckOutcome::skipped;
+    return fits(set) ? CheckOutcome::passed : CheckOutcome::failed;
 }
 
 QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings)

@@ -14,7 +14,7 @@ QString readableText(int function, const RegisterBlock &block);
 QString endsBeforeText(NodeId place, const RegisterBlock &its);
 QString registerText(Register word); // "00E0h"
 
-GatewayOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);
+CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);
 QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings);
 
 // "fits": language-neutral.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
 #include "tests/support/plans.h"
+#include "widgets/connect/check_list.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
@@ -67,6 +68,25 @@ protected:
         return false;
     }
 };
+
+TEST_F(LineAtPort, IsTestedStepByStepAndThenFree)
+{
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide")), test::plannedEncoder(at5, {})});
+    const QString port = startPeer(QStringLiteral("--addresses 03"));
+    typePort(port);
+    click(connection(), QStringLiteral("Test"));
+    EXPECT_TRUE(connection().isTesting());
+    ASSERT_TRUE(comes([&] { return !connection().isTesting(); }));
+    const QStringList steps = connection().steps().text().split(u'\n');
+    ASSERT_EQ(steps.size(), 5) << connection().steps().text().toStdString();
+    EXPECT_TRUE(steps[0].contains(port));
+    EXPECT_TRUE(steps[3].contains(QStringLiteral("03h (3)"))) << steps[3].toStdString();
+    EXPECT_TRUE(steps[3].contains(QStringLiteral("It answers after"))) << steps[3].toStdString();
+    EXPECT_TRUE(steps[4].contains(QStringLiteral("Nothing came."))) << steps[4].toStdString();
+    EXPECT_NE(shown->line().training(), nullptr) << "a test connects nothing";
+    connectNow();
+    EXPECT_TRUE(answers(at3));
+}
 
 TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
 {

@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr Instant betweenChatter{50'000};
+
+} // namespace
 
 Result<void> ScriptedLink::open(const SerialSettings &settings)
 {
@@ -40,6 +45,10 @@ Result<QByteArray> ScriptedLink::read(Instant until)
     if (unplugged) {
         m_now = std::max(m_now, until);
         return refuse(RefusalKind::link, RefusalId::portLost, {name()});
+    }
+    if (!chatter.isEmpty()) {
+        m_now = std::min(until, m_now + betweenChatter);
+        return chatter;
     }
     if (m_coming.empty() || m_coming.front().at > until) {
         m_now = std::max(m_now, until);

@@ -28,6 +28,7 @@ public:
     // By the bytes sent, at any baud rate or only at one.
     std::map<QByteArray, QByteArray> answers;
     std::optional<int> answersAt; // baud rate
+    QByteArray chatter;           // comes by itself, again and again
     bool unplugged = false;
     bool isOther = false; // the adapter
     LowLatency latency = LowLatency::granted;

@@ -9,7 +9,6 @@ namespace codewheel {
 namespace {
 
 using namespace test;
-using CheckOutcome = GatewayOutcome;
 
 // A gateway that cannot be reached, or not always.
 class RefusingPort final : public RegisterBankPort

@@ -25,6 +25,19 @@ namespace {
 
 constexpr int widestPage = 180 * grid::unit; // in a wide window fields stay near their labels
 
+Role roleOf(CheckOutcome outcome)
+{
+    switch (outcome) {
+    case CheckOutcome::passed:
+        return Role::running;
+    case CheckOutcome::failed:
+        return Role::fault;
+    case CheckOutcome::skipped:
+        break;
+    }
+    return Role::inactive;
+}
+
 } // namespace
 
 ConnectPage::ConnectPage(QWidget *parent)
@@ -141,9 +154,9 @@ void ConnectPage::setConnecting(bool on)
     showButtons();
 }
 
-void ConnectPage::setConnected(bool on)
+void ConnectPage::setConnected(Connected connected)
 {
-    m_isConnected = on;
+    m_connected = connected;
     showButtons();
 }
 
@@ -170,9 +183,9 @@ void ConnectPage::setTesting(bool on)
     showButtons();
 }
 
-void ConnectPage::addStep(Role role, const QString &what, const QString &sentence)
+void ConnectPage::addStep(CheckOutcome outcome, const QString &what, const QString &sentence)
 {
-    m_steps->add(role, what, sentence);
+    m_steps->add(roleOf(outcome), what, sentence);
 }
 
 // The first step at the top, as soon as there is room below it.
@@ -184,25 +197,27 @@ void ConnectPage::scrollToSteps()
 
 void ConnectPage::showButtons()
 {
+    const bool isConnected = m_connected != Connected::no;
     const bool canTest = form() != nullptr && form()->canBeTested();
     m_test->setVisible(canTest);
     m_test->setText(m_isTesting ? tr("Cancel &test") : tr("&Test"));
-    m_test->setToolTip(m_isTesting ? tr("Ends the test after its present step (Alt+T)")
-                       : m_isConnected
-                           ? tr("Disconnect first: a gateway may have room for one client only")
-                           : tr("Tries these settings step by step, and says what answers and what does "
-                                "not. Only reads (Alt+T)"));
-    m_test->setEnabled(!m_isConnecting && !m_isConnected);
+    m_test->setToolTip(
+        m_isTesting   ? tr("Ends the test after its present step (Alt+T)")
+        : isConnected ? tr("Disconnect first: a serial port has one user, and a gateway may have room for "
+                           "one client only")
+                      : tr("Tries these settings step by step, and says what answers and what does "
+                           "not. Only reads (Alt+T)"));
+    m_test->setEnabled(!m_isConnecting && m_connected != Connected::real);
     m_connect->setEnabled(!m_isConnecting && !m_isTesting);
     m_connect->setText(m_isConnecting ? tr("Connecting…") : tr("&Connect"));
-    m_connect->setToolTip(m_isConnected
+    m_connect->setToolTip(isConnected
                               ? tr("Disconnects, and connects anew with these settings (Alt+C)")
                               : tr("Keeps these settings in the project, and connects. Nothing is written "
                                    "(Alt+C)"));
     m_keep->setVisible(form() != nullptr && form()->canBeKept());
-    m_keep->setEnabled(!m_isConnecting && !m_isConnected);
-    m_keep->setToolTip(m_isConnected ? tr("The connection that is open is in the project")
-                                     : tr("Plans this connection in the project. Nothing is opened (Alt+K)"));
+    m_keep->setEnabled(!m_isConnecting && !isConnected);
+    m_keep->setToolTip(isConnected ? tr("The connection that is open is in the project")
+                                   : tr("Plans this connection in the project. Nothing is opened (Alt+K)"));
 }
 
 // What is half typed is taken first, or nothing is done.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/role.h"
+#include "bus/check_outcome.h"
 #include "project/kind_data.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/look/page.h"
@@ -40,8 +40,10 @@ public:
     void showPlan(const KindData &plan);
     KindData plan() const; // as entered
     void setConnecting(bool on);
-    // A bus that is connected has its settings in the project; it can be connected anew.
-    void setConnected(bool on);
+    // A bus that is connected has its settings in the project; it can be connected anew. Beside a simulated
+    // one a real link can be tested.
+    enum class Connected : std::uint8_t { no, simulated, real };
+    void setConnected(Connected connected);
     void setProblem(const QString &sentence); // empty: none
     void tell(const QString &sentence);
     // Ends with agreed() if the user presses the button with this text.
@@ -49,7 +51,7 @@ public:
 
     void setTesting(bool on); // begins a new list of steps
     bool isTesting() const { return m_isTesting; }
-    void addStep(Role role, const QString &what, const QString &sentence);
+    void addStep(CheckOutcome outcome, const QString &what, const QString &sentence);
     const CheckList &steps() const { return *m_steps; }
 
 Q_SIGNALS:
@@ -86,7 +88,7 @@ private:
     QPushButton *m_connect;
     bool m_isTesting = false;
     bool m_isConnecting = false;
-    bool m_isConnected = false;
+    Connected m_connected = Connected::no;
 };
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #include "widgets/connect/port_field.h"
 
 #include "encoder/sentence.h"
+#include "widgets/connect/setting_row.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -80,7 +81,7 @@ void PortField::makePort()
     m_port->setLineEdit(new TextField(m_port));
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_port->setMinimumContentsLength(20);
+    m_port->setMinimumContentsLength(16);
     m_port->setItemDelegate(new WholePort(m_port));
     m_port->lineEdit()->setMaxLength(longestPort);
     m_port->lineEdit()->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
@@ -96,8 +97,7 @@ void PortField::makeRefresh()
 
 void PortField::addTo(QFormLayout &form, const QString &label)
 {
-    form.addRow(label, this);
-    qobject_cast<QLabel *>(form.labelForField(this))->setBuddy(m_port);
+    addSettingRow(form, label, this, m_port, m_port->toolTip());
     form.addRow(m_trouble);
 }
 

@@ -3,16 +3,14 @@
 
 #include "project/ring_plan.h"
 #include "widgets/connect/port_field.h"
+#include "widgets/connect/setting_row.h"
 #include "widgets/gateway/gateway_presets.h"
 #include "widgets/gateway/setting_fields.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/label_text.h"
-#include "widgets/look/layouts.h"
-#include "widgets/look/wrapped_label.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -83,11 +81,11 @@ void GatewayForm::makeWhere(QFormLayout &form)
                       tr("The name or address of the gateway in the network, such as 192.168.0.5"));
     m_host->setMaxLength(longestHost);
     m_host->setPlaceholderText(QStringLiteral("192.168.0.5"));
-    addRow(form, tr("Ho&st"), m_host, m_host->toolTip());
+    addSettingRow(form, tr("Ho&st"), m_host, m_host, m_host->toolTip());
     m_tcpPort = describe(new IntegerField(this), "tcpPort", tr("Port"), tr("502 with nearly every gateway"));
     m_tcpPort->setRange(gateway_limits::tcpPort.least, gateway_limits::tcpPort.most);
     m_tcpPort->setGroupSeparatorShown(false);
-    addRow(form, tr("&Port"), m_tcpPort, m_tcpPort->toolTip());
+    addSettingRow(form, tr("&Port"), m_tcpPort, m_tcpPort, m_tcpPort->toolTip());
     connect(m_host, &QLineEdit::textEdited, this, &LinkForm::edited);
 }
 
@@ -95,22 +93,11 @@ void GatewayForm::makePresets(QFormLayout &form)
 {
     m_preset = describe(new QComboBox(this), "preset", tr("Register map"),
                         tr("Sets the registers below as they are with usual gateways"));
-    m_presetSentence = addRow(form, tr("Register m&ap"), m_preset, {});
+    m_presetSentence = addSettingRow(form, tr("Register m&ap"), m_preset, m_preset, {});
     for (const GatewayPreset &preset : gatewayPresets())
         m_preset->addItem(preset.title);
     m_preset->addItem(tr("As set below"));
     connect(m_preset, &QComboBox::activated, this, &GatewayForm::usePreset);
-}
-
-QLabel *GatewayForm::addRow(QFormLayout &form, const QString &label, QWidget *field, const QString &sentence)
-{
-    auto *below = wrappedLabel(this, "settingSentence");
-    below->setFont(textFont(TextSize::small));
-    below->setText(sentence);
-    auto *row = layOutColumn({field, below}, {.spacing = 0});
-    form.addRow(label, row);
-    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(field);
-    return below;
 }
 
 void GatewayForm::addField(QFormLayout &form, const SettingField &field)
@@ -134,7 +121,7 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
         editor = number;
     }
     editor->setObjectName(field.name);
-    addRow(form, field.label, editor, field.sentence);
+    addSettingRow(form, field.label, editor, editor, field.sentence);
 }
 
 GatewayForm::Texts GatewayForm::texts() const

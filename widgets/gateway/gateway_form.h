@@ -44,8 +44,6 @@ private:
     void makeWhere(QFormLayout &form);
     void makePresets(QFormLayout &form);
     void addField(QFormLayout &form, const SettingField &field);
-    // With its sentence below it.
-    QLabel *addRow(QFormLayout &form, const QString &label, QWidget *field, const QString &sentence);
     Texts texts() const;
     void setTexts(const Texts &texts);
     Texts withRegistersOf(const GatewayPreset &preset) const;

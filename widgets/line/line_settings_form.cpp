@@ -3,6 +3,7 @@
 
 #include "project/line_plan.h"
 #include "widgets/connect/port_field.h"
+#include "widgets/connect/setting_row.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
@@ -10,7 +11,6 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
-#include "widgets/look/layouts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -54,7 +54,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     auto *form = new QFormLayout(this);
     form->setContentsMargins(QMargins());
     form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    form->setVerticalSpacing(grid::margin);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makePort(*form);
     makeCharacter(*form);
@@ -86,7 +86,7 @@ KindData LineSettingsForm::plan() const
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
 {
     auto *box = describe(new QComboBox(this), plainLabel(label), toolTip);
-    form.addRow(label, box);
+    addSettingRow(form, label, box, box, toolTip);
     return box;
 }
 
@@ -95,7 +95,7 @@ QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, c
 {
     auto *field = describe(new IntegerField(this), plainLabel(label), toolTip);
     field->setRange(limits.least, limits.most);
-    form.addRow(label, field);
+    addSettingRow(form, label, field, field, toolTip);
     return field;
 }
 
@@ -132,7 +132,8 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_lowLatency = new QCheckBox(tr("Lo&w latency"), this);
     m_lowLatency->setToolTip(
         tr("Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+W)"));
-    form.addRow(QString(), m_lowLatency);
+    addSettingRow(form, QString(), m_lowLatency, m_lowLatency,
+                  tr("Without it many adapters collect bytes for up to 16 ms"));
 }
 
 void LineSettingsForm::makeTimes(QFormLayout &form)
@@ -142,7 +143,7 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
                   tr("Between position requests of one encoder; 10 ms is the shortest of the manual"),
                   line_limits::pollInterval);
     m_timeOut =
-        addNumber(form, tr("&Time-out"), tr("From the end of a request to the beginning of its answer"),
+        addNumber(form, tr("Time-&out"), tr("From the end of a request to the beginning of its answer"),
                   line_limits::timeOut);
     m_retries = addNumber(form, tr("&Number of retries"),
                           tr("How often a read is sent again. A write never is"), line_limits::retries);
@@ -156,14 +157,14 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
 void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
     makeFractionBits(form);
-    m_topSpeed = describe(new DecimalField(this), tr("Top speed"),
+    m_topSpeed = describe(new DecimalField(this), tr("Maximum speed"),
                           tr("A position that jumps further than this speed allows is marked suspect "
                              "and asked for again"));
     m_topSpeed->setRange(line_limits::topSpeed.least, line_limits::topSpeed.most);
     m_topSpeed->setDecimals(0);
     m_topSpeed->setSingleStep(100.0);
     m_topSpeed->setSuffix(tr(" rpm", "revolutions per minute"));
-    form.addRow(tr("T&op speed"), m_topSpeed);
+    addSettingRow(form, tr("Ma&ximum speed"), m_topSpeed, m_topSpeed, m_topSpeed->toolTip());
 }
 
 void LineSettingsForm::makeFractionBits(QFormLayout &form)
@@ -181,8 +182,8 @@ void LineSettingsForm::makeFractionBits(QFormLayout &form)
     row->setSpacing(grid::unit);
     row->addWidget(m_fractionBits, 1);
     row->addWidget(m_determine);
-    form.addRow(tr("Fraction bits of the scalin&g factor"), row);
-    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(m_fractionBits);
+    addSettingRow(form, tr("Fraction bits of the scalin&g factor"), row, m_fractionBits,
+                  m_fractionBits->toolTip());
     connect(m_determine, &QPushButton::clicked, this, &LineSettingsForm::fractionBitsWanted);
 }
 

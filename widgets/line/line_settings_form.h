@@ -30,6 +30,7 @@ public:
 
     QString title() const override { return tr("Serial port"); }
     QString sentence() const override;
+    bool canBeTested() const override { return true; }
     bool showPlan(const KindData &plan) override;
     KindData plan() const override;
     QString wrong() const override;

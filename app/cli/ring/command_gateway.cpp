@@ -31,20 +31,20 @@ constexpr std::array gatewayOptions{busOption};
 constexpr int textColumn = 18; // behind the name of a step
 constexpr int outcomeColumn = 12;
 
-QString outcomeText(GatewayOutcome outcome)
+QString outcomeText(CheckOutcome outcome)
 {
     switch (outcome) {
-    case GatewayOutcome::passed:
+    case CheckOutcome::passed:
         return CommandLine::tr("ok");
-    case GatewayOutcome::failed:
+    case CheckOutcome::failed:
         return CommandLine::tr("failed");
-    case GatewayOutcome::skipped:
+    case CheckOutcome::skipped:
         break;
     }
     return CommandLine::tr("not tested");
 }
 
-QString outcomeKey(GatewayOutcome outcome)
+QString outcomeKey(CheckOutcome outcome)
 {
     constexpr std::array keys{"passed", "failed", "skipped"};
     return QString::fromLatin1(keys.at(static_cast<std::size_t>(outcome)));
@@ -161,7 +161,7 @@ Checked<CheckWish> wishOf(const Call &call)
 
 std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &findings)
 {
-    const auto failed = std::ranges::find(findings, GatewayOutcome::failed, &GatewayFinding::outcome);
+    const auto failed = std::ranges::find(findings, CheckOutcome::failed, &GatewayFinding::outcome);
     if (failed == findings.end())
         return std::nullopt;
     if (failed->why)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/line_ports.h"
+#include "app/window/port_rows.h"
 
 #include "encoder/refusal_text.h"
 #include "links/port_access.h"
@@ -22,9 +22,9 @@ QString troubleOf(const std::vector<PortInfo> &ports)
 
 } // namespace
 
-LinePorts linePorts(const std::vector<PortInfo> &ports)
+PortRows portRows(const std::vector<PortInfo> &ports)
 {
-    LinePorts listed{.rows = {}, .trouble = troubleOf(ports)};
+    PortRows listed{.rows = {}, .trouble = troubleOf(ports)};
     for (const PortInfo &port : ports)
         listed.rows.push_back({port.path, port.description, port.serialNumber});
     return listed;

@@ -10,13 +10,13 @@ namespace codewheel {
 
 // The serial ports as listed in the settings form, and a sentence for it: there is none, or one of them
 // cannot be opened, and why; empty: nothing to say.
-struct LinePorts
+struct PortRows
 {
     std::vector<PortRow> rows;
     QString trouble;
 };
 // One row per port, with everything its adapter reports; in English.
 QStringList adapterRows();
-LinePorts linePorts(const std::vector<PortInfo> &ports);
+PortRows portRows(const std::vector<PortInfo> &ports);
 
 } // namespace codewheel
