@@ -7447,6 +7447,31 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
         <source>Clients: %1, and %2 that were refused. %3.</source>
         <translation>Clients: %1, dazu %2 abgewiesene. %3.</translation>
     </message>
+    <message>
+        <source>Nothing was found that keeps a link from working.</source>
+        <translation>Es wurde nichts gefunden, was eine Kopplung verhindert.</translation>
+    </message>
+    <message>
+        <source>Something keeps a link from working: see above.</source>
+        <translation>Etwas verhindert eine Kopplung: siehe oben.</translation>
+    </message>
+    <message>
+        <source>what keeps a link from working, and what to do</source>
+        <translation>was eine Kopplung verhindert, und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Looks for what keeps ports and links from working: missing rights, a port that another program
+has, an adapter without a driver or taken by brltty, ModemManager, a slow adapter, a CAN interface
+that is switched off. With --link also for what is in the way of this link; a Modbus/TCP gateway
+is connected and left again. To each it says what to do, with a command to copy. Opens no serial
+port and sends nothing to an encoder. Ends with 1 if something prevents a link, else with 0.</source>
+        <translation>Sucht, was Anschlüsse und Kopplungen verhindert: fehlende Rechte, ein Anschluss, den ein anderes
+Programm hat, ein Adapter ohne Treiber oder von brltty belegt, ModemManager, ein langsamer Adapter,
+eine ausgeschaltete CAN-Schnittstelle. Mit --link auch, was dieser Kopplung im Weg ist; ein
+Modbus/TCP-Gateway wird verbunden und wieder verlassen. Zu jedem steht, was zu tun ist, mit einem
+Befehl zum Kopieren. Öffnet keinen seriellen Anschluss und sendet keinem Geber etwas. Endet mit 1,
+wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -8446,6 +8471,57 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
     <message>
         <source>Numbers of the &amp;whole word, not of D24..D0</source>
         <translation>Zahlen für das ga&amp;nze Wort, nicht für D24..D0</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Doctor</name>
+    <message>
+        <source>The CAN interface %1 is switched off. Switch it on with the bit rate of the bus.</source>
+        <translation>Die CAN-Schnittstelle %1 ist ausgeschaltet. Schalten Sie sie mit der Bitrate des Busses ein.</translation>
+    </message>
+    <message>
+        <source>A server at port %1 needs rights on this computer that you do not have. Use a port from 1024 on, or allow it until the next start of the computer.</source>
+        <translation>Ein Server am Port %1 braucht auf diesem Rechner Rechte, die Sie nicht haben. Nehmen Sie einen Port ab 1024, oder erlauben Sie es bis zum nächsten Start des Rechners.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another bus of this program. Disconnect that one.</source>
+        <translation>%1 wird von einem anderen Bus dieses Programms benutzt. Trennen Sie jenen.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by the program %2 (process %3). Close it there, or end it.</source>
+        <translation>%1 wird vom Programm %2 (Prozess %3) benutzt. Schließen Sie ihn dort, oder beenden Sie es.</translation>
+    </message>
+    <message>
+        <source>The adapter of %1 collects bytes for up to %2 ms, which slows down every answer, until a program asks for low latency as Codewheel does.</source>
+        <translation>Der Adapter von %1 sammelt Bytes bis zu %2 ms lang, was jede Antwort verzögert, bis ein Programm kurze Latenz verlangt, wie Codewheel es tut.</translation>
+    </message>
+    <message>
+        <source>You may not use %1, and no group of users may. Let yourself use it until it is unplugged.</source>
+        <translation>Sie dürfen %1 nicht benutzen, und keine Benutzergruppe darf es. Erlauben Sie es sich, bis er abgezogen wird.</translation>
+    </message>
+    <message>
+        <source>You may not use %1 yet: you are in its group %2 from your next login on. Log out and in again. In a terminal, this is enough.</source>
+        <translation>Sie dürfen %1 noch nicht benutzen: Sie sind erst ab der nächsten Anmeldung in seiner Gruppe %2. Melden Sie sich ab und wieder an. In einem Terminal genügt dies.</translation>
+    </message>
+    <message>
+        <source>You may not use %1: you are not in its group %2. Join it, then log out and in again.</source>
+        <translation>Sie dürfen %1 nicht benutzen: Sie sind nicht in seiner Gruppe %2. Treten Sie ihr bei, dann melden Sie sich ab und wieder an.</translation>
+    </message>
+    <message>
+        <source>There is no port %1. Plug its adapter in, and see whether the system names it.</source>
+        <translation>Es gibt keinen Anschluss %1. Stecken Sie seinen Adapter ein, und sehen Sie nach, ob das System ihn nennt.</translation>
+    </message>
+    <message>
+        <source>The adapter %1 has no port: brltty takes it for a Braille display. Unless you use one, switch that off and plug the adapter in again.</source>
+        <translation>Der Adapter %1 hat keinen Anschluss: brltty hält ihn für eine Braillezeile. Wenn Sie keine benutzen, schalten Sie das ab und stecken Sie den Adapter neu ein.</translation>
+    </message>
+    <message>
+        <source>The adapter %1 (%2) is plugged in, but no driver has made a port of it. Load its driver.</source>
+        <translation>Der Adapter %1 (%2) steckt, aber kein Treiber hat einen Anschluss daraus gemacht. Laden Sie seinen Treiber.</translation>
+    </message>
+    <message>
+        <source>ModemManager runs: for some seconds after an adapter is plugged in, it sends to it to find a modem, and nobody else can use the port. Stop it if you need no modem.</source>
+        <translation>ModemManager läuft: Nach dem Einstecken eines Adapters sendet er ihm einige Sekunden lang, um ein Modem zu finden, und niemand sonst kann den Anschluss benutzen. Halten Sie ihn an, wenn Sie kein Modem brauchen.</translation>
     </message>
 </context>
 <context>
@@ -9929,6 +10005,18 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
         <source>%1: %2</source>
         <comment>role: sentence</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copies it, for pasting it into a terminal: %1</source>
+        <translation>Kopiert ihn, um ihn in ein Terminal einzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
     </message>
 </context>
 <context>

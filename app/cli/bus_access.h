@@ -5,6 +5,7 @@
 #include "cli/complaint.h"
 #include "cli/job_trace.h"
 #include "cli/write_account.h"
+#include "doctor/hindrance.h"
 #include "encoder/exchange.h"
 #include "encoder/parameter.h"
 
@@ -50,6 +51,8 @@ public:
 
     // It is opened when it is first needed.
     virtual Checked<void> open() { return {}; }
+    // What keeps its link from working, found without sending anything to an encoder.
+    virtual Hindrances hindrances() const { return {}; }
     // Why the command does not work on this kind of bus at all; empty: it does.
     virtual std::optional<Complaint> whyNot(const Subcommand &) const { return std::nullopt; }
 

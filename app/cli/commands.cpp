@@ -16,7 +16,7 @@ constexpr std::array firstCommands{&devicesCommand,  &scanCommand,    &compareCo
                                    &velocityCommand, &resetCommand,   &camsCommand,    &storeCommand,
                                    &transferCommand, &cloneCommand,   &replaceCommand, &restoreCommand,
                                    &reportCommand,   &monitorCommand, &recordCommand,  &exportCommand};
-constexpr std::array lastCommands{&serveCommand, &messagesCommand, &ledgerCommand};
+constexpr std::array lastCommands{&serveCommand, &messagesCommand, &ledgerCommand, &doctorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,

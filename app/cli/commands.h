@@ -26,6 +26,7 @@ extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand recordCommand;
 extern const Subcommand exportCommand;
+extern const Subcommand doctorCommand;
 extern const Subcommand serveCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;

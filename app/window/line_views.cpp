@@ -8,6 +8,7 @@
 #include "app/window/line_rate.h"
 #include "app/window/link_test.h"
 #include "app/window/port_rows.h"
+#include "app/window/trouble_of.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -343,6 +344,8 @@ void LineViews::test(const KindData &plan)
         [this](const LineFinding &finding) {
             m_connection->addStep(finding.outcome, LineCheck::stepText(finding.step, finding.address),
                                   finding.sentence);
+            if (finding.why)
+                tellCommand(*m_connection, *finding.why);
         },
         line.settings, std::move(addresses)));
 }
@@ -371,7 +374,7 @@ void LineViews::showRefused(const Refusal &why)
     if (why.id == RefusalId::portOfOther)
         m_connection->ask(refusalText(why), tr("Use this adapter"));
     else
-        m_connection->setProblem(refusalText(why));
+        m_connection->setProblem(troubleOf(why));
 }
 
 void LineViews::keepPort(const LinePlan &line)

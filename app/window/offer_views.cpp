@@ -4,6 +4,7 @@
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_offer.h"
 #include "app/window/status_line.h"
+#include "app/window/trouble_of.h"
 #include "app/window/window_settings.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
@@ -75,7 +76,7 @@ void OfferViews::showName()
 void OfferViews::begin(const OfferWish &wish)
 {
     if (const auto begun = m_offer.begin(wish); !begun)
-        m_page.setProblem(refusalText(begun.error()));
+        m_page.setProblem(troubleOf(begun.error()));
     else
         m_settings.setOffer(wish);
 }

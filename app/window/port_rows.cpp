@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/port_rows.h"
 
-#include "encoder/refusal_text.h"
+#include "app/window/trouble_of.h"
+#include "doctor/usb_hindrances.h"
 #include "links/port_access.h"
+#include "widgets/connect/connect_page.h"
 
 #include <QStringList>
 
 namespace codewheel {
 namespace {
 
-// Why the first port that cannot be opened cannot.
-QString troubleOf(const std::vector<PortInfo> &ports)
+// An adapter without a port is probably the one that is looked for; otherwise why the first port that cannot
+// be opened cannot.
+Trouble troubleWith(const std::vector<PortInfo> &ports)
 {
+    for (const Hindrance &adapter : usbHindrances(Computer()))
+        if (adapter.weight == Hindrance::Weight::prevents)
+            return troubleOf(adapter);
     if (ports.empty())
         return noSerialPortsText();
     for (const PortInfo &port : ports)
         if (const auto hindrance = portHindrance(port.path))
-            return refusalText(*hindrance);
+            return troubleOf(*hindrance);
     return {};
 }
 
 } // namespace
 
+void tellCommand(ConnectPage &page, const Refusal &why)
+{
+    if (const Trouble trouble = troubleOf(why); !trouble.command.isEmpty())
+        page.setProblem(trouble);
+}
+
 PortRows portRows(const std::vector<PortInfo> &ports)
 {
-    PortRows listed{.rows = {}, .trouble = troubleOf(ports)};
+    PortRows listed{.rows = {}, .trouble = troubleWith(ports)};
     for (const PortInfo &port : ports)
         listed.rows.push_back({port.path, port.description, port.serialNumber});
     return listed;

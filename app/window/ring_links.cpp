@@ -183,6 +183,8 @@ void RingLinks::take(const GatewayFinding &finding)
     const NodeId place = finding.shown ? finding.shown->place : NodeId();
     m_parts.page.addStep(finding.outcome, gatewayStepText(finding.step, m_tested.transport, place),
                          finding.sentence);
+    if (finding.why)
+        tellCommand(m_parts.page, *finding.why);
 }
 
 void RingLinks::endTest()

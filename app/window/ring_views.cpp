@@ -7,9 +7,9 @@
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
 #include "app/window/ring_links.h"
+#include "app/window/trouble_of.h"
 #include "app/window/window_actions.h"
 #include "encoder/device_number.h"
-#include "encoder/refusal_text.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/gateway/gateway_panel.h"
@@ -154,9 +154,9 @@ void RingViews::showOffer()
 void RingViews::showRefused(const Refusal &why)
 {
     if (m_connect->isVisible())
-        m_connect->setProblem(refusalText(why));
+        m_connect->setProblem(troubleOf(why));
     else
-        m_parts.notice.showMessage(Role::fault, refusalText(why));
+        m_parts.notice.showTrouble(Role::fault, troubleOf(why));
 }
 
 void RingViews::showLink()

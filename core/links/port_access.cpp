@@ -16,19 +16,6 @@
 namespace codewheel {
 namespace {
 
-// The group whose members may use the port: dialout on Debian. Its number if it has no name.
-QString groupOf(const QString &path)
-{
-    struct stat status = {};
-    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
-        return {};
-    group entry = {};
-    group *found = nullptr;
-    std::array<char, 4096> names{};
-    ::getgrgid_r(status.st_gid, &entry, names.data(), names.size(), &found);
-    return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
-}
-
 // Nothing with a line behind it: a file, a folder, or one of the system's own devices such as /dev/null.
 bool isNoPort(const QString &path)
 {
@@ -43,6 +30,18 @@ bool isNoPort(const QString &path)
 QString portPath(const QString &port)
 {
     return port.contains(u'/') ? port : QStringLiteral("/dev/") + port;
+}
+
+QString groupOf(const QString &path)
+{
+    struct stat status = {};
+    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
+        return {};
+    group entry = {};
+    group *found = nullptr;
+    std::array<char, 4096> names{};
+    ::getgrgid_r(status.st_gid, &entry, names.data(), names.size(), &found);
+    return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
 }
 
 bool isSamePort(const QString &one, const QString &other)

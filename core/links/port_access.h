@@ -11,6 +11,9 @@ QString portPath(const QString &port);
 // Whether both lead to the same port, like its by-id link and its name.
 bool isSamePort(const QString &one, const QString &other);
 
+// The group whose members may use the port: dialout on Debian. Its number if it has no name.
+QString groupOf(const QString &path);
+
 // What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
 // for all others.
 RefusalId portRefusalOf(int errorNumber);

@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
@@ -86,6 +87,18 @@ TEST_F(LineAtPort, IsTestedStepByStepAndThenFree)
     EXPECT_NE(shown->line().training(), nullptr) << "a test connects nothing";
     connectNow();
     EXPECT_TRUE(answers(at3));
+}
+
+TEST_F(LineAtPort, APortThatIsMissingIsToldWithACommandToCopy)
+{
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
+    connectPort(QStringLiteral("/dev/ttyNowhere"));
+    const auto messages = connection().findChildren<InlineMessage *>();
+    const auto told = std::ranges::find_if(
+        messages, [](const InlineMessage *message) { return message->command().contains(u"by-id"); });
+    ASSERT_NE(told, messages.end());
+    click(connection(), QStringLiteral("Copy command"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("ls -l /dev/serial/by-id"));
 }
 
 TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)

@@ -129,7 +129,7 @@ void ConnectPage::setAbout(const QString &bus)
     Q_EMIT headChanged();
 }
 
-void ConnectPage::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+void ConnectPage::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     for (int i = 0; i < m_forms->count(); ++i)
         static_cast<LinkForm *>(m_forms->widget(i))->setPorts(ports, trouble);
@@ -160,9 +160,9 @@ void ConnectPage::setConnected(Connected connected)
     showButtons();
 }
 
-void ConnectPage::setProblem(const QString &sentence)
+void ConnectPage::setProblem(const Trouble &trouble)
 {
-    m_problem->showMessage(Role::fault, sentence);
+    m_problem->showTrouble(Role::fault, trouble);
 }
 
 void ConnectPage::tell(const QString &sentence)

@@ -5,6 +5,7 @@
 #include "project/kind_data.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/look/page.h"
+#include "widgets/look/trouble.h"
 
 #include <vector>
 
@@ -35,7 +36,7 @@ public:
     QString about() const override { return m_about; }
     QString effect() const override;
 
-    void setPorts(const std::vector<PortRow> &ports, const QString &trouble);
+    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble);
     // Chooses the form of its link and shows it there.
     void showPlan(const KindData &plan);
     KindData plan() const; // as entered
@@ -44,7 +45,7 @@ public:
     // one a real link can be tested.
     enum class Connected : std::uint8_t { no, simulated, real };
     void setConnected(Connected connected);
-    void setProblem(const QString &sentence); // empty: none
+    void setProblem(const Trouble &trouble); // empty: none
     void tell(const QString &sentence);
     // Ends with agreed() if the user presses the button with this text.
     void ask(const QString &sentence, const QString &answer);

@@ -3,6 +3,7 @@
 
 #include "project/kind_data.h"
 #include "widgets/connect/port_row.h"
+#include "widgets/look/trouble.h"
 
 #include <QWidget>
 
@@ -32,7 +33,7 @@ public:
     virtual QString wrong() const { return {}; }
     // What is missing for connecting; a sentence, empty: nothing.
     virtual QString complaint() const { return {}; }
-    virtual void setPorts(const std::vector<PortRow> &, const QString & /*trouble*/) {}
+    virtual void setPorts(const std::vector<PortRow> &, const Trouble & /*trouble*/) {}
 
 Q_SIGNALS:
     void edited();

@@ -106,7 +106,7 @@ QString PortField::port() const
     return m_port->currentText().trimmed();
 }
 
-void PortField::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+void PortField::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     const QString chosen = port();
     const bool isPicked = m_isPicked;
@@ -114,8 +114,8 @@ void PortField::setPorts(const std::vector<PortRow> &ports, const QString &troub
     showPorts();
     setPort(chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen);
     m_isPicked = isPicked;
-    if (!trouble.isEmpty())
-        m_trouble->showMessage(Role::attention, trouble);
+    if (!trouble.sentence.isEmpty())
+        m_trouble->showTrouble(Role::attention, trouble);
     else if (ports.empty())
         m_trouble->showMessage(Role::attention,
                                tr("No serial port was found. Plug the adapter in and refresh the "

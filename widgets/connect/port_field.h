@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/connect/port_row.h"
+#include "widgets/look/trouble.h"
 
 #include <QWidget>
 
@@ -30,7 +31,7 @@ public:
 
     // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
     // even if it is not in the list.
-    void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
+    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble = {});
     QString port() const; // empty: none is chosen
     // Shown as if never picked.
     void setPort(const QString &port);

@@ -191,7 +191,7 @@ QString GatewayForm::complaint() const
     return {};
 }
 
-void GatewayForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+void GatewayForm::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     if (m_port != nullptr)
         m_port->setPorts(ports, trouble);

@@ -33,7 +33,7 @@ public:
     bool showPlan(const KindData &plan) override;
     KindData plan() const override;
     QString complaint() const override;
-    void setPorts(const std::vector<PortRow> &ports, const QString &trouble) override;
+    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble) override;
 
     // What was used last, offered with the presets; empty: nothing.
     void setLast(const std::map<QString, QString> &texts);

@@ -197,7 +197,7 @@ void LineSettingsForm::setFractionBits(int bits)
     m_fractionBits->setValue(bits);
 }
 
-void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     m_port->setPorts(ports, trouble);
 }

@@ -37,7 +37,7 @@ public:
     QString complaint() const override;
     // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
     // even if it is not in the list.
-    void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {}) override;
+    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble = {}) override;
 
     LineSettings settings() const;
     void setSettings(const LineSettings &settings);

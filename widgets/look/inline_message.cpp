@@ -5,7 +5,9 @@
 #include "widgets/look/grid.h"
 
 #include <QAccessible>
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -29,6 +31,7 @@ InlineMessage::InlineMessage(QWidget *parent)
     , m_sentence(new QLabel(this))
     , m_action(new QPushButton(this))
     , m_otherAction(new QPushButton(this))
+    , m_copy(new QPushButton(lineIcon(Icon::copy), tr("Copy command"), this))
     , m_close(describe(new QToolButton(this), tr("Close this message"), tr("Close this message")))
 {
     m_sentence->setWordWrap(true);
@@ -45,18 +48,21 @@ InlineMessage::InlineMessage(QWidget *parent)
     m_buttons->addStretch();
     m_buttons->addWidget(m_action);
     m_buttons->addWidget(m_otherAction);
+    m_buttons->addWidget(m_copy);
     m_buttons->addWidget(m_close);
     m_parts->addLayout(said, 1);
     m_parts->addLayout(m_buttons);
 
     connect(m_action, &QPushButton::clicked, this, &InlineMessage::actionTriggered);
     connect(m_otherAction, &QPushButton::clicked, this, &InlineMessage::otherActionTriggered);
+    connect(m_copy, &QPushButton::clicked, this, &InlineMessage::copyCommand);
     connect(m_close, &QToolButton::clicked, this, [this] {
         withdraw();
         Q_EMIT closed();
     });
     m_action->hide();
     m_otherAction->hide();
+    m_copy->hide();
     hide();
 }
 
@@ -68,6 +74,7 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
         return;
     }
     m_role = role;
+    setCommand({});
     rephrase(sentence);
     m_action->setText(actionText);
     m_action->setToolTip(sentence);
@@ -83,6 +90,31 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
     QAccessible::updateAccessibility(&alert);
 }
 
+void InlineMessage::showTrouble(Role role, const Trouble &trouble)
+{
+    showMessage(role, trouble.sentence);
+    if (trouble.command.isEmpty())
+        return;
+    setCommand(trouble.command);
+    showText();
+    arrange();
+}
+
+void InlineMessage::setCommand(const QString &command)
+{
+    m_command = command;
+    m_copy->setText(tr("Copy command"));
+    m_copy->setToolTip(tr("Copies it, for pasting it into a terminal: %1").arg(command));
+    m_copy->setVisible(!command.isEmpty());
+    setAccessibleDescription(command);
+}
+
+void InlineMessage::copyCommand()
+{
+    QGuiApplication::clipboard()->setText(m_command);
+    m_copy->setText(tr("Copied"));
+}
+
 void InlineMessage::rephrase(const QString &sentence)
 {
     m_text = sentence;
@@ -96,15 +128,17 @@ void InlineMessage::setDetail(const QString &detail)
     showText();
 }
 
-// Both may contain names, which must not be taken for markup.
+// All may contain names, which must not be taken for markup.
 void InlineMessage::showText()
 {
-    m_sentence->setTextFormat(m_detail.isEmpty() ? Qt::PlainText : Qt::RichText);
-    m_sentence->setText(m_detail.isEmpty()
-                            ? m_text
-                            : QStringLiteral("%1 <span style=\"font-size:small; color:%3\">%2</span>")
-                                  .arg(m_text.toHtmlEscaped(), m_detail.toHtmlEscaped(),
-                                       palette().color(QPalette::PlaceholderText).name()));
+    QString behind;
+    if (!m_detail.isEmpty())
+        behind = QStringLiteral(" <span style=\"font-size:small; color:%2\">%1</span>")
+                     .arg(m_detail.toHtmlEscaped(), palette().color(QPalette::PlaceholderText).name());
+    if (!m_command.isEmpty())
+        behind += QStringLiteral("<br><code>%1</code>").arg(m_command.toHtmlEscaped());
+    m_sentence->setTextFormat(behind.isEmpty() ? Qt::PlainText : Qt::RichText);
+    m_sentence->setText(behind.isEmpty() ? m_text : m_text.toHtmlEscaped() + behind);
 }
 
 void InlineMessage::withdraw()
@@ -114,6 +148,7 @@ void InlineMessage::withdraw()
     hide();
     m_text.clear();
     m_detail.clear();
+    setCommand({});
     showText();
     setAccessibleName({});
 }

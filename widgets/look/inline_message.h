@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/look/roles.h"
+#include "widgets/look/trouble.h"
 
 #include <QFrame>
 
@@ -26,6 +27,9 @@ public:
     // attention or fault, or running for good news.
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
+    // Its command is shown below the sentence, and can be copied.
+    void showTrouble(Role role, const Trouble &trouble);
+    QString command() const { return m_command; }
     void withdraw(); // the cause is gone
     QString sentence() const;
     // In small type after the sentence; empty: nothing.
@@ -50,17 +54,21 @@ protected:
 private:
     void drawIcon();
     void showText();
+    void setCommand(const QString &command);
+    void copyCommand();
     bool hasActions() const;
 
     Role m_role = Role::attention;
     QString m_text;
     QString m_detail;
+    QString m_command;
     QBoxLayout *m_parts; // the sentence, and the buttons beside or, in a narrow panel, below it
     QBoxLayout *m_buttons;
     QLabel *m_icon;
     QLabel *m_sentence;
     QPushButton *m_action;
     QPushButton *m_otherAction;
+    QPushButton *m_copy;
     QToolButton *m_close;
 };
 

@@ -69,9 +69,9 @@ void OfferPage::setPlace(const std::optional<OfferedPlace> &place)
     showButtons();
 }
 
-void OfferPage::setProblem(const QString &sentence)
+void OfferPage::setProblem(const Trouble &trouble)
 {
-    m_problem->showMessage(Role::fault, sentence);
+    m_problem->showTrouble(Role::fault, trouble);
 }
 
 void OfferPage::setWhyNot(const QString &sentence)

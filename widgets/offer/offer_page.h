@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/look/page.h"
+#include "widgets/look/trouble.h"
 #include "widgets/offer/offer_wish.h"
 
 #include <optional>
@@ -33,7 +34,7 @@ public:
     OfferForm &form() { return *m_form; }
     OfferedView &offered() { return *m_offered; }
     void setPlace(const std::optional<OfferedPlace> &place); // empty: it is not offered
-    void setProblem(const QString &sentence);                // empty: none
+    void setProblem(const Trouble &trouble);                 // empty: none
     // Why it cannot be offered; empty: it can.
     void setWhyNot(const QString &sentence);
 

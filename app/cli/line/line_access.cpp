@@ -6,9 +6,11 @@
 #include "cli/present_ports.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
+#include "doctor/port_hindrances.h"
 #include "drivers/esc_driver.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
+#include "links/port_access.h"
 #include "links/project_adapter.h"
 #include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
@@ -117,6 +119,11 @@ std::unique_ptr<LineAccess> LineAccess::to(const LineLink &link, const Catalog &
     auto access = std::make_unique<LineAccess>(std::move(port), link, catalog, id);
     access->m_port = its;
     return access;
+}
+
+Hindrances LineAccess::hindrances() const
+{
+    return m_link.isSimulated() ? Hindrances() : portHindrances(portPath(m_link.settings.port), Computer());
 }
 
 Checked<void> LineAccess::open()

@@ -27,6 +27,7 @@ public:
 
     LineSession &line() const { return *m_session; }
     Checked<void> open() override;
+    Hindrances hindrances() const override;
     const LineLink &link() const { return m_link; }
     esc::ExplainOptions explainOptions() const { return m_link.explainOptions(); }
 

@@ -4,9 +4,12 @@
 #include "cli/present_ports.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
+#include "doctor/hindrance_of_refusal.h"
+#include "doctor/port_hindrances.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "links/modbus_port.h"
+#include "links/port_access.h"
 #include "modbus/gateway_link.h"
 #include "project/gateway_plan.h"
 
@@ -99,6 +102,20 @@ GatewayAccess::GatewayAccess(const GatewaySettings &gateway, const Project *proj
     QObject::connect(&this->ring(), &RingSession::messaged, &m_scope, [this](const Message &message) {
         m_outIsUnknown |= message.refusal && message.refusal->id == RefusalId::outNotReadBack;
     });
+}
+
+Hindrances GatewayAccess::hindrances() const
+{
+    if (m_gateway.transport == GatewaySettings::Transport::rtu)
+        return portHindrances(portPath(m_gateway.serialPort), Computer());
+    ModbusPort port(m_gateway);
+    const auto opened = port.open();
+    if (opened)
+        return {};
+    const auto why = hindranceOf(opened.error());
+    return {why ? *why
+                : Hindrance{HindranceId::hostRefuses, Hindrance::Weight::prevents, port.name(),
+                            refusalText(opened.error())}};
 }
 
 Checked<void> GatewayAccess::open()

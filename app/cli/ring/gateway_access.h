@@ -22,6 +22,7 @@ public:
     const std::vector<CheckedDevice> &devices() const { return m_devices; }
 
     Checked<void> open() override;
+    Hindrances hindrances() const override; // also whether its host can be reached
     std::optional<Complaint> whyNot(const Subcommand &command) const override;
     bool mayReachMaster() const override { return false; }
     std::vector<Place> knownPlaces() const override;

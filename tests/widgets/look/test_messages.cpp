@@ -6,7 +6,9 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QAccessibleInterface>
+#include <QClipboard>
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -83,6 +85,23 @@ TEST_F(InlineMessages, InANarrowPanelTheButtonStandsBelowTheSentence)
     EXPECT_TRUE(isBelow(180));
     EXPECT_LE(window.width(), 180) << "it does not make its panel grow";
     EXPECT_FALSE(isBelow(600));
+}
+
+TEST_F(InlineMessages, ACommandIsShownAndCopied)
+{
+    message.showTrouble(Role::fault,
+                        {QStringLiteral("You may not use <b>it</b>."), QStringLiteral("sudo a && b")});
+    auto *copy = buttonNamed(message, QStringLiteral("Copy command"));
+    ASSERT_NE(copy, nullptr);
+    EXPECT_EQ(message.sentence(), QStringLiteral("You may not use <b>it</b>."));
+    EXPECT_EQ(message.accessibleDescription(), QStringLiteral("sudo a && b"));
+    QTest::mouseClick(copy, Qt::LeftButton);
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("sudo a && b"));
+    EXPECT_NE(buttonNamed(message, QStringLiteral("Copied")), nullptr);
+    message.showMessage(Role::fault, QStringLiteral("Something else."));
+    EXPECT_EQ(buttonNamed(message, QStringLiteral("Copied")), nullptr);
+    EXPECT_EQ(buttonNamed(message, QStringLiteral("Copy command")), nullptr);
+    EXPECT_TRUE(message.command().isEmpty());
 }
 
 TEST_F(InlineMessages, CanBeClosed)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+
+#include <vector>
+
+namespace codewheel {
+
+// A program that runs.
+struct Process
+{
+    int id = 0;
+    QString name{};      // at most 15 characters, as the kernel keeps it
+    bool isOurs = false; // this program
+
+    friend bool operator==(const Process &, const Process &) = default;
+};
+
+// What the system tells about itself in /proc, /sys and /etc. Only looks; opens no device. What cannot be
+// read is empty.
+class Computer
+{
+public:
+    // `root`: a folder that has these folders in it, instead of "/".
+    explicit Computer(QString root = {});
+
+    bool has(const QString &path) const;
+    QByteArray contents(const QString &path) const;            // without space around it; the first 64 KiB
+    QStringList folders(const QString &path) const;            // names in it, links to folders too, sorted
+    QString target(const QString &path) const;                 // of a link, as written there
+    QString canonical(const QString &path) const;              // without links; below the root
+    std::vector<Process> processes() const;                    // by id
+    std::vector<Process> holdersOf(const QString &path) const; // that have it open, as far as we may see
+    bool runs(const QString &program) const;
+
+private:
+    Process process(int id) const;
+
+    const QString m_root;
+};
+
+} // namespace codewheel

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "doctor/computer.h"
+#include "doctor/hindrance.h"
+
+namespace codewheel {
+
+// CAN interfaces that are switched off.
+Hindrances canHindrances(const Computer &computer);
+
+// Whether this user's server may not listen at a port of TCP.
+Hindrances serverPortHindrances(int port, Hindrance::Weight weight, const Computer &computer);
+
+Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight);
+
+} // namespace codewheel

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/port_hindrances.h"
+
+#include "doctor/doctor_texts.h"
+#include "doctor/shell_command.h"
+#include "encoder/sentence.h"
+#include "links/port_access.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace codewheel {
+namespace {
+
+constexpr int slowFrom = 3; // ms
+
+using enum HindranceId;
+using Weight = Hindrance::Weight;
+
+// Whether the system's list of groups has the user in it.
+bool isMember(const QString &group, const Computer &computer)
+{
+    const passwd *user = ::getpwuid(::getuid());
+    if (user == nullptr)
+        return false;
+    const QByteArray begin = group.toLocal8Bit() + ':';
+    for (const QByteArray &line : computer.contents(QStringLiteral("/etc/group")).split('\n'))
+        if (line.startsWith(begin))
+            return line.mid(line.lastIndexOf(':') + 1)
+                .trimmed()
+                .split(',')
+                .contains(QByteArray(user->pw_name));
+    return false;
+}
+
+bool groupMayUse(const QString &path)
+{
+    constexpr mode_t readAndWrite = S_IRGRP | S_IWGRP;
+    struct stat status = {};
+    return ::stat(QFile::encodeName(path).constData(), &status) == 0 && status.st_gid != 0 &&
+           (status.st_mode & readAndWrite) == readAndWrite;
+}
+
+// A daemon is stopped, any other program ended.
+QString endCommand(const Process &holder)
+{
+    constexpr std::array daemons{"ModemManager", "brltty"};
+    const auto daemon =
+        std::ranges::find_if(daemons, [&](const char *name) { return holder.name == QLatin1String(name); });
+    return daemon != daemons.end()
+               ? shellCommand(QStringLiteral("sudo systemctl stop %1.service"), {holder.name})
+               : shellCommand(QStringLiteral("kill %1"), {QString::number(holder.id)});
+}
+
+Hindrance heldBy(const Process &holder, const QString &path)
+{
+    if (holder.isOurs)
+        return {portTaken, Weight::prevents, path,
+                sentence(DoctorTexts::tr("%1 is in use by another bus of this program. Disconnect that one."),
+                         {path})};
+    return {
+        portTaken, Weight::prevents, path,
+        sentence(DoctorTexts::tr("%1 is in use by the program %2 (process %3). Close it there, or end it."),
+                 {path, holder.name, QString::number(holder.id)}),
+        endCommand(holder)};
+}
+
+// FTDI adapters; others have no such timer.
+std::optional<Hindrance> latencyHindrance(const QString &path, const Computer &computer)
+{
+    const QString name = computer.canonical(path).section(u'/', -1);
+    const QString timer = QStringLiteral("/sys/bus/usb-serial/devices/%1/latency_timer").arg(name);
+    const int latency = computer.contents(timer).toInt();
+    if (latency < slowFrom)
+        return std::nullopt;
+    return Hindrance{
+        slowPort, Weight::slows, path,
+        sentence(DoctorTexts::tr("The adapter of %1 collects bytes for up to %2 ms, which slows down every "
+                                 "answer, until a program asks for low latency as Codewheel does."),
+                 {path, QString::number(latency)}),
+        shellCommand(QStringLiteral("echo 1 | sudo tee %1"), {timer})};
+}
+
+} // namespace
+
+Hindrance rightsHindrance(const QString &path, const Computer &computer)
+{
+    if (!groupMayUse(path))
+        return {noRightsForAnyone, Weight::prevents, path,
+                sentence(DoctorTexts::tr(
+                             "You may not use %1, and no group of users may. Let yourself use it until it is "
+                             "unplugged."),
+                         {path}),
+                shellCommand(QStringLiteral("sudo setfacl -m u:$USER:rw %1"), {path})};
+    const QString group = groupOf(path);
+    if (isMember(group, computer))
+        return {
+            rightsAtNextLogin, Weight::prevents, path,
+            sentence(DoctorTexts::tr(
+                         "You may not use %1 yet: you are in its group %2 from your next login on. Log out "
+                         "and in again. In a terminal, this is enough."),
+                     {path, group}),
+            shellCommand(QStringLiteral("newgrp %1"), {group})};
+    return {noRights, Weight::prevents, path,
+            sentence(DoctorTexts::tr(
+                         "You may not use %1: you are not in its group %2. Join it, then log out and in "
+                         "again."),
+                     {path, group}),
+            shellCommand(QStringLiteral("sudo usermod -aG %1 $USER"), {group})};
+}
+
+std::vector<Hindrance> holderHindrances(const QString &path, const Computer &computer)
+{
+    Hindrances found;
+    for (const Process &holder : computer.holdersOf(path))
+        found.push_back(heldBy(holder, path));
+    return found;
+}
+
+Hindrances portHindrances(const QString &path, const Computer &computer)
+{
+    const auto hindrance = portHindrance(path);
+    if (hindrance && hindrance->id == RefusalId::portNotFound)
+        return {{portMissing, Weight::prevents, path,
+                 sentence(DoctorTexts::tr("There is no port %1. Plug its adapter in, and see whether the "
+                                          "system names it."),
+                          {path}),
+                 QStringLiteral("ls -l /dev/serial/by-id")}};
+    Hindrances found = holderHindrances(path, computer);
+    if (hindrance && hindrance->id == RefusalId::portNoRights)
+        found.insert(found.begin(), rightsHindrance(path, computer));
+    if (auto slow = latencyHindrance(path, computer))
+        found.push_back(*std::move(slow));
+    return found;
+}
+
+} // namespace codewheel

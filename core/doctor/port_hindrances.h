@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "doctor/computer.h"
+#include "doctor/hindrance.h"
+
+namespace codewheel {
+
+// What keeps this serial port ("/dev/ttyUSB0") from being used, or makes it slow. It is not opened, since
+// that would already act on its modem lines.
+Hindrances portHindrances(const QString &path, const Computer &computer);
+
+Hindrance rightsHindrance(const QString &path, const Computer &computer);
+// Empty: nobody is seen to have it open.
+std::vector<Hindrance> holderHindrances(const QString &path, const Computer &computer);
+
+} // namespace codewheel

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "doctor/computer.h"
+#include "doctor/hindrance.h"
+
+namespace codewheel {
+
+// Adapters that are plugged in but have no port, and programs that get in the way of those that have one.
+Hindrances usbHindrances(const Computer &computer);
+
+} // namespace codewheel

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "links/server_socket.h"
+#include "tests/cli/cli_run.h"
+#include "tests/support/pty_pair.h"
+#include "tests/support/without_rights.h"
+
+#include <QFile>
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+QJsonObject firstHindrance(const CliRun &run)
+{
+    return run.json()[u"hindrances"][0].toObject();
+}
+
+TEST(DoctorCommand, SaysWhatIsWrongWithThePortOfALinkAndWhatToDo)
+{
+    const CliRun text = runLine(QStringLiteral("doctor --link esc:/dev/ttyNowhere"));
+    EXPECT_EQ(text.exit, 1);
+    EXPECT_THAT(text.out, HasSubstr("There is no port /dev/ttyNowhere."));
+    EXPECT_THAT(text.out, HasSubstr("\n    ls -l /dev/serial/by-id\n"));
+    EXPECT_THAT(text.err, HasSubstr("Something keeps a link from working"));
+    const CliRun json = runLine(QStringLiteral("doctor --json --link esc:/dev/ttyNowhere"));
+    EXPECT_EQ(errorKey(json), "linkHindered");
+    const QJsonObject found = firstHindrance(json);
+    EXPECT_EQ(found[u"id"].toString(), QStringLiteral("portMissing"));
+    EXPECT_EQ(found[u"weight"].toString(), QStringLiteral("prevents"));
+    EXPECT_EQ(found[u"about"].toString(), QStringLiteral("/dev/ttyNowhere"));
+    EXPECT_EQ(found[u"command"].toString(), QStringLiteral("ls -l /dev/serial/by-id"));
+}
+
+TEST(DoctorCommand, APortWithoutRightsIsToldWithTheCommandThatGivesThem)
+{
+    const PtyPair pty;
+    const QByteArray path = QFile::encodeName(pty.path());
+    ASSERT_EQ(::chmod(path.constData(), 0), 0);
+    CliRun run;
+    {
+        const WithoutRights without;
+        run = runLine(QStringLiteral("doctor --json --link esc:") + pty.path());
+    }
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(firstHindrance(run)[u"command"].toString().toStdString(), HasSubstr("sudo "));
+    EXPECT_THAT(firstHindrance(run)[u"text"].toString().toStdString(),
+                HasSubstr("You may not use " + path.toStdString()));
+}
+
+TEST(DoctorCommand, AGatewaySerialPortIsLookedAtLikeALine)
+{
+    const CliRun run = runLine(QStringLiteral("doctor --json --link modbus-rtu:/dev/ttyNowhere"));
+    EXPECT_EQ(firstHindrance(run)[u"id"].toString(), QStringLiteral("portMissing"));
+}
+
+TEST(DoctorCommand, AGatewayIsConnectedAndLeft)
+{
+    auto server = listenAt({QStringLiteral("127.0.0.1"), 0});
+    ASSERT_TRUE(server);
+    const QString link = QStringLiteral("modbus-tcp:127.0.0.1:%1").arg(placeOf(*server).port);
+    const CliRun there = runLine(QStringLiteral("doctor --json --link ") + link);
+    for (const auto &hindrance : there.json()[u"hindrances"].toArray())
+        EXPECT_FALSE(hindrance.toObject()[u"id"].toString().startsWith(QStringLiteral("host")));
+    const auto [client, address] = acceptClient(*server);
+    char byte = 0;
+    EXPECT_EQ(::recv(client.get(), &byte, 1, 0), 0) << "it asks nothing, and goes";
+    *server = Descriptor();
+    const CliRun away = runLine(QStringLiteral("doctor --json --link ") + link);
+    EXPECT_EQ(firstHindrance(away)[u"id"].toString(), QStringLiteral("hostRefuses"));
+    EXPECT_THAT(firstHindrance(away)[u"command"].toString().toStdString(), HasSubstr("nc -vz 127.0.0.1 "));
+}
+
+TEST(DoctorCommand, WithoutALinkTheComputerIsLookedAt)
+{
+    const CliRun run = runLine(QStringLiteral("doctor --json"));
+    EXPECT_TRUE(run.json()[u"hindrances"].isArray());
+    EXPECT_TRUE(run.json()[u"ports"].isArray());
+    for (const auto &hindrance : run.json()[u"hindrances"].toArray())
+        EXPECT_FALSE(hindrance.toObject()[u"text"].toString().isEmpty());
+}
+
+TEST(DoctorCommand, TakesNoPlace)
+{
+    EXPECT_EQ(runLine(QStringLiteral("doctor 1.0")).exit, 2);
+}
+
+} // namespace
+} // namespace codewheel

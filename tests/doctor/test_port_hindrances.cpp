@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/port_hindrances.h"
+#include "tests/doctor/made_computer.h"
+#include "tests/support/pty_pair.h"
+#include "tests/support/without_rights.h"
+
+#include <QFile>
+
+#include <sys/stat.h>
+
+namespace codewheel {
+namespace {
+
+TEST(PortHindrances, APortThatIsNotThereIsLookedForByName)
+{
+    const auto found = portHindrances(QStringLiteral("/dev/ttyNowhere"), Computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portMissing")});
+    EXPECT_EQ(found[0].command, QStringLiteral("ls -l /dev/serial/by-id"));
+}
+
+// A real port without rights: its group is that of the test, in which nobody is.
+TEST(PortHindrances, TellsTheGroupThatMayUseAPort)
+{
+    const PtyPair pty;
+    const QByteArray path = QFile::encodeName(pty.path());
+    if (::getuid() == 0) {
+        constexpr gid_t dialout = 20; // on Debian
+        ASSERT_EQ(::chown(path.constData(), 0, dialout), 0);
+        ASSERT_EQ(::chmod(path.constData(), 0660), 0);
+    } else {
+        ASSERT_EQ(::chmod(path.constData(), 0060), 0);
+    }
+    Hindrances found;
+    {
+        const WithoutRights without;
+        found = portHindrances(pty.path(), Computer());
+    }
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0].id, ::getuid() == 0 ? HindranceId::noRights : found[0].id);
+    EXPECT_EQ(found[0].weight, Hindrance::Weight::prevents);
+    if (::getuid() == 0) {
+        EXPECT_EQ(found[0].command, QStringLiteral("sudo usermod -aG dialout $USER"));
+        EXPECT_TRUE(found[0].sentence.contains(u"its group dialout")) << found[0].sentence.toStdString();
+    }
+}
+
+TEST(PortHindrances, ThatNoGroupMayUseAPortIsNoReasonToJoinRoot)
+{
+    const PtyPair pty;
+    const QByteArray path = QFile::encodeName(pty.path());
+    ASSERT_EQ(::chmod(path.constData(), 0), 0);
+    if (::getuid() == 0) {
+        ASSERT_EQ(::chown(path.constData(), 0, 0), 0);
+    }
+    const WithoutRights without;
+    const auto found = portHindrances(pty.path(), Computer());
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0].id, HindranceId::noRightsForAnyone);
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
+}
+
+TEST(PortHindrances, RightsGivenSinceTheLoginCountFromTheNextOneOn)
+{
+    const PtyPair pty;
+    const QByteArray path = QFile::encodeName(pty.path());
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root can give a port to another group";
+    constexpr gid_t dialout = 20;
+    ASSERT_EQ(::chown(path.constData(), 0, dialout), 0);
+    ASSERT_EQ(::chmod(path.constData(), 0660), 0);
+    MadeComputer made;
+    made.file(QStringLiteral("/etc/group"), "audio:x:29:\ndialout:x:20:max,nobody");
+    Hindrance found;
+    {
+        const WithoutRights without;
+        found = rightsHindrance(pty.path(), made.computer());
+    }
+    EXPECT_EQ(found.id, HindranceId::rightsAtNextLogin);
+    EXPECT_EQ(found.command, QStringLiteral("newgrp dialout"));
+}
+
+TEST(PortHindrances, NamesTheProgramThatHasThePort)
+{
+    MadeComputer made;
+    made.process(4711, "minicom");
+    made.link(QStringLiteral("/proc/4711/fd/3"), "/dev/ttyS7");
+    made.process(312, "ModemManager");
+    made.link(QStringLiteral("/proc/312/fd/9"), "/dev/ttyS7");
+    const auto found = holderHindrances(QStringLiteral("/dev/ttyS7"), made.computer());
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl stop ModemManager.service"));
+    EXPECT_TRUE(found[1].sentence.contains(u"minicom (process 4711)")) << found[1].sentence.toStdString();
+    EXPECT_EQ(found[1].command, QStringLiteral("kill 4711"));
+}
+
+TEST(PortHindrances, ThisProgramIsNotToldToEndItself)
+{
+    const PtyPair pty; // the test holds its near end
+    const auto found = portHindrances(pty.path(), Computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portTaken")});
+    EXPECT_TRUE(found[0].sentence.contains(u"another bus of this program"));
+    EXPECT_TRUE(found[0].command.isEmpty());
+}
+
+TEST(PortHindrances, AnAdapterThatCollectsBytesIsSlow)
+{
+    const PtyPair pty;
+    MadeComputer made;
+    const QString name = pty.path().section(u'/', -1);
+    const QString timer = QStringLiteral("/sys/bus/usb-serial/devices/%1/latency_timer").arg(name);
+    made.file(pty.path());
+    made.file(timer, "16");
+    const auto slow = portHindrances(pty.path(), made.computer());
+    ASSERT_EQ(idsOf(slow), std::vector{QStringLiteral("slowPort")});
+    EXPECT_EQ(slow[0].weight, Hindrance::Weight::slows);
+    EXPECT_TRUE(slow[0].sentence.contains(u"16 ms"));
+    EXPECT_EQ(slow[0].command, QStringLiteral("echo 1 | sudo tee ") + timer);
+    made.file(timer, "1");
+    EXPECT_TRUE(portHindrances(pty.path(), made.computer()).empty());
+}
+
+} // namespace
+} // namespace codewheel

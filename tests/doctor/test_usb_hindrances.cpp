@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/usb_adapters.h"
+#include "doctor/usb_hindrances.h"
+#include "tests/doctor/made_computer.h"
+
+namespace codewheel {
+namespace {
+
+TEST(UsbHindrances, AnAdapterWithItsPortIsInNobodysWay)
+{
+    MadeComputer made;
+    made.adapter(QStringLiteral("1-2"), "0403", "6001", "FT232R USB UART", "ftdi_sio");
+    made.adapter(QStringLiteral("1-3"), "046d", "c077", "USB Optical Mouse");
+    ASSERT_EQ(usbAdapters(made.computer()).size(), 1U) << "a mouse is no adapter";
+    EXPECT_TRUE(usbHindrances(made.computer()).empty());
+}
+
+TEST(UsbHindrances, AnAdapterWithoutAPortWantsItsDriver)
+{
+    const struct
+    {
+        const char *vendor;
+        const char *product;
+        const char *driver;
+    } rows[] = {{"0403", "6001", "ftdi_sio"}, {"0403", "6015", "ftdi_sio"}, {"10c4", "ea60", "cp210x"},
+                {"067b", "2303", "pl2303"},   {"1a86", "7523", "ch341"},    {"1a86", "55d4", "cdc_acm"},
+                {"110a", "1130", "mxuport"}};
+    for (const auto &row : rows) {
+        MadeComputer made;
+        made.adapter(QStringLiteral("3-1.4"), row.vendor, row.product, "Adapter");
+        const auto found = usbHindrances(made.computer());
+        ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("noDriver")}) << row.vendor << ':' << row.product;
+        EXPECT_EQ(found[0].command, QStringLiteral("sudo modprobe ") + QLatin1String(row.driver));
+    }
+}
+
+TEST(UsbHindrances, BrlttyTakesAnAdapterForABrailleDisplay)
+{
+    MadeComputer made;
+    made.adapter(QStringLiteral("1-2"), "1a86", "7523", "USB Serial", "usbfs");
+    made.file(QStringLiteral("/usr/bin/brltty"));
+    const auto found = usbHindrances(made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("brltty")});
+    EXPECT_TRUE(found[0].sentence.contains(u"USB Serial"));
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl mask --now brltty-udev.service"));
+}
+
+TEST(UsbHindrances, ModemManagerIsToldUnlessOurRulesKeepItAway)
+{
+    MadeComputer made;
+    made.process(700, "ModemManager");
+    EXPECT_TRUE(usbHindrances(made.computer()).empty()) << "no adapter";
+    made.adapter(QStringLiteral("1-2"), "0403", "6001", "FT232R USB UART", "ftdi_sio");
+    const auto found = usbHindrances(made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("modemManager")});
+    EXPECT_EQ(found[0].weight, Hindrance::Weight::slows);
+    made.file(QStringLiteral("/usr/lib/udev/rules.d/60-codewheel.rules"));
+    EXPECT_TRUE(usbHindrances(made.computer()).empty());
+}
+
+} // namespace
+} // namespace codewheel
