@@ -18,7 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QLocale>
+#include <QMainWindow>
 
 #include <algorithm>
 
@@ -29,6 +29,13 @@ constexpr int mostRows = 10;      // in sight
 constexpr int lettersInRow = 110; // of the average width
 constexpr int gatherFor = 4;      // ms, then the window has its turn
 constexpr int shareAbove = 10;    // of the height of the window
+
+// ALARM STOP stays in reach.
+int belowToolBars(const QWidget &window)
+{
+    const auto *main = qobject_cast<const QMainWindow *>(&window);
+    return main == nullptr || main->centralWidget() == nullptr ? 0 : main->centralWidget()->y();
+}
 
 } // namespace
 
@@ -298,7 +305,7 @@ void CommandPalette::place()
         return;
     const int width =
         std::min(lettersInRow * fontMetrics().averageCharWidth(), m_window.width() - 4 * grid::margin);
-    const int top = m_window.height() / shareAbove;
+    const int top = std::max(m_window.height() / shareAbove, belowToolBars(m_window));
     const int line = PaletteDelegate::rowHeight(*m_list);
     const int around = m_field->sizeHint().height() + m_note->sizeHint().height() + 2 * grid::unit +
                        2 * (grid::margin + frameWidth());

@@ -16,11 +16,10 @@ namespace {
 
 constexpr double paleShare = 0.75; // of the text on the ground of a chosen row
 
-QFont boldFont()
+QFont inBold(QFont font)
 {
-    QFont bold = textFont();
-    bold.setBold(true);
-    return bold;
+    font.setBold(true);
+    return font;
 }
 
 struct Inks
@@ -50,8 +49,8 @@ PaletteDelegate::PaletteDelegate(const PaletteModel &model, QObject *parent)
 
 int PaletteDelegate::rowHeight(const QWidget &view)
 {
-    const int lines =
-        QFontMetrics(boldFont()).height() + QFontMetrics(textFont(TextSize::small)).height() + grid::margin;
+    const int lines = QFontMetrics(inBold(textFont())).height() +
+                      QFontMetrics(textFont(TextSize::small)).height() + grid::margin;
     return qRound(lines * controlFactor(view));
 }
 
@@ -61,11 +60,12 @@ QSize PaletteDelegate::sizeHint(const QStyleOptionViewItem &option, const QModel
 }
 
 // What is cut off is in the tooltip.
-void PaletteDelegate::drawTitle(QPainter &painter, const QRect &where, const QString &title) const
+void PaletteDelegate::drawLine(QPainter &painter, const QRect &where, const QString &text,
+                               const QFont &font) const
 {
-    const auto marks = marksOf(title, m_model.words());
-    const QFontMetrics widest(marks.empty() ? textFont() : boldFont());
-    const QString shown = widest.elidedText(title, Qt::ElideRight, where.width());
+    const auto marks = marksOf(text, m_model.words());
+    const QFontMetrics widest(marks.empty() ? font : inBold(font));
+    const QString shown = widest.elidedText(text, Qt::ElideRight, where.width());
     QList<QTextLayout::FormatRange> formats;
     for (const auto &[begin, length] : marks)
         if (begin < shown.size()) {
@@ -75,7 +75,7 @@ void PaletteDelegate::drawTitle(QPainter &painter, const QRect &where, const QSt
             bold.format.setFontWeight(QFont::Bold);
             formats << bold;
         }
-    QTextLayout layout(shown, textFont());
+    QTextLayout layout(shown, font);
     layout.setFormats(formats);
     layout.beginLayout();
     layout.createLine().setLineWidth(2 * where.width());
@@ -107,7 +107,7 @@ void PaletteDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given
                            : QIcon::Disabled);
     room.setLeft(iconPlace.right() + grid::margin);
 
-    const int big = QFontMetrics(boldFont()).height();
+    const int big = QFontMetrics(inBold(textFont())).height();
     const QFontMetrics small(textFont(TextSize::small));
     QRect first(room.left(), room.center().y() - (big + small.height()) / 2, room.width(), big);
     const QRect second(first.left(), first.bottom() + 1, room.width(), small.height());
@@ -118,12 +118,9 @@ void PaletteDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given
         first.setRight(first.right() - painter->fontMetrics().horizontalAdvance(key) - 2 * grid::margin);
     }
     painter->setPen(inks.title);
-    drawTitle(*painter, first, title);
-    painter->setFont(textFont(TextSize::small));
+    drawLine(*painter, first, title, textFont());
     painter->setPen(inks.context);
-    painter->drawText(
-        second, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter),
-        small.elidedText(index.data(PaletteModel::contextRole).toString(), Qt::ElideRight, second.width()));
+    drawLine(*painter, second, index.data(PaletteModel::contextRole).toString(), textFont(TextSize::small));
     painter->restore();
 }
 

@@ -7,8 +7,8 @@ namespace codewheel {
 
 class PaletteModel;
 
-// A row of the command palette: the title with its matching letters bold, the key on the right, and below
-// them, small, what it is and where.
+// A row of the command palette: the title, the key on the right, and below them, small, what it is and
+// where; letters that match are bold.
 class PaletteDelegate : public QStyledItemDelegate
 {
 public:
@@ -21,7 +21,7 @@ public:
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 
 private:
-    void drawTitle(QPainter &painter, const QRect &where, const QString &title) const;
+    void drawLine(QPainter &painter, const QRect &where, const QString &text, const QFont &font) const;
 
     const PaletteModel &m_model;
 };

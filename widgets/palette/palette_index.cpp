@@ -2,6 +2,7 @@
 #include "widgets/palette/palette_index.h"
 
 #include "widgets/palette/folded_text.h"
+#include "widgets/palette/palette_kind.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,10 +13,15 @@ namespace {
 // How far from what one means, by where a word is.
 enum Distance { titleBegin, wordOfTitle, withinTitle, wordElsewhere, withinElsewhere };
 
-// What one does or looks at comes before what one reads about it.
-int orderOf(PaletteEntry::Kind kind)
+bool isMessage(const PaletteEntry &entry)
 {
-    return kind == PaletteEntry::Kind::message ? 2 : kind == PaletteEntry::Kind::manual ? 1 : 0;
+    return entry.kind == PaletteEntry::Kind::message;
+}
+
+// What one does or looks at comes before what one reads about it.
+bool isManual(const PaletteEntry &entry)
+{
+    return entry.kind == PaletteEntry::Kind::manual;
 }
 
 bool beginsWord(const QString &text, qsizetype at)
@@ -34,8 +40,8 @@ void PaletteIndex::add(std::vector<PaletteEntry> entries)
 {
     for (PaletteEntry &entry : entries) {
         const QString title = foldedText(entry.title);
-        const QStringList rest{title, foldedText(entry.context), foldedText(entry.key),
-                               foldedText(entry.words)};
+        const QStringList rest{title, foldedText(kindWord(entry.kind)), foldedText(entry.context),
+                               foldedText(entry.key), foldedText(entry.words)};
         m_folded.push_back({rest.join(u'\n'), title.size()});
         m_entries.push_back(std::move(entry));
     }
@@ -62,8 +68,7 @@ int PaletteIndex::distanceOf(const QString &word, const Folded &folded)
 void PaletteIndex::keepIfFound(std::size_t entry, const QStringList &words, std::vector<Hit> &hits) const
 {
     const Folded &folded = m_folded[entry];
-    const bool isMessage = m_entries[entry].kind == PaletteEntry::Kind::message;
-    Hit hit{entry, 0, isMessage ? 0 : folded.title};
+    Hit hit{entry, 0, isMessage(m_entries[entry]) ? 0 : folded.title};
     for (const QString &word : words) {
         const int distance = distanceOf(word, folded);
         if (distance < 0)
@@ -89,7 +94,8 @@ std::vector<std::size_t> PaletteIndex::find(const QString &typed)
     m_hits = hits;
 
     std::ranges::sort(hits, {}, [this](const Hit &hit) {
-        return std::tuple(hit.distance, orderOf(m_entries[hit.entry].kind), hit.length, hit.entry);
+        const PaletteEntry &entry = m_entries[hit.entry];
+        return std::tuple(isMessage(entry), hit.distance, isManual(entry), hit.length, hit.entry);
     });
     std::vector<std::size_t> found;
     found.reserve(hits.size());

@@ -7,7 +7,8 @@
 
 namespace codewheel {
 
-// Finds entries by words, in any order: all of them, anywhere in title, context, key and further words. Words
+// Finds entries by words, in any order: all of them, anywhere in title, kind, context, key and further
+// words. Words
 // typed on to those before only look at what these found.
 class PaletteIndex
 {
@@ -18,8 +19,8 @@ public:
     const PaletteEntry &at(std::size_t entry) const { return m_entries[entry]; }
 
     // Best first: words at the beginning of a title, then of one of its words, then within, then elsewhere;
-    // the manual after what can be done, then messages; short titles before long ones, messages as they were
-    // added.
+    // the manual after what can be done, short titles before long ones. Messages follow as they were added,
+    // for there may be thousands.
     std::vector<std::size_t> find(const QString &typed);
     // Those used last, in this order, then the usual ones.
     std::vector<std::size_t> offered(const QStringList &used) const;

@@ -1,45 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/palette/palette_model.h"
 
-#include "widgets/look/icons.h"
 #include "widgets/palette/folded_text.h"
+#include "widgets/palette/palette_kind.h"
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
-
-QString kindWord(PaletteEntry::Kind kind)
-{
-    switch (kind) {
-    case PaletteEntry::Kind::action:
-        return PaletteModel::tr("Action");
-    case PaletteEntry::Kind::device:
-        return PaletteModel::tr("Device");
-    case PaletteEntry::Kind::parameter:
-        return PaletteModel::tr("Parameter");
-    case PaletteEntry::Kind::message:
-        return PaletteModel::tr("Message");
-    case PaletteEntry::Kind::manual:
-        break;
-    }
-    return PaletteModel::tr("Manual");
-}
-
-QIcon kindIcon(PaletteEntry::Kind kind)
-{
-    switch (kind) {
-    case PaletteEntry::Kind::action:
-        return lineIcon(Icon::next);
-    case PaletteEntry::Kind::device:
-        return lineIcon(Icon::encoder);
-    case PaletteEntry::Kind::parameter:
-        return lineIcon(Icon::parameters);
-    case PaletteEntry::Kind::message:
-        return lineIcon(Icon::messages);
-    case PaletteEntry::Kind::manual:
-        break;
-    }
-    return lineIcon(Icon::question);
-}
 
 PaletteState stateOf(const PaletteEntry &entry)
 {
@@ -59,9 +27,19 @@ QString contextOf(const PaletteEntry &entry)
     return parts.join(QStringLiteral(" \u00B7 "));
 }
 
-QString inFull(const PaletteEntry &entry)
+// What was found by none of what is shown shows why it was found.
+QString contextOf(const PaletteEntry &entry, const QStringList &words)
 {
-    QStringList lines{entry.title, contextOf(entry), entry.key};
+    const QString context = contextOf(entry);
+    const QString shown = foldedText(entry.title + u'\n' + context + u'\n' + entry.key);
+    const bool isSeen = std::ranges::all_of(words, [&](const QString &word) { return shown.contains(word); });
+    return isSeen || entry.words.isEmpty() ? context
+                                           : QStringLiteral("%1 \u00B7 %2").arg(context, entry.words);
+}
+
+QString inFull(const PaletteEntry &entry, const QStringList &words)
+{
+    QStringList lines{entry.title, contextOf(entry, words), entry.key};
     lines.removeAll(QString());
     return lines.join(u'\n');
 }
@@ -120,11 +98,11 @@ QVariant PaletteModel::data(const QModelIndex &index, int role) const
     case Qt::DecorationRole:
         return its.icon.isNull() ? kindIcon(its.kind) : its.icon;
     case Qt::ToolTipRole:
-        return inFull(its);
+        return inFull(its, m_words);
     case Qt::AccessibleTextRole:
-        return inFull(its).replace(QStringLiteral("\n"), QStringLiteral(", "));
+        return inFull(its, m_words).replace(QStringLiteral("\n"), QStringLiteral(", "));
     case contextRole:
-        return contextOf(its);
+        return contextOf(its, m_words);
     case keyRole:
         return its.key;
     case isEnabledRole:

@@ -158,6 +158,24 @@ TEST_F(CommandPaletteTest, EachLetterTypedOnNarrowsWhatWasFoundAndDeletingWidens
     EXPECT_EQ(titles().size(), 13) << "1, 10 to 19, 21, 31";
 }
 
+TEST_F(CommandPaletteTest, WhatIsFoundByWordsThatAreNotShownShowsThem)
+{
+    type(QStringLiteral("curves"));
+    EXPECT_EQ(list().currentIndex().data(PaletteModel::contextRole).toString(),
+              QStringLiteral("Action · View · curves to save"));
+    type(QStringLiteral("view"));
+    EXPECT_EQ(list().currentIndex().data(PaletteModel::contextRole).toString(),
+              QStringLiteral("Action · View"));
+}
+
+TEST_F(CommandPaletteTest, AKindIsFoundByItsWordAndMessagesComeLast)
+{
+    EXPECT_EQ(found(QStringLiteral("action")).size(), 7);
+    const QStringList both = found(QStringLiteral("a"));
+    EXPECT_FALSE(both.first(7).contains(QStringLiteral("Message 40 that is rather long")));
+    EXPECT_EQ(both.size(), 47);
+}
+
 TEST_F(CommandPaletteTest, TheNewestMessagesComeFirst)
 {
     EXPECT_EQ(found(QStringLiteral("message")).first(2),
