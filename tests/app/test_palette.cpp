@@ -21,6 +21,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QLocale>
+#include <QPlainTextEdit>
 #include <QTableView>
 #include <QTest>
 #include <QToolBar>
@@ -196,6 +197,36 @@ TEST_F(PaletteTest, EscGivesTheFocusBack)
     EXPECT_NE(QApplication::focusWidget(), before);
     press(Qt::Key_Escape);
     EXPECT_EQ(QApplication::focusWidget(), before);
+}
+
+TEST_F(PaletteTest, CtrlKWorksInATextThatHasTheFocusAndLeavesIt)
+{
+    actions().projectPage->trigger();
+    auto *note = const_cast<QWidget *>(page())->findChild<QPlainTextEdit *>();
+    note->setFocus();
+    test::typeText(QStringLiteral("hoist"));
+    note->moveCursor(QTextCursor::Start);
+    openPalette();
+    press(Qt::Key_Escape);
+    EXPECT_EQ(QApplication::focusWidget(), note);
+    EXPECT_EQ(note->toPlainText(), QStringLiteral("hoist"));
+}
+
+TEST_F(PaletteTest, EscGivesTheFocusBackToATableWhoseCellWasEdited)
+{
+    window().findChild<StructureView *>()->choose(test::fraba);
+    auto *table = window().findChild<ParameterTable *>();
+    table->setFocus();
+    table->setCurrentIndex(table->model()->index(0, ParameterModel::wantedColumn));
+    press(Qt::Key_F2);
+    ASSERT_NE(QApplication::focusWidget(), table);
+    test::typeText(QStringLiteral("255"));
+    openPalette();
+    press(Qt::Key_Escape);
+    const QWidget *focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    EXPECT_TRUE(table == focus || table->isAncestorOf(focus))
+        << focus->metaObject()->className() << " " << focus->objectName().toStdString();
 }
 
 TEST_F(PaletteTest, AlarmStopWorksWhileItIsOpen)
