@@ -7493,6 +7493,52 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Words in any order, or their beginnings: of an action, a device, a parameter, a message or a page of the manual</source>
+        <translation>Wörter in beliebiger Reihenfolge oder ihre Anfänge: von Aktionen, Geräten, Parametern, Meldungen oder Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>Return or a click carries it out</source>
+        <translation>Eingabe oder ein Klick führt es aus</translation>
+    </message>
+    <message>
+        <source>Command palette</source>
+        <translation>Befehlspalette</translation>
+    </message>
+    <message>
+        <source>Find a command, a device, a parameter, a message, a page of the manual</source>
+        <translation>Befehl, Gerät, Parameter, Meldung oder Seite des Handbuchs suchen</translation>
+    </message>
+    <message>
+        <source>Type what you are looking for.</source>
+        <translation>Geben Sie ein, was Sie suchen.</translation>
+    </message>
+    <message>
+        <source>Nothing is found for &quot;%1&quot;. Try fewer words, or the beginnings of words.</source>
+        <translation>Für „%1“ wird nichts gefunden. Versuchen Sie es mit weniger Wörtern oder mit Wortanfängen.</translation>
+    </message>
+    <message>
+        <source>What was used last, then what is used most</source>
+        <translation>Zuletzt benutzt, dann die gebräuchlichsten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::Comparison</name>
     <message>
         <source>device code %1, words: %2 IN, %3 OUT</source>
@@ -13107,6 +13153,148 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>What is typed there will be discarded.</source>
         <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PaletteManual</name>
+    <message>
+        <source>The window</source>
+        <translation>Das Fenster, Panels, Anordnung</translation>
+    </message>
+    <message>
+        <source>Cams</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>Device panel</source>
+        <translation>Gerät, Anschlussbelegung, LEDs</translation>
+    </message>
+    <message>
+        <source>Dial</source>
+        <translation>Zifferblatt, Geber</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Gateway, registers</source>
+        <translation>Gateway, Register</translation>
+    </message>
+    <message>
+        <source>Help, keys, support</source>
+        <translation>Hilfe, Tasten, Support</translation>
+    </message>
+    <message>
+        <source>Modes, preset, reset, factory settings</source>
+        <translation>Betriebsarten, Preset, Zurücksetzen, Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>Master, faults of the ring</source>
+        <translation>Master, Störungen des Rings</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Monitors, words, bits</source>
+        <translation>Monitore, Wörter, Bits</translation>
+    </message>
+    <message>
+        <source>Command palette, search</source>
+        <translation>Befehlspalette, suchen</translation>
+    </message>
+    <message>
+        <source>Parameters, read, write</source>
+        <translation>Parameter, lesen, schreiben</translation>
+    </message>
+    <message>
+        <source>Project, bus structure, offline, compare</source>
+        <translation>Projekt, Busaufbau, offline, vergleichen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung, aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Replay of a recording</source>
+        <translation>Wiedergabe einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Commissioning report, print</source>
+        <translation>Inbetriebnahmebericht, drucken</translation>
+    </message>
+    <message>
+        <source>Sequence, handshake trace</source>
+        <translation>Sequenz, Handshake-Protokoll</translation>
+    </message>
+    <message>
+        <source>Serial line, port, search for encoders</source>
+        <translation>Serielle Leitung, Anschluss, Geber suchen</translation>
+    </message>
+    <message>
+        <source>Offer a training bus</source>
+        <translation>Übungsbus anbieten, bereitstellen</translation>
+    </message>
+    <message>
+        <source>Settings, language, appearance</source>
+        <translation>Einstellungen, Sprache, Darstellung</translation>
+    </message>
+    <message>
+        <source>Simulated line, disturbances</source>
+        <translation>Simulierte Leitung, Störungen</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Training, turn shafts, cause faults</source>
+        <translation>Übung, Wellen drehen, Fehler verursachen</translation>
+    </message>
+    <message>
+        <source>Transfer, replace encoder</source>
+        <translation>Übertragung, Geber ersetzen, tauschen</translation>
+    </message>
+    <message>
+        <source>Trend, curves</source>
+        <translation>Trend, Kurven</translation>
+    </message>
+    <message>
+        <source>Parameter wizard</source>
+        <translation>Parametrierassistent</translation>
+    </message>
+    <message>
+        <source>Command line</source>
+        <translation>Befehlszeile, Kommandozeile</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PaletteModel</name>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>not available now</source>
+        <translation>zurzeit nicht verfügbar</translation>
     </message>
 </context>
 <context>
@@ -20305,6 +20493,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Open recordin&amp;g…</source>
         <translation>Aufz&amp;eichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;finden…</translation>
+    </message>
+    <message>
+        <source>Finds actions, devices, parameters, messages and pages of the manual by words</source>
+        <translation>Findet Aktionen, Geräte, Parameter, Meldungen und Seiten des Handbuchs über Wörter</translation>
     </message>
 </context>
 <context>

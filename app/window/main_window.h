@@ -24,6 +24,7 @@ class BusAtWork;
 class BusViews;
 class CamEditor;
 class Buses;
+class ContextHelp;
 class DeviceChoice;
 class DevicePanel;
 class DialPin;
@@ -182,6 +183,7 @@ private:
     QStackedWidget *m_pages;
     PageHead *m_head;
     ProjectFiles *m_files;
+    ContextHelp *m_help;
     FaultNotice *m_faults = nullptr;
     ReportExport *m_report = nullptr;
     RecordingInWindow *m_recording = nullptr;
