@@ -28,7 +28,8 @@ void describe(QCommandLineParser &parser)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("codewheel", "A project to open: *.codewheel, or a recording: *.cwrec"),
+        QCoreApplication::translate(
+            "codewheel", "A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams"),
         QStringLiteral("[FILE]"));
 }
 
