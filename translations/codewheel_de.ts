@@ -3638,8 +3638,8 @@
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>A project to open: *.codewheel, or a recording: *.cwrec</source>
-        <translation>Ein Projekt zum Öffnen: *.codewheel, oder eine Aufzeichnung: *.cwrec</translation>
+        <source>A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams</source>
+        <translation>Was geöffnet wird: ein Projekt (*.codewheel), eine Aufzeichnung (*.cwrec) oder Nocken (*.cwcams)</translation>
     </message>
 </context>
 <context>
@@ -4015,10 +4015,6 @@
         <translation>Nockenprogramme öffnen</translation>
     </message>
     <message>
-        <source>Cam programs (*.json)</source>
-        <translation>Nockenprogramme (*.json)</translation>
-    </message>
-    <message>
         <source>Open cam program %1</source>
         <translation>Nockenprogramm %1 öffnen</translation>
     </message>
@@ -4027,17 +4023,8 @@
         <translation>Alle Nockenprogramme speichern</translation>
     </message>
     <message>
-        <source>cams.json</source>
-        <translation>nocken.json</translation>
-    </message>
-    <message>
         <source>Save cam program %1</source>
         <translation>Nockenprogramm %1 speichern</translation>
-    </message>
-    <message>
-        <source>cams-%1.json</source>
-        <comment>file name</comment>
-        <translation>nocken-%1.json</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -4224,6 +4211,19 @@
     <message>
         <source>As it is in IN while the encoder is in cam mode</source>
         <translation>Wie er in IN steht, solange der Geber im Nockenbetrieb ist</translation>
+    </message>
+    <message>
+        <source>Cam programs (*.cwcams *.json)</source>
+        <translation>Nockenprogramme (*.cwcams *.json)</translation>
+    </message>
+    <message>
+        <source>cams.cwcams</source>
+        <translation>nocken.cwcams</translation>
+    </message>
+    <message>
+        <source>cams-%1.cwcams</source>
+        <comment>file name</comment>
+        <translation>nocken-%1.cwcams</translation>
     </message>
 </context>
 <context>
@@ -12067,10 +12067,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>%1 is not in the bus structure: it is neither connected nor in the project.</source>
         <translation>%1 ist nicht im Busaufbau: weder verbunden noch im Projekt.</translation>
-    </message>
-    <message>
-        <source>Choose an encoder with cams first, then drop %1 again.</source>
-        <translation>Zuerst einen Geber mit Nocken wählen, dann %1 noch einmal ablegen.</translation>
     </message>
     <message>
         <source>A sequence is being sent: it stays until that has ended.</source>
@@ -19981,6 +19977,13 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>After the values, GP makes the place where the shaft stands this position.</source>
         <translation>Nach den Werten setzt GP die Position dort, wo die Welle steht, auf diesen Wert.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WaitingCams</name>
+    <message>
+        <source>%1 has cam programs: choose an encoder with cams in the bus structure, and they are opened for it.</source>
+        <translation>%1 enthält Nockenprogramme: im Busaufbau einen Geber mit Nocken wählen, dann werden sie für ihn geöffnet.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "cli/commands.h"
+#include "cli/completion/complete.h"
 #include "cli/help.h"
 #include "cli/json.h"
 #include "cli/ledger_account.h"
@@ -285,6 +286,8 @@ bool makesPdf(const QStringList &words)
 // The command is the first word that is not an option; the common options may come before it.
 int runCommandLine(const QStringList &words, const Terminal &terminal)
 {
+    if (isCompletion(words))
+        return complete(words, terminal);
     qsizetype place = 0;
     while (place < words.size() && words[place].startsWith(u'-'))
         place += takesNextWord(words[place]) ? 2 : 1;

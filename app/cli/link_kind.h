@@ -25,6 +25,13 @@ struct LinkText
 // Makes a bus of the call; the catalog must outlive it.
 using MakeLink = std::function<Checked<std::unique_ptr<BusAccess>>(const Catalog &)>;
 
+// A device whose place is known without asking its bus.
+struct KnownDevice
+{
+    QString place; // as it is typed
+    QString key;   // of its description; empty: it has none, or it is not known
+};
+
 // What of a simulated bus can be offered to other programs, as "serve esc".
 struct Service
 {
@@ -56,6 +63,11 @@ public:
     virtual std::span<const Subcommand *const> commands() const { return {}; }
     virtual std::span<const Option> scanOptions() const { return {}; } // of the search for encoders
     virtual std::span<const Service> services() const { return {}; }
+    // For shells that complete a call: where SCHEME: leads besides what is planned, the settings that may
+    // stand behind it, and the devices of the simulated bus. Opens nothing.
+    virtual QStringList ends(const QString &) const { return {}; }
+    virtual QStringList settingKeys(const QString &) const { return {}; }
+    virtual std::vector<KnownDevice> trainingDevices(const Catalog &) const { return {}; }
     // For a device on this kind of bus that has no words; empty: it is explained like all others.
     virtual std::optional<Checked<Answer>> explain(const Call &, const DeviceDescription &) const
     {

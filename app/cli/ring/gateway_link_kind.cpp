@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/gateway_link_kind.h"
 
+#include "cli/present_ports.h"
 #include "cli/ring/gateway_link_text.h"
 #include "cli/texts.h"
 #include "encoder/device_number.h"
@@ -77,7 +78,23 @@ public:
     }
     MakeLink training(const Project *) const override { return {}; }
     std::span<const Subcommand *const> commands() const override { return gatewayCommands; }
+    QStringList ends(const QString &scheme) const override
+    {
+        return scheme == QLatin1String(modbusRtuLink) ? presentPortNames() : QStringList();
+    }
+    QStringList settingKeys(const QString &scheme) const override;
 };
+
+QStringList GatewayLinkKind::settingKeys(const QString &scheme) const
+{
+    GatewaySettings settings;
+    if (scheme == QLatin1String(modbusRtuLink))
+        settings.transport = GatewaySettings::Transport::rtu;
+    QStringList keys;
+    for (const auto &[key, value] : allSettingTexts(settings))
+        keys << key;
+    return keys;
+}
 
 } // namespace
 
