@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finder/found.h"
+
+#include "finder/finder_texts.h"
+#include "modbus/gateway_settings.h"
+
+namespace codewheel {
+
+QString certaintyKey(Certainty certainty)
+{
+    return certainty == Certainty::certain ? QStringLiteral("certain") : QStringLiteral("likely");
+}
+
+QString certaintyText(Certainty certainty)
+{
+    return certainty == Certainty::certain ? FinderTexts::tr("certain") : FinderTexts::tr("likely");
+}
+
+QString formatText(const SerialSettings &settings)
+{
+    constexpr char letters[] = "NEO";
+    return QStringLiteral("%1 Bd, %2%3%4")
+        .arg(settings.baudRate)
+        .arg(settings.dataBits)
+        .arg(QLatin1Char(letters[static_cast<int>(settings.parity)]))
+        .arg(settings.stopBits);
+}
+
+QString settingsText(const GatewaySettings &settings)
+{
+    QString text;
+    for (const auto &[name, value] : settingTexts(settings))
+        text += QStringLiteral(",%1=%2").arg(name, value);
+    return text;
+}
+
+} // namespace codewheel
