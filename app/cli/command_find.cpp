@@ -8,7 +8,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
-#include "finder/host_finder.h"
+#include "finder/gateway_host_finder.h"
 #include "finder/port_finder.h"
 #include "links/modbus_port.h"
 #include "links/serial_port_link.h"
@@ -124,7 +124,7 @@ Checked<void> mayAsk(const Call &call, const QStringList &silent, const FinderPl
     QStringList announced = silent.isEmpty() ? QStringList() : askingAnnouncements();
     QStringList where = silent;
     if (!places.hosts.empty())
-        announced << HostFinder::announcement();
+        announced << GatewayHostFinder::announcement();
     for (const GatewaySettings &host : places.hosts)
         where << gatewayAddress(host);
     if (!call.arguments.has("--json"))
@@ -171,7 +171,7 @@ Checked<Answer> runFind(const Call &call)
     for (const GatewaySettings &host : places->hosts) {
         if (search.isStopped())
             break;
-        HostFinder finder(
+        GatewayHostFinder finder(
             host, [](const GatewaySettings &settings) { return std::make_unique<ModbusPort>(settings); });
         search.run(finder);
     }

@@ -3,6 +3,7 @@
 
 #include "cli/bus_access.h"
 #include "cli/subcommand.h"
+#include "finder/place_finder.h"
 
 #include <functional>
 #include <span>
@@ -33,6 +34,14 @@ struct Service
     Checked<Answer> (*serve)(const Call &call); // until it is told to end
 };
 
+// Somebody at a host whom "find" looks for, and what would be sent there.
+struct HostSearch
+{
+    QString place;
+    QString announcement;
+    std::unique_ptr<PlaceFinder> finder;
+};
+
 // A kind of bus at the command line: the links that reach it, and what it adds.
 class LinkKind
 {
@@ -56,6 +65,8 @@ public:
     virtual std::span<const Subcommand *const> commands() const { return {}; }
     virtual std::span<const Option> scanOptions() const { return {}; } // of the search for encoders
     virtual std::span<const Service> services() const { return {}; }
+    // At HOST[:PORT], as typed; null: this kind is at no host.
+    virtual Checked<std::optional<HostSearch>> hostSearch(const QString &) const { return std::nullopt; }
     // For a device on this kind of bus that has no words; empty: it is explained like all others.
     virtual std::optional<Checked<Answer>> explain(const Call &, const DeviceDescription &) const
     {

@@ -2,7 +2,6 @@
 #include "finder/found.h"
 
 #include "finder/finder_texts.h"
-#include "modbus/gateway_settings.h"
 
 namespace codewheel {
 
@@ -24,14 +23,6 @@ QString formatText(const SerialSettings &settings)
         .arg(settings.dataBits)
         .arg(QLatin1Char(letters[static_cast<int>(settings.parity)]))
         .arg(settings.stopBits);
-}
-
-QString settingsText(const GatewaySettings &settings)
-{
-    QString text;
-    for (const auto &[name, value] : settingTexts(settings))
-        text += QStringLiteral(",%1=%2").arg(name, value);
-    return text;
 }
 
 } // namespace codewheel

@@ -11,8 +11,6 @@
 
 namespace codewheel {
 
-struct GatewaySettings;
-
 // How sure it is that somebody is there as told.
 enum class Certainty : std::uint8_t {
     certain, // it answered in a way that chance does not give: a check sum, or two answers alike
@@ -57,7 +55,5 @@ struct FinderNews
 };
 
 QString formatText(const SerialSettings &settings); // "9600 Bd, 8N2"
-// Behind a link: ",unit=2,parity=none".
-QString settingsText(const GatewaySettings &settings);
 
 } // namespace codewheel

@@ -15,10 +15,10 @@ std::deque<SerialSettings> listeningSettings()
 {
     std::deque<SerialSettings> all;
     std::size_t longest = 0;
-    for (const LineProtocol *protocol : lineProtocols())
+    for (const SpokenProtocol *protocol : spokenProtocols())
         longest = std::max(longest, protocol->usualSettings().size());
     for (std::size_t i = 0; i < longest; ++i)
-        for (const LineProtocol *protocol : lineProtocols()) {
+        for (const SpokenProtocol *protocol : spokenProtocols()) {
             const auto its = protocol->usualSettings();
             if (i < its.size() && std::ranges::find(all, its[i]) == all.end())
                 all.push_back(its[i]);
@@ -31,7 +31,7 @@ std::deque<SerialSettings> listeningSettings()
 QStringList askingAnnouncements()
 {
     QStringList all;
-    for (const LineProtocol *protocol : lineProtocols())
+    for (const SpokenProtocol *protocol : spokenProtocols())
         all << protocol->announcement();
     return all;
 }
@@ -124,7 +124,7 @@ Result<QByteArray> PortFinder::hear(Instant duration)
 
 std::optional<Found> PortFinder::sense(const QByteArray &bytes) const
 {
-    for (const LineProtocol *protocol : lineProtocols())
+    for (const SpokenProtocol *protocol : spokenProtocols())
         if (auto found = protocol->heard(m_link.name(), *m_opened, bytes))
             return found;
     return std::nullopt;
@@ -190,7 +190,7 @@ FinderNews PortFinder::tune()
 void PortFinder::startAsking()
 {
     m_phase = Phase::ask;
-    for (const LineProtocol *protocol : lineProtocols())
+    for (const SpokenProtocol *protocol : spokenProtocols())
         m_askings.push_back(protocol->ask(m_link.name()));
 }
 
@@ -208,7 +208,7 @@ FinderNews PortFinder::ask()
                    m_found > 0
                        ? FinderTexts::tr("All were asked.")
                        : FinderTexts::tr("Nobody answers. Check wires (A and B may be swapped) and supply."));
-    LineAsking &asking = *m_askings.front();
+    Asking &asking = *m_askings.front();
     const SerialSettings settings = asking.settings();
     const QString doing = asking.doing();
     if (auto opened = open(settings); !opened)

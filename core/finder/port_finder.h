@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "finder/line_protocol.h"
+#include "finder/place_finder.h"
+#include "finder/spoken_protocol.h"
 
 #include <deque>
 
@@ -11,7 +12,7 @@ namespace codewheel {
 // where somebody talks it sends nothing, but finds out with which settings the talk makes sense. Only a line
 // that is silent is asked, and only if that is agreed to. Each next() does one step. Time is that of the
 // link.
-class PortFinder
+class PortFinder final : public PlaceFinder
 {
 public:
     static constexpr Instant firstListening{1'500'000}; // a master polls in that time
@@ -19,12 +20,12 @@ public:
 
     // `link` must outlive this and is used by nobody else meanwhile.
     PortFinder(ByteLink &link, bool mayAsk);
-    ~PortFinder(); // closes the link
+    ~PortFinder() override; // closes the link
     Q_DISABLE_COPY_MOVE(PortFinder)
 
-    bool isDone() const { return m_isDone; }
-    FinderNews next();
-    void interrupt(); // nothing more is sent; isDone() after the present step. Any thread
+    bool isDone() const override { return m_isDone; }
+    FinderNews next() override;
+    void interrupt() override;
     // Nothing came while it listened: asking may find out more.
     bool isSilent() const { return m_isSilent; }
 
@@ -48,7 +49,7 @@ private:
     Phase m_phase = Phase::listen;
     std::optional<SerialSettings> m_opened;
     std::deque<SerialSettings> m_settings; // to listen with
-    std::deque<std::unique_ptr<LineAsking>> m_askings;
+    std::deque<std::unique_ptr<Asking>> m_askings;
     int m_found = 0;
     bool m_isSilent = false;
     bool m_isDone = false;

@@ -173,7 +173,7 @@ TEST(PortFinder, SendsNothingMoreOnceItWasEnded)
 TEST(PortFinder, SaysBeforehandWhatAskingWouldSend)
 {
     const QStringList all = askingAnnouncements();
-    ASSERT_EQ(all.size(), static_cast<qsizetype>(lineProtocols().size()));
+    ASSERT_EQ(all.size(), static_cast<qsizetype>(spokenProtocols().size()));
     EXPECT_TRUE(all[0].startsWith(u"Kübler ESC: at 19200, 9600 and 4800 Bd"));
     EXPECT_TRUE(all[1].startsWith(u"Modbus RTU: "));
 }

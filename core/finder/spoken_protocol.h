@@ -13,10 +13,10 @@ namespace codewheel {
 
 // Asks whoever may be on a line, one request per step; only reads. Each step has its settings, with which the
 // link is opened before it. Used by one thread.
-class LineAsking
+class Asking
 {
 public:
-    virtual ~LineAsking() = default;
+    virtual ~Asking() = default;
 
     virtual bool isDone() const = 0;
     virtual SerialSettings settings() const = 0; // of the next step
@@ -27,10 +27,10 @@ public:
 
 // What may be spoken on a serial line, as the finder knows it. A kind of bus that is on serial lines adds its
 // own.
-class LineProtocol
+class SpokenProtocol
 {
 public:
-    virtual ~LineProtocol() = default;
+    virtual ~SpokenProtocol() = default;
 
     virtual QString name() const = 0; // "Kübler ESC"
     // With which it is usually spoken, the most usual first.
@@ -40,11 +40,11 @@ public:
                                        const QByteArray &bytes) const = 0;
     // What asking would send, for announcing it.
     virtual QString announcement() const = 0;
-    virtual std::unique_ptr<LineAsking> ask(const QString &place) const = 0;
+    virtual std::unique_ptr<Asking> ask(const QString &place) const = 0;
 };
 
 // The built-in ones, and any that were added.
-std::vector<const LineProtocol *> lineProtocols();
-void addLineProtocol(std::unique_ptr<const LineProtocol> protocol);
+std::vector<const SpokenProtocol *> spokenProtocols();
+void addSpokenProtocol(std::unique_ptr<const SpokenProtocol> protocol);
 
 } // namespace codewheel

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/rtu_on_line.h"
+#include "finder/gateway_rtu_protocol.h"
 
 #include "encoder/sentence.h"
 #include "finder/finder_texts.h"
-#include "finder/rtu_traffic.h"
+#include "finder/gateway_host_finder.h"
+#include "finder/gateway_rtu_traffic.h"
 #include "modbus/gateway_settings.h"
 #include "project/ring_plan.h"
 
@@ -38,7 +39,7 @@ Found gatewayOn(const QString &port, const SerialSettings &serial, int unit, boo
 }
 
 // Each unit is asked for its first input register, and if it has none, for its first holding register.
-class RtuAsking final : public LineAsking
+class RtuAsking final : public Asking
 {
 public:
     explicit RtuAsking(QString port)
@@ -123,7 +124,7 @@ private:
     bool m_isAnswered = false;   // by any
 };
 
-class RtuOnLine final : public LineProtocol
+class RtuProtocol final : public SpokenProtocol
 {
 public:
     QString name() const override { return QStringLiteral("Modbus RTU"); }
@@ -146,7 +147,7 @@ public:
             "Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked "
             "for one input register, or else for one holding register.");
     }
-    std::unique_ptr<LineAsking> ask(const QString &place) const override
+    std::unique_ptr<Asking> ask(const QString &place) const override
     {
         return std::make_unique<RtuAsking>(place);
     }
@@ -154,9 +155,9 @@ public:
 
 } // namespace
 
-std::unique_ptr<const LineProtocol> makeRtuOnLine()
+std::unique_ptr<const SpokenProtocol> makeRtuProtocol()
 {
-    return std::make_unique<RtuOnLine>();
+    return std::make_unique<RtuProtocol>();
 }
 
 } // namespace codewheel

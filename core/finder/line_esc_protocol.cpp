@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/esc_on_line.h"
+#include "finder/line_esc_protocol.h"
 
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
@@ -52,7 +52,7 @@ QString encoderText(const FoundEncoder &encoder)
 }
 
 // First at the master address at each rate, then at every address where anything came.
-class EscAsking final : public LineAsking
+class EscAsking final : public Asking
 {
 public:
     explicit EscAsking(QString port)
@@ -134,7 +134,7 @@ int answersIn(const QByteArray &bytes)
     return static_cast<int>(esc::valuesIn(bytes, esc::shapeOf(esc::Command::position)).size());
 }
 
-class EscOnLine final : public LineProtocol
+class EscProtocol final : public SpokenProtocol
 {
 public:
     QString name() const override { return QStringLiteral("Kübler ESC"); }
@@ -164,7 +164,7 @@ public:
             "serial number, twice; where anything comes, each address from 01 to 1F is asked "
             "for serial number, device code and version.");
     }
-    std::unique_ptr<LineAsking> ask(const QString &place) const override
+    std::unique_ptr<Asking> ask(const QString &place) const override
     {
         return std::make_unique<EscAsking>(place);
     }
@@ -172,9 +172,9 @@ public:
 
 } // namespace
 
-std::unique_ptr<const LineProtocol> makeEscOnLine()
+std::unique_ptr<const SpokenProtocol> makeEscProtocol()
 {
-    return std::make_unique<EscOnLine>();
+    return std::make_unique<EscProtocol>();
 }
 
 } // namespace codewheel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/rtu_traffic.h"
+#include "finder/gateway_rtu_traffic.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "finder/found.h"
+#include "finder/place_finder.h"
 #include "modbus/gateway_settings.h"
 
 #include <atomic>
@@ -14,19 +14,19 @@ namespace codewheel {
 
 // Looks for Modbus/TCP at a host: connects, and asks the usual units for a register each. Only reads. Each
 // next() does one step.
-class HostFinder
+class GatewayHostFinder final : public PlaceFinder
 {
 public:
     using MakePort = std::function<std::unique_ptr<RegisterPort>(const GatewaySettings &)>;
 
     // Host and port of `where` count.
-    HostFinder(GatewaySettings where, MakePort makePort);
-    ~HostFinder();
-    Q_DISABLE_COPY_MOVE(HostFinder)
+    GatewayHostFinder(GatewaySettings where, MakePort makePort);
+    ~GatewayHostFinder() override;
+    Q_DISABLE_COPY_MOVE(GatewayHostFinder)
 
-    bool isDone() const { return m_isDone; }
-    FinderNews next();
-    void interrupt(); // Any thread
+    bool isDone() const override { return m_isDone; }
+    FinderNews next() override;
+    void interrupt() override;
 
     static QString announcement();
 
@@ -46,5 +46,8 @@ private:
     bool m_isDone = false;
     std::atomic<bool> m_isStopped = false;
 };
+
+// Behind a link: ",unit=2,parity=none".
+QString settingsText(const GatewaySettings &settings);
 
 } // namespace codewheel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/host_finder.h"
+#include "finder/gateway_host_finder.h"
 
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
@@ -24,7 +24,7 @@ bool isNobody(const RegisterError &error)
 
 } // namespace
 
-HostFinder::HostFinder(GatewaySettings where, MakePort makePort)
+GatewayHostFinder::GatewayHostFinder(GatewaySettings where, MakePort makePort)
     : m_where(std::move(where))
     , m_makePort(std::move(makePort))
     , m_units(usualUnits)
@@ -33,16 +33,16 @@ HostFinder::HostFinder(GatewaySettings where, MakePort makePort)
     m_where.retries = 0;
 }
 
-HostFinder::~HostFinder() = default;
+GatewayHostFinder::~GatewayHostFinder() = default;
 
-QString HostFinder::announcement()
+QString GatewayHostFinder::announcement()
 {
     return FinderTexts::tr(
         "Modbus/TCP: the host is connected, and the units 1, 255, 0, 2, 3 and 4 are each asked for one "
         "input register, or else for one holding register.");
 }
 
-void HostFinder::interrupt()
+void GatewayHostFinder::interrupt()
 {
     m_isStopped = true;
     const std::scoped_lock lock(m_mutex);
@@ -50,20 +50,20 @@ void HostFinder::interrupt()
         m_port->interrupt();
 }
 
-void HostFinder::use(std::unique_ptr<RegisterPort> port)
+void GatewayHostFinder::use(std::unique_ptr<RegisterPort> port)
 {
     const std::scoped_lock lock(m_mutex);
     m_port = std::move(port);
 }
 
-FinderNews HostFinder::end(FinderNews::Kind kind, const QString &sentence)
+FinderNews GatewayHostFinder::end(FinderNews::Kind kind, const QString &sentence)
 {
     m_isDone = true;
     use(nullptr);
     return {kind, gatewayAddress(m_where), sentence, {}};
 }
 
-FinderNews HostFinder::next()
+FinderNews GatewayHostFinder::next()
 {
     if (m_isStopped)
         return end(FinderNews::Kind::nobody, FinderTexts::tr("The search was ended."));
@@ -71,7 +71,7 @@ FinderNews HostFinder::next()
 }
 
 // A unit is part of the port's settings, so each has a port of its own.
-FinderNews HostFinder::connect()
+FinderNews GatewayHostFinder::connect()
 {
     use(m_makePort(m_where));
     if (const auto opened = m_port->open(); !opened)
@@ -82,7 +82,7 @@ FinderNews HostFinder::connect()
             {}};
 }
 
-FinderNews HostFinder::askNext()
+FinderNews GatewayHostFinder::askNext()
 {
     if (m_units.empty())
         return end(m_found > 0 ? FinderNews::Kind::looking : FinderNews::Kind::nobody,
@@ -100,7 +100,7 @@ FinderNews HostFinder::askNext()
     return {FinderNews::Kind::found, found->place, found->sentence, found};
 }
 
-std::optional<Found> HostFinder::ask(int unit)
+std::optional<Found> GatewayHostFinder::ask(int unit)
 {
     GatewaySettings settings = m_where;
     settings.unit = unit;
@@ -123,6 +123,14 @@ std::optional<Found> HostFinder::ask(int unit)
                               {QString::number(unit)}),
                  .plan = KindData(ProjectLink{linkKindOf(settings), linkTexts(settings)}),
                  .link = QStringLiteral("modbus-tcp:") + gatewayAddress(settings) + settingsText(settings)};
+}
+
+QString settingsText(const GatewaySettings &settings)
+{
+    QString text;
+    for (const auto &[name, value] : settingTexts(settings))
+        text += QStringLiteral(",%1=%2").arg(name, value);
+    return text;
 }
 
 } // namespace codewheel

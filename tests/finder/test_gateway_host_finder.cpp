@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/host_finder.h"
+#include "finder/gateway_host_finder.h"
 #include "tests/support/register_bank.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ private:
     const std::optional<RegisterError> m_error;
 };
 
-class HostFinderTest : public testing::Test
+class GatewayHostFinderTest : public testing::Test
 {
 protected:
     std::vector<FinderNews> run()
@@ -36,7 +36,7 @@ protected:
         GatewaySettings where;
         where.host = QStringLiteral("gateway");
         where.tcpPort = 1502;
-        HostFinder finder(where, [this](const GatewaySettings &settings) {
+        GatewayHostFinder finder(where, [this](const GatewaySettings &settings) {
             const bool isThere = settings.unit == unit;
             return std::make_unique<UnitPort>(
                 bank, isThere ? std::nullopt : std::optional(RegisterError{otherwise, 11, {}}));
@@ -52,7 +52,7 @@ protected:
     RegisterError::Kind otherwise = RegisterError::Kind::noAnswer;
 };
 
-TEST_F(HostFinderTest, FindsTheUnitThatAnswers)
+TEST_F(GatewayHostFinderTest, FindsTheUnitThatAnswers)
 {
     const auto news = run();
     std::vector<Found> found;
@@ -66,7 +66,7 @@ TEST_F(HostFinderTest, FindsTheUnitThatAnswers)
     EXPECT_EQ(bank->writes, 0);
 }
 
-TEST_F(HostFinderTest, AnExceptionOfAGatewayForAMissingUnitIsNobody)
+TEST_F(GatewayHostFinderTest, AnExceptionOfAGatewayForAMissingUnitIsNobody)
 {
     unit = 77; // that is not asked
     otherwise = RegisterError::Kind::exception;
@@ -75,7 +75,7 @@ TEST_F(HostFinderTest, AnExceptionOfAGatewayForAMissingUnitIsNobody)
     EXPECT_TRUE(news.back().sentence.contains(u"no unit answers"));
 }
 
-TEST_F(HostFinderTest, TakesHoldingRegistersWhereThereAreNoOthers)
+TEST_F(GatewayHostFinderTest, TakesHoldingRegistersWhereThereAreNoOthers)
 {
     unit = 1;
     bank->inputEnd = 0;
