@@ -8,9 +8,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
-#include "finder/gateway_host_finder.h"
 #include "finder/port_finder.h"
-#include "links/modbus_port.h"
 #include "links/serial_port_link.h"
 
 #include <QJsonArray>
@@ -37,9 +35,8 @@ public:
         : m_call(call)
     {}
 
-    // A finder of ports or hosts, to its end.
-    template <class Finder>
-    void run(Finder &finder)
+    // To its end.
+    void run(PlaceFinder &finder)
     {
         while (!finder.isDone()) {
             if (isStopped())
@@ -123,10 +120,11 @@ Checked<void> mayAsk(const Call &call, const QStringList &silent, const FinderPl
 {
     QStringList announced = silent.isEmpty() ? QStringList() : askingAnnouncements();
     QStringList where = silent;
-    if (!places.hosts.empty())
-        announced << GatewayHostFinder::announcement();
-    for (const GatewaySettings &host : places.hosts)
-        where << gatewayAddress(host);
+    for (const HostSearch &host : places.hosts) {
+        announced << host.announcement;
+        where << host.place;
+    }
+    announced.removeDuplicates();
     if (!call.arguments.has("--json"))
         call.terminal.print(
             u'\n' +
@@ -168,13 +166,9 @@ Checked<Answer> runFind(const Call &call)
         PortFinder finder(link, true);
         search.run(finder);
     }
-    for (const GatewaySettings &host : places->hosts) {
-        if (search.isStopped())
-            break;
-        GatewayHostFinder finder(
-            host, [](const GatewaySettings &settings) { return std::make_unique<ModbusPort>(settings); });
-        search.run(finder);
-    }
+    for (const HostSearch &host : places->hosts)
+        if (!search.isStopped())
+            search.run(*host.finder);
     return search.answer();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/finder_places.h"
 
-#include "cli/ring/gateway_link_text.h"
 #include "links/port_access.h"
 #include "links/serial_ports.h"
 
@@ -29,10 +28,13 @@ Checked<FinderPlaces> finderPlaces(const QStringList &typed)
             places.ports << portPath(one);
             continue;
         }
-        const auto host = gatewayMeant({QString::fromLatin1(modbusTcpLink), one, {}});
-        if (!host)
-            return tl::unexpected(host.error());
-        places.hosts.push_back(*host);
+        for (const LinkKind *kind : linkKinds()) {
+            auto host = kind->hostSearch(one);
+            if (!host)
+                return tl::unexpected(host.error());
+            if (*host)
+                places.hosts.push_back(*std::move(*host));
+        }
     }
     return places;
 }

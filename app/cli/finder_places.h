@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/complaint.h"
-#include "modbus/gateway_settings.h"
+#include "cli/link_kind.h"
 
 #include <QStringList>
-
-#include <vector>
 
 namespace codewheel {
 
@@ -14,11 +11,11 @@ namespace codewheel {
 struct FinderPlaces
 {
     QStringList ports{}; // paths
-    std::vector<GatewaySettings> hosts{};
+    std::vector<HostSearch> hosts{};
 };
 
-// As typed: a port is a path, or a name below /dev; everything else is HOST[:PORT]. Nothing typed: every
-// serial port there is.
+// As typed: a port is a path, or a name below /dev; everything else is a host, for every kind of bus that may
+// be at one. Nothing typed: every serial port there is.
 Checked<FinderPlaces> finderPlaces(const QStringList &typed);
 
 } // namespace codewheel

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// Looks who is at one place. Each next() does one step, so its caller can show what it does, and stop. It writes
-// nothing to a device.
+// Looks who is at one place. Each next() does one step, so its caller can show what it does, and stop. It
+// writes nothing to a device.
 class PlaceFinder
 {
 public:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finder/spoken_protocol.h"
-
-#include "finder/line_esc_protocol.h"
 #include "finder/gateway_rtu_protocol.h"
+#include "finder/line_esc_protocol.h"
+#include "finder/spoken_protocol.h"
 
 namespace codewheel {
 namespace {
