@@ -7472,6 +7472,57 @@ Modbus/TCP-Gateway wird verbunden und wieder verlassen. Zu jedem steht, was zu t
 Befehl zum Kopieren. Öffnet keinen seriellen Anschluss und sendet keinem Geber etwas. Endet mit 1,
 wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     </message>
+    <message>
+        <source>only listen: send nothing, connect nowhere</source>
+        <translation>nur horchen: nichts senden, nirgends verbinden</translation>
+    </message>
+    <message>
+        <source>ask silent lines and hosts without a question</source>
+        <translation>stille Leitungen und Hosts ohne Rückfrage fragen</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>who</source>
+        <translation>wer</translation>
+    </message>
+    <message>
+        <source>Nobody was found.</source>
+        <translation>Niemand wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>To find out more, %1 would be asked. Only reads are sent:</source>
+        <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet:</translation>
+    </message>
+    <message>
+        <source>Ask?</source>
+        <translation>Fragen?</translation>
+    </message>
+    <message>
+        <source>Nothing was sent. Add --yes to ask, or --listen to only listen.</source>
+        <translation>Nichts wurde gesendet. Fügen Sie --yes an, um zu fragen, oder --listen, um nur zu horchen.</translation>
+    </message>
+    <message>
+        <source>find encoders and gateways at ports and hosts</source>
+        <translation>Geber und Gateways an Anschlüssen und Hosts finden</translation>
+    </message>
+    <message>
+        <source>Looks for whoever is at these serial ports and hosts, or at every serial port of this computer. First
+it listens: where somebody talks, a master is at work, and nothing is sent. Then it says what it would
+send to lines that are silent, and to hosts, and asks whether it may. Only reads are sent. Each find is
+told with how sure it is and the link that leads there. Ends with 1 if nobody was found.</source>
+        <translation>Sucht, wer an diesen seriellen Anschlüssen und Hosts ist, oder an jedem seriellen Anschluss dieses
+Rechners. Zuerst wird gehorcht: Wo jemand spricht, arbeitet ein Master, und nichts wird gesendet. Dann
+wird gesagt, was an stille Leitungen und an Hosts gesendet würde, und gefragt, ob es darf. Nur Lesen
+wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dorthin führt. Endet mit
+1, wenn niemand gefunden wurde.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -9172,6 +9223,117 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     <message>
         <source>Ends the search (Esc)</source>
         <translation>Beendet die Suche (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Finder</name>
+    <message>
+        <source>An encoder with the Kübler ESC protocol</source>
+        <translation>Ein Geber mit dem Kübler-ESC-Protokoll</translation>
+    </message>
+    <message>
+        <source>at the master address</source>
+        <translation>an der Masteradresse</translation>
+    </message>
+    <message>
+        <source>at address %1</source>
+        <translation>an Adresse %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>no serial number</source>
+        <translation>ohne Seriennummer</translation>
+    </message>
+    <message>
+        <source>Asks for an encoder with the Kübler ESC protocol at address %1.</source>
+        <translation>Fragt nach einem Geber mit dem Kübler-ESC-Protokoll an Adresse %1.</translation>
+    </message>
+    <message>
+        <source>A master works on this line with the Kübler ESC protocol.</source>
+        <translation>An dieser Leitung arbeitet ein Master mit dem Kübler-ESC-Protokoll.</translation>
+    </message>
+    <message>
+        <source>Kübler ESC: at 19200, 9600 and 4800 Bd, 8N2, the master address 00 is asked for a serial number, twice; where anything comes, each address from 01 to 1F is asked for serial number, device code and version.</source>
+        <translation>Kübler ESC: Mit 19200, 9600 und 4800 Bd, 8N2, wird die Masteradresse 00 zweimal nach einer Seriennummer gefragt; wo etwas kommt, jede Adresse von 01 bis 1F nach Seriennummer, Gerätecode und Version.</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>Modbus/TCP: the host is connected, and the units 1, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
+        <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+    </message>
+    <message>
+        <source>The search was ended.</source>
+        <translation>Die Suche wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The host takes the connection.</source>
+        <translation>Der Host nimmt die Verbindung an.</translation>
+    </message>
+    <message>
+        <source>All were asked.</source>
+        <translation>Alle wurden gefragt.</translation>
+    </message>
+    <message>
+        <source>The host takes the connection, but no unit answers.</source>
+        <translation>Der Host nimmt die Verbindung an, aber keine Unit antwortet.</translation>
+    </message>
+    <message>
+        <source>The Modbus unit %1 does not answer.</source>
+        <translation>Die Modbus-Unit %1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>The Modbus unit %1 answers. Whether it shows a ring, its register map says: test it.</source>
+        <translation>Die Modbus-Unit %1 antwortet. Ob sie einen Ring zeigt, sagt ihr Registerplan: Testen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1. Nothing is sent; it is listened to with other settings.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben. Nichts wird gesendet; es wird mit anderen Einstellungen gehorcht.</translation>
+    </message>
+    <message>
+        <source>The line is silent. Asking may find out more.</source>
+        <translation>Die Leitung ist still. Fragen kann mehr herausfinden.</translation>
+    </message>
+    <message>
+        <source>The line is silent: it is asked.</source>
+        <translation>Die Leitung ist still: Sie wird gefragt.</translation>
+    </message>
+    <message>
+        <source>Somebody talks on this line, but it makes sense with no usual setting. Nothing was sent.</source>
+        <translation>An dieser Leitung spricht jemand, aber mit keiner üblichen Einstellung ergibt es einen Sinn. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1: next %2.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben: als Nächstes %2.</translation>
+    </message>
+    <message>
+        <source>Nobody answers. Check wires (A and B may be swapped) and supply.</source>
+        <translation>Niemand antwortet. Prüfen Sie Adern (A und B können vertauscht sein) und Versorgung.</translation>
+    </message>
+    <message>
+        <source>Asks the Modbus unit %1 for a register.</source>
+        <translation>Fragt die Modbus-Unit %1 nach einem Register.</translation>
+    </message>
+    <message>
+        <source>A Modbus RTU master works on this line.</source>
+        <translation>An dieser Leitung arbeitet ein Modbus-RTU-Master.</translation>
+    </message>
+    <message>
+        <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register.</source>
+        <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
     </message>
 </context>
 <context>

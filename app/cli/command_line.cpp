@@ -33,7 +33,7 @@ QString commandNames()
 
 QString jsonText(const QJsonObject &json, const QString &command)
 {
-    const Subcommand *known = findCommand(command);
+    const Subcommand *known = commandNamed(command);
     if (known != nullptr && known->answersInLines)
         return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact)) + u'\n';
     return QString::fromUtf8(QJsonDocument(json).toJson());
@@ -295,7 +295,7 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return withoutCommand(words, terminal);
 
     const QString &name = words[place];
-    const Subcommand *command = findCommand(name);
+    const Subcommand *command = commandNamed(name);
     if (!command)
         return fail(aboutUnknownCommand(name), {}, words, terminal);
     const QStringList behind = words.first(place) + words.sliced(place + 1);

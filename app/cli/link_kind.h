@@ -3,6 +3,7 @@
 
 #include "cli/bus_access.h"
 #include "cli/subcommand.h"
+#include "finder/place_finder.h"
 
 #include <functional>
 #include <span>
@@ -40,6 +41,14 @@ struct Service
     Checked<Answer> (*serve)(const Call &call); // until it is told to end
 };
 
+// Somebody at a host whom "find" looks for, and what would be sent there.
+struct HostSearch
+{
+    QString place;
+    QString announcement;
+    std::unique_ptr<PlaceFinder> finder;
+};
+
 // A kind of bus at the command line: the links that reach it, and what it adds.
 class LinkKind
 {
@@ -68,6 +77,8 @@ public:
     virtual QStringList ends(const QString &) const { return {}; }
     virtual QStringList settingKeys(const QString &) const { return {}; }
     virtual std::vector<KnownDevice> trainingDevices(const Catalog &) const { return {}; }
+    // At HOST[:PORT], as typed; null: this kind is at no host.
+    virtual Checked<std::optional<HostSearch>> hostSearch(const QString &) const { return std::nullopt; }
     // For a device on this kind of bus that has no words; empty: it is explained like all others.
     virtual std::optional<Checked<Answer>> explain(const Call &, const DeviceDescription &) const
     {

@@ -4,10 +4,10 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "esc_line/exchange_over_link.h"
 
 #include <QLocale>
 
-#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -149,39 +149,14 @@ LineFinding LineCheck::listen()
                    nullptr, static_cast<int>(heard.size())));
 }
 
-Result<esc::ExchangeResult> LineCheck::exchange(const esc::Request &request, bool &isEchoed)
+QString LineCheck::silenceText(const LinkExchange &exchange)
 {
-    esc::Timing timing = m_settings.timing;
-    timing.character = m_settings.serial.timeOf(1);
-    esc::Exchange exchange(request, timing);
-    for (;;) {
-        const auto action = exchange.next(m_link.now());
-        if (std::holds_alternative<esc::Exchange::Done>(action) || m_isStopped)
-            break;
-        if (const auto *send = std::get_if<esc::Exchange::Send>(&action)) {
-            if (auto written = m_link.write(send->bytes); !written)
-                return tl::unexpected(written.error());
-            continue;
-        }
-        const auto bytes = m_link.read(std::get<esc::Exchange::Wait>(action).until);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        if (!bytes->isEmpty())
-            exchange.received(*bytes, m_link.now());
-    }
-    isEchoed = std::ranges::any_of(
-        exchange.takeRows(), [](const esc::LineRow &row) { return row.kind == esc::LineRow::Kind::echo; });
-    return exchange.result();
-}
-
-QString LineCheck::silenceText(const esc::ExchangeResult &result, bool isEchoed) const
-{
-    const int stray = result.garbageBytes + result.lateBytes;
+    const int stray = exchange.result.garbageBytes + exchange.result.lateBytes;
     if (stray > 0)
         return tr("%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two "
                   "encoders answer at once.",
                   nullptr, stray);
-    if (isEchoed)
+    if (exchange.isEchoed)
         return tr("Only the request came back: the adapter hears itself, and no encoder answers. Check "
                   "address, wires and supply.");
     return tr("Nothing came. Check address, baud rate, wires (A and B may be swapped) and supply; an RS-422 "
@@ -190,21 +165,22 @@ QString LineCheck::silenceText(const esc::ExchangeResult &result, bool isEchoed)
 
 LineFinding LineCheck::ask(LineAddress address)
 {
-    bool isEchoed = false;
-    const auto result = exchange({address, esc::Command::position}, isEchoed);
-    if (!result)
-        return refused(result.error());
+    esc::Timing timing = m_settings.timing;
+    timing.character = m_settings.serial.timeOf(1);
+    const auto exchange = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
+    if (!exchange)
+        return refused(exchange.error());
     if (m_isStopped)
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
-    if (!result->answer)
-        return told(CheckOutcome::failed, silenceText(*result, isEchoed));
-    if (result->answer->kind != esc::Answer::Kind::value)
+    const auto &answer = exchange->result.answer;
+    if (!answer)
+        return told(CheckOutcome::failed, silenceText(*exchange));
+    if (answer->kind != esc::Answer::Kind::value)
         return told(CheckOutcome::failed, sentence(tr("It answers, but not with a position: %1."),
-                                                   {QString::fromLatin1(result->answer->text.simplified())}));
-    return told(CheckOutcome::passed,
-                sentence(tr("It answers after %1 ms: position %2 (%3h)."),
-                         {inMilliseconds(result->answerTime), QLocale().toString(result->answer->value),
-                          hexWord(result->answer->value)}));
+                                                   {QString::fromLatin1(answer->text.simplified())}));
+    return told(CheckOutcome::passed, sentence(tr("It answers after %1 ms: position %2 (%3h)."),
+                                               {inMilliseconds(exchange->result.answerTime),
+                                                QLocale().toString(answer->value), hexWord(answer->value)}));
 }
 
 } // namespace codewheel

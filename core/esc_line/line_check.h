@@ -13,6 +13,8 @@
 
 namespace codewheel {
 
+struct LinkExchange;
+
 enum class LineStep : std::uint8_t {
     found,   // the port is there
     opened,  // with these settings
@@ -62,8 +64,7 @@ private:
     LineFinding ask(LineAddress address);
     LineFinding told(CheckOutcome outcome, const QString &sentence) const;
     LineFinding refused(const Refusal &why);
-    Result<esc::ExchangeResult> exchange(const esc::Request &request, bool &isEchoed);
-    QString silenceText(const esc::ExchangeResult &result, bool isEchoed) const;
+    static QString silenceText(const LinkExchange &exchange);
 
     ByteLink &m_link;
     const LineSettings m_settings;

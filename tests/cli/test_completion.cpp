@@ -4,6 +4,7 @@
 #include "cli/completion/complete.h"
 #include "cli/completion/usage_words.h"
 #include "cli/link_kind.h"
+#include "links/serial_ports.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/pty_pair.h"
 
@@ -106,6 +107,10 @@ TEST(Completion, DevicesLinksAndFixedWords)
     EXPECT_THAT(completed(QStringLiteral("master segment 2 ")), ElementsAre("on", "off"));
     EXPECT_THAT(completed(QStringLiteral("explain 0 --direction ")), ElementsAre("in", "out"));
     EXPECT_THAT(completed(QStringLiteral("messages --severity f")), ElementsAre("fault"));
+    std::vector<std::string> ports;
+    for (const PortInfo &port : serialPorts())
+        ports.push_back(port.path.section(u'/', -1).toStdString());
+    EXPECT_THAT(completed(QStringLiteral("find ")), testing::ElementsAreArray(ports));
     EXPECT_THAT(completed(QStringLiteral("serve ")), ElementsAre("esc", "modbus-tcp", "modbus-rtu"));
 }
 

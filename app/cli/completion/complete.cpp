@@ -75,7 +75,7 @@ void TypedCall::take(const QString &word)
         m_rest << word;
         return;
     }
-    m_command = findCommand(word);
+    m_command = commandNamed(word);
     m_options = m_command != nullptr ? optionsOf(*m_command) : std::vector<Option>();
 }
 
@@ -181,7 +181,8 @@ Candidates TypedCall::valuesOf(const QString &what, const QString &typed) const
         return severities();
     if (what == QStringLiteral("UNIT"))
         return units();
-    if (what == QStringLiteral("PORT") && m_rest.contains(QStringLiteral("modbus-rtu")))
+    const bool isServer = m_command == &serveCommand && !m_rest.contains(QStringLiteral("modbus-rtu"));
+    if (what == QStringLiteral("PORT") && !isServer)
         return listOf(presentPortNames());
     if (what == QStringLiteral("NAME")) {
         Candidates all;

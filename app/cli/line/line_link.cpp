@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-const QString trainingLink = QStringLiteral("training");
+const QString simulatedPort = QStringLiteral("training");
 
 using std::chrono::milliseconds;
 
@@ -152,7 +152,7 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
                         CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
                         {presentPortsText()});
     LineLink link;
-    if (port == trainingLink)
+    if (port == simulatedPort)
         return link;
     link.swapping = swappingOf(project, line);
     link.settings.port = port;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finder/found.h"
+
+#include "finder/finder_texts.h"
+
+namespace codewheel {
+
+QString certaintyKey(Certainty certainty)
+{
+    return certainty == Certainty::certain ? QStringLiteral("certain") : QStringLiteral("likely");
+}
+
+QString certaintyText(Certainty certainty)
+{
+    return certainty == Certainty::certain ? FinderTexts::tr("certain") : FinderTexts::tr("likely");
+}
+
+QString formatText(const SerialSettings &settings)
+{
+    constexpr char letters[] = "NEO";
+    return QStringLiteral("%1 Bd, %2%3%4")
+        .arg(settings.baudRate)
+        .arg(settings.dataBits)
+        .arg(QLatin1Char(letters[static_cast<int>(settings.parity)]))
+        .arg(settings.stopBits);
+}
+
+} // namespace codewheel
