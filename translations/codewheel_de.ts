@@ -9226,6 +9226,115 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
 </context>
 <context>
+    <name>codewheel::FindPage</name>
+    <message>
+        <source>Ports</source>
+        <translation>Anschlüsse</translation>
+    </message>
+    <message>
+        <source>Space ticks a port or leaves it out</source>
+        <translation>Die Leertaste hakt einen Anschluss an oder lässt ihn aus</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>The name or address of a gateway in the network, such as 192.168.0.5; empty: none</source>
+        <translation>Name oder Adresse eines Gateways im Netz, etwa 192.168.0.5; leer: keines</translation>
+    </message>
+    <message>
+        <source>Port of the host</source>
+        <translation>Port des Hosts</translation>
+    </message>
+    <message>
+        <source>502 with nearly every gateway</source>
+        <translation>502 bei fast jedem Gateway</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Neu su&amp;chen</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>S&amp;uchen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Looks for serial ports again (Alt+R)</source>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>An&amp;schlüsse</translation>
+    </message>
+    <message>
+        <source>Ends the search after its present step (Alt+C)</source>
+        <translation>Beendet die Suche nach ihrem jetzigen Schritt (Alt+R)</translation>
+    </message>
+    <message>
+        <source>What was heard and found</source>
+        <translation>Was gehört und gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Return connects where the chosen one was found</source>
+        <translation>Die Eingabetaste verbindet dort, wo der gewählte gefunden wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Ask</source>
+        <translation>&amp;Fragen</translation>
+    </message>
+    <message>
+        <source>Listens at the ticked ports, and then says what it would ask (Alt+S)</source>
+        <translation>Horcht an den angehakten Anschlüssen und sagt dann, was gefragt würde (Alt+U)</translation>
+    </message>
+    <message>
+        <source>Tick a port, or enter a host</source>
+        <translation>Haken Sie einen Anschluss an, oder geben Sie einen Host ein</translation>
+    </message>
+    <message>
+        <source>Once the search has ended</source>
+        <translation>Sobald die Suche beendet ist</translation>
+    </message>
+    <message>
+        <source>Choose somebody who was found. Where a master works, it has to go first</source>
+        <translation>Wählen Sie jemanden, der gefunden wurde. Wo ein Master arbeitet, muss er zuerst gehen</translation>
+    </message>
+    <message>
+        <source>Who is there?</source>
+        <translation>Wer ist da?</translation>
+    </message>
+    <message>
+        <source>Listens first. What would be sent after that is asked before. Nothing is written.</source>
+        <translation>Horcht zuerst. Was danach gesendet würde, wird vorher gefragt. Nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Co&amp;nnect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>por&amp;t</source>
+        <translation>Por&amp;t</translation>
+    </message>
+    <message>
+        <source>H&amp;ost</source>
+        <translation>H&amp;ost</translation>
+    </message>
+    <message>
+        <source>Connects with the settings found, and keeps them in the project (Alt+N)</source>
+        <translation>Verbindet mit den gefundenen Einstellungen und behält sie im Projekt (Alt+V)</translation>
+    </message>
+    <message>
+        <source>To find out more, %1 would be asked. Only reads are sent.
+%2</source>
+        <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet.
+%2</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::Finder</name>
     <message>
         <source>An encoder with the Kübler ESC protocol</source>
@@ -9334,6 +9443,25 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register.</source>
         <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FinderNewsModel</name>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation>Wie sicher</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
     </message>
 </context>
 <context>
@@ -18143,6 +18271,14 @@ Worte: IN %3, OUT %4</translation>
         <source>Gives a new encoder the values and the position of the previous one, from the project.</source>
         <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
     </message>
+    <message>
+        <source>Who is there?</source>
+        <translation>Wer ist da?</translation>
+    </message>
+    <message>
+        <source>Listens at ports and hosts for encoders and gateways, and connects with the settings found.</source>
+        <translation>Horcht an Anschlüssen und Hosts nach Gebern und Gateways und verbindet mit den gefundenen Einstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StatusBits</name>
@@ -20666,6 +20802,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Finds actions, devices, parameters, messages and pages of the manual by words</source>
         <translation>Findet Aktionen, Geräte, Parameter, Meldungen und Seiten des Handbuchs über Wörter</translation>
+    </message>
+    <message>
+        <source>Wh&amp;o is there?</source>
+        <translation>Wer &amp;ist da?</translation>
+    </message>
+    <message>
+        <source>Looks for encoders and gateways at the ports of this computer and at a host; listens first</source>
+        <translation>Sucht Geber und Gateways an den Anschlüssen dieses Rechners und an einem Host; horcht zuerst</translation>
     </message>
 </context>
 <context>

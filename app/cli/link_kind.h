@@ -41,14 +41,6 @@ struct Service
     Checked<Answer> (*serve)(const Call &call); // until it is told to end
 };
 
-// Somebody at a host whom "find" looks for, and what would be sent there.
-struct HostSearch
-{
-    QString place;
-    QString announcement;
-    std::unique_ptr<PlaceFinder> finder;
-};
-
 // A kind of bus at the command line: the links that reach it, and what it adds.
 class LinkKind
 {

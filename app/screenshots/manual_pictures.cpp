@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/manual_pictures.h"
 
+#include "app/screenshots/finder_picture.h"
 #include "app/screenshots/gateway_pictures.h"
 #include "app/screenshots/line_pictures.h"
 #include "app/screenshots/offer_picture.h"
@@ -271,7 +272,7 @@ std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
     for (const auto &more : {wizardPictures(), linePictures(), gatewayPictures(), trendPictures(),
-                             recordingPictures(), offerPictures()})
+                             recordingPictures(), offerPictures(), finderPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }

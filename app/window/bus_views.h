@@ -3,6 +3,7 @@
 
 #include "app/window/bus_at_work.h"
 #include "app/window/panels.h"
+#include "project/kind_data.h"
 #include "widgets/structure/fault_banner.h"
 
 #include <QAction>
@@ -62,9 +63,10 @@ public:
     void setCalled(const QString &called, bool isDoubtful);
     // The device chosen in the window, if it is on this bus.
     virtual void setChosen(std::optional<Place>) {}
-    virtual void open() = 0;              // its row was opened
-    virtual void connectBus() { open(); } // or shows where to do that; sends nothing
-    virtual void connectTraining() {}     // to a simulated link
+    virtual void open() = 0;                       // its row was opened
+    virtual void connectBus() { open(); }          // or shows where to do that; sends nothing
+    virtual void connectTraining() {}              // to a simulated link
+    virtual void connectFound(const KindData &) {} // with a link that a search has found
     // A device was opened. False: show its words, as for any device.
     virtual bool open(Place) { return false; }
     virtual void showFrame() {} // with each frame of the window

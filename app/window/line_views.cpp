@@ -453,6 +453,14 @@ void LineViews::explainTerminal()
         m_terminal->setExplainOptions(m_session->explainOptions());
 }
 
+// Its page says how that went.
+void LineViews::connectFound(const KindData &plan)
+{
+    showSettings();
+    m_connection->showPlan(plan);
+    connectAs(m_connection->plan());
+}
+
 void LineViews::connectTraining()
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });

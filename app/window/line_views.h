@@ -54,6 +54,7 @@ public:
     bool open(Place place) override; // its terminal, since it has no words
     void connectBus() override { showSettings(); }
     void connectTraining() override;
+    void connectFound(const KindData &plan) override;
     void showFrame() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;

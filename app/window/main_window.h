@@ -32,6 +32,7 @@ class DroppedDevice;
 class EncoderBus;
 struct Fault;
 class FaultNotice;
+class FinderInWindow;
 class InlineMessage;
 class Leaving;
 class MessageModel;
@@ -155,6 +156,7 @@ private:
     EncoderBus *chosenBus() const; // null: no bus, or it has no session
     void showChosen();
     void makePages();
+    void makeFinder();
     void connectProject();
     void tell(const Message &message);
     void collectForSupport();
@@ -209,6 +211,7 @@ private:
     MessagesView *m_messages = nullptr;
     TransferPages *m_transfer = nullptr;
     Start *m_start = nullptr;
+    FinderInWindow *m_finder = nullptr;
     DroppedDevice *m_droppedDevice = nullptr;
     WaitingCams *m_waitingCams = nullptr;
     bool m_keepsBottomFolded = false; // by the user, whatever is in the middle

@@ -146,9 +146,10 @@ void MainWindow::collectForSupport()
 void MainWindow::showBusState()
 {
     const bool isAttached = m_plant != nullptr;
-    for (QAction *action : {m_actions.projectPage, m_actions.structureEditor, m_actions.compare,
-                            m_actions.transfer, m_actions.exportReport, m_actions.exportMessages,
-                            m_actions.collectSupport, m_actions.record, m_actions.print})
+    for (QAction *action :
+         {m_actions.findEncoders, m_actions.projectPage, m_actions.structureEditor, m_actions.compare,
+          m_actions.transfer, m_actions.exportReport, m_actions.exportMessages, m_actions.collectSupport,
+          m_actions.record, m_actions.print})
         action->setEnabled(isAttached);
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();

@@ -5,6 +5,7 @@
 #include "app/window/device_choice.h"
 #include "app/window/dropped_device.h"
 #include "app/window/dropped_files.h"
+#include "app/window/finder_in_window.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/printing.h"
@@ -22,6 +23,7 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/dial_pin.h"
+#include "widgets/find/find_page.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -77,9 +79,28 @@ void MainWindow::makePages()
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
                                    m_plant->positions(), m_actions, *m_pages, this);
+    makeFinder();
     m_start = new Start({*m_plant, m_project, *m_files, m_settings, m_actions, *m_pages,
                          *static_cast<QVBoxLayout *>(centralWidget()->layout())},
                         this);
+}
+
+// What is found is connected as the bus of its kind that was chosen last.
+void MainWindow::makeFinder()
+{
+    auto *page = new FindPage(m_pages);
+    m_pages->addWidget(page);
+    setHelpTopic(*page, "find.md");
+    m_finder = new FinderInWindow(*page);
+    connect(m_actions.findEncoders, &QAction::triggered, this, [this, page] {
+        m_finder->listPorts();
+        m_pages->setCurrentWidget(page);
+        page->setFocus();
+    });
+    connect(page, &FindPage::connectWanted, this, [this](const Found &found) {
+        if (BusViews *views = viewsOf(m_currentOf.value(found.kind)))
+            views->connectFound(found.plan);
+    });
 }
 
 void MainWindow::makeDocks(MessageModel &messages)

@@ -118,6 +118,12 @@ void RingLinks::connectAs(const KindData &plan)
     });
 }
 
+void RingLinks::connectFound(const KindData &plan)
+{
+    m_parts.page.showPlan(plan);
+    connectAs(plan);
+}
+
 // A connected ring is left first, after asking what that ends.
 void RingLinks::changeLink(const ProjectLink &link, std::function<void()> then)
 {

@@ -44,6 +44,7 @@ public:
     void showPlan();      // in the pages, as the project has it
     void showRegisters(); // as they are now
     void listPorts();
+    void connectFound(const KindData &plan); // by a search; shown in the page
 
 private:
     void keep(const ProjectLink &link);

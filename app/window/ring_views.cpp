@@ -138,6 +138,13 @@ void RingViews::showConnection()
     showPage(m_connect);
 }
 
+// Its page says how that went.
+void RingViews::connectFound(const KindData &plan)
+{
+    showConnection();
+    m_links->connectFound(plan);
+}
+
 void RingViews::showRegisters()
 {
     m_links->showRegisters();

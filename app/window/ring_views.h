@@ -42,6 +42,7 @@ public:
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void connectBus() override;
+    void connectFound(const KindData &plan) override;
     void connectTraining() override { connectBus(); } // offered only for one that is planned as such
     void showFrame() override;
     void compare() override;

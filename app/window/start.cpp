@@ -38,6 +38,7 @@ Start::Start(const Parts &parts, QObject *parent)
     connect(m_page->connectBus, &QAction::triggered, this, &Start::chooseBus);
     connect(m_page->open, &QAction::triggered, parts.actions.openProject, &QAction::trigger);
     connect(m_page->replace, &QAction::triggered, this, &Start::beginReplacing);
+    connect(m_page->find, &QAction::triggered, parts.actions.findEncoders, &QAction::trigger);
     connect(m_page, &StartPage::recentRequested, &parts.files, &ProjectFiles::open, Qt::QueuedConnection);
     connect(m_page, &StartPage::removeRequested, &parts.files, &ProjectFiles::forget);
     connect(&parts.files, &ProjectFiles::recentChanged, this, &Start::lookAtFiles);

@@ -130,6 +130,9 @@ void WindowActions::makeBusMenu()
 {
     QMenu *menu = addMenu(tr("&Bus"));
     const auto section = [this, menu](Section which) { m_sections[which] = {menu, menu->addSeparator()}; };
+    findEncoders = described(
+        menu->addAction(lineIcon(Icon::search), tr("Wh&o is there?")), Qt::CTRL | Qt::Key_F3,
+        tr("Looks for encoders and gateways at the ports of this computer and at a host; listens first"));
     section(Section::connections);
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_F11,

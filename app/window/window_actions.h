@@ -75,6 +75,7 @@ public:
     QAction *compare;
     QAction *settings;
     // Bus
+    QAction *findEncoders;
     QAction *watch;
     QAction *operate;
     QAction *start;

@@ -8,6 +8,8 @@
 #include "app/window/replay_views.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_views.h"
+#include "finder/gateway_host_finder.h"
+#include "links/modbus_port.h"
 #include "project/line_plan.h"
 #include "project/ring_plan.h"
 
@@ -28,13 +30,25 @@ BusViews *makeViews(BusAtWork &bus, const WindowParts &parts, QObject *parent)
     return new Views(static_cast<AtWork &>(bus), parts, parent);
 }
 
+HostSearch gatewaySearch(const QString &host, int port)
+{
+    GatewaySettings where;
+    where.host = host;
+    where.tcpPort = port;
+    return {gatewayAddress(where), GatewayHostFinder::announcement(),
+            std::make_unique<GatewayHostFinder>(where, [](const GatewaySettings &settings) {
+                return std::make_unique<ModbusPort>(settings);
+            })};
+}
+
 // The list of kinds.
 std::vector<WindowKind> &kinds()
 {
     static std::vector<WindowKind> all{
-        {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels},
+        {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels,
+         nullptr, &gatewaySearch},
         {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels,
-         &adapterRows, &keysOfLines},
+         &adapterRows, nullptr, &keysOfLines},
         {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }

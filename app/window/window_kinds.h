@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/bus_views.h"
+#include "finder/place_finder.h"
 #include "widgets/help/key_help.h"
 
 #include <span>
@@ -18,7 +19,9 @@ struct WindowKind
     BusViews *(*makeViews)(BusAtWork &bus, const WindowParts &parts, QObject *parent) = nullptr;
     std::span<const Panel *const> panels{}; // with a page for each of its buses
     QStringList (*adapters)() = nullptr;    // of this computer, for support; null: it has none
-    KeyGroup (*keys)() = nullptr;           // that its views answer without actions; null: none
+    // Looks who is at a host, on a bus of this kind; null: it is at no host.
+    HostSearch (*hostSearch)(const QString &host, int port) = nullptr;
+    KeyGroup (*keys)() = nullptr; // that its views answer without actions; null: none
 };
 
 // Those of the program, and the added ones; in the order of the panels.

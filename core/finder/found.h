@@ -50,6 +50,7 @@ struct FinderNews
     QString place{};
     QString sentence{};
     std::optional<Found> found{};
+    bool isSilent = false; // of `nobody`: nothing came while it was listened to
 
     friend bool operator==(const FinderNews &, const FinderNews &) = default;
 };

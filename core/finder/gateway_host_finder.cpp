@@ -60,7 +60,7 @@ FinderNews GatewayHostFinder::end(FinderNews::Kind kind, const QString &sentence
 {
     m_isDone = true;
     use(nullptr);
-    return {kind, gatewayAddress(m_where), sentence, {}};
+    return {kind, gatewayAddress(m_where), sentence};
 }
 
 FinderNews GatewayHostFinder::next()
@@ -76,10 +76,8 @@ FinderNews GatewayHostFinder::connect()
     use(m_makePort(m_where));
     if (const auto opened = m_port->open(); !opened)
         return end(FinderNews::Kind::refused, refusalText(opened.error()));
-    return {FinderNews::Kind::heard,
-            gatewayAddress(m_where),
-            FinderTexts::tr("The host takes the connection."),
-            {}};
+    return {FinderNews::Kind::heard, gatewayAddress(m_where),
+            FinderTexts::tr("The host takes the connection.")};
 }
 
 FinderNews GatewayHostFinder::askNext()
@@ -92,10 +90,8 @@ FinderNews GatewayHostFinder::askNext()
     m_units.erase(m_units.begin());
     auto found = ask(unit);
     if (!found)
-        return {FinderNews::Kind::looking,
-                gatewayAddress(m_where),
-                sentence(FinderTexts::tr("The Modbus unit %1 does not answer."), {QString::number(unit)}),
-                {}};
+        return {FinderNews::Kind::looking, gatewayAddress(m_where),
+                sentence(FinderTexts::tr("The Modbus unit %1 does not answer."), {QString::number(unit)})};
     ++m_found;
     return {FinderNews::Kind::found, found->place, found->sentence, found};
 }

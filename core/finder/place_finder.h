@@ -3,6 +3,8 @@
 
 #include "finder/found.h"
 
+#include <memory>
+
 namespace codewheel {
 
 // Looks who is at one place. Each next() does one step, so its caller can show what it does, and stop. It
@@ -16,6 +18,14 @@ public:
     virtual FinderNews next() = 0;
     // Nothing more is sent; done after the present step. Any thread.
     virtual void interrupt() = 0;
+};
+
+// A host at which somebody may be, and what would be sent there.
+struct HostSearch
+{
+    QString place{};
+    QString announcement{};
+    std::unique_ptr<PlaceFinder> finder{};
 };
 
 } // namespace codewheel

@@ -55,7 +55,7 @@ void PortFinder::interrupt()
 
 FinderNews PortFinder::news(FinderNews::Kind kind, const QString &sentence) const
 {
-    return {kind, m_link.name(), sentence, {}};
+    return {kind, m_link.name(), sentence};
 }
 
 FinderNews PortFinder::end(FinderNews::Kind kind, const QString &sentence)
@@ -153,9 +153,12 @@ FinderNews PortFinder::listen()
                      {here}));
     }
     m_isSilent = true;
-    if (!m_mayAsk)
-        return end(FinderNews::Kind::nobody,
-                   FinderTexts::tr("The line is silent. Asking may find out more."));
+    if (!m_mayAsk) {
+        FinderNews its =
+            end(FinderNews::Kind::nobody, FinderTexts::tr("The line is silent. Asking may find out more."));
+        its.isSilent = true;
+        return its;
+    }
     startAsking();
     return news(FinderNews::Kind::heard, FinderTexts::tr("The line is silent: it is asked."));
 }

@@ -61,6 +61,7 @@ const QStringList sameInGerman{
     QStringLiteral("Gray, CCW"),
     QStringLiteral("Gray, CW"),
     QStringLiteral("h"),
+    QStringLiteral("H&ost"),
     QStringLiteral("Handshake"),
     QStringLiteral("IN"),
     QStringLiteral("IN  %1  %2"),

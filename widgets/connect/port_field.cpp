@@ -9,7 +9,6 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
-#include "widgets/look/wrapped_label.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -57,14 +56,14 @@ PortField::PortField(QWidget *parent)
     : QWidget(parent)
     , m_port(new QComboBox(this))
     , m_refresh(new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), this))
-    , m_adapter(wrappedLabel(this, "adapter"))
+    , m_adapter(named(settingSentence({}, this), "adapter"))
     , m_trouble(new InlineMessage(this))
 {
     makePort();
     makeRefresh();
     m_adapter->setTextFormat(Qt::PlainText);
     auto *row = layOutRow({{m_port, 1}, m_refresh}, {.spacing = grid::unit});
-    layOutColumn(this, {row, m_adapter}, {.spacing = grid::unit, .margins = QMargins()});
+    layOutColumn(this, {row, m_adapter}, {.spacing = 0, .margins = QMargins()});
     setFocusProxy(m_port);
     connect(m_port, &QComboBox::editTextChanged, this, &PortField::showAdapter);
     connect(m_port, &QComboBox::editTextChanged, this, &PortField::edited);
@@ -97,7 +96,8 @@ void PortField::makeRefresh()
 
 void PortField::addTo(QFormLayout &form, const QString &label)
 {
-    addSettingRow(form, label, this, m_port, m_port->toolTip());
+    form.addRow(label, this);
+    qobject_cast<QLabel *>(form.labelForField(this))->setBuddy(m_port);
     form.addRow(m_trouble);
 }
 
@@ -139,13 +139,13 @@ void PortField::showPorts()
     m_port->view()->setMinimumWidth(widest + 2 * grid::groupGap);
 }
 
-// Of whatever adapter there is; its name alone stands in the field.
+// Of whatever adapter there is; its name alone stands in the field. Without one, what the field is for.
 void PortField::showAdapter()
 {
     const auto chosen = std::ranges::find(m_ports, port(), &PortRow::name);
-    m_adapter->setText(chosen == m_ports.end() ? QString() : adapterText(*chosen));
-    m_adapter->setVisible(!m_adapter->text().isEmpty());
-    m_port->setAccessibleDescription(m_adapter->text());
+    const QString adapter = chosen == m_ports.end() ? QString() : adapterText(*chosen);
+    m_adapter->setText(adapter.isEmpty() ? m_port->toolTip() : adapter);
+    m_port->setAccessibleDescription(adapter);
 }
 
 void PortField::setPort(const QString &port)

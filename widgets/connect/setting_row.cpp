@@ -9,12 +9,18 @@
 
 namespace codewheel {
 
+QLabel *settingSentence(const QString &sentence, QWidget *parent)
+{
+    auto *label = wrappedLabel(parent, "settingSentence");
+    label->setFont(textFont(TextSize::small));
+    label->setText(sentence);
+    return label;
+}
+
 QLabel *addSettingRow(QFormLayout &form, const QString &label, LayoutPart field, QWidget *buddy,
                       const QString &sentence)
 {
-    auto *below = wrappedLabel(form.parentWidget(), "settingSentence");
-    below->setFont(textFont(TextSize::small));
-    below->setText(sentence);
+    auto *below = settingSentence(sentence, form.parentWidget());
     auto *row = layOutColumn({field, below}, {.spacing = 0});
     form.addRow(label, row);
     if (auto *shown = qobject_cast<QLabel *>(form.labelForField(row)))

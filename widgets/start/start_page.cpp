@@ -51,6 +51,10 @@ StartPage::StartPage(QWidget *parent)
           entry(*this, Icon::encoder, tr("Replace an encoder"),
                 tr("Gives a new encoder the values and the position of the previous one, from the project."),
                 Qt::Key_5))
+    , find(entry(
+          *this, Icon::search, tr("Who is there?"),
+          tr("Listens at ports and hosts for encoders and gateways, and connects with the settings found."),
+          Qt::Key_6))
     , m_content(new QWidget(this))
     , m_heading(wrappedLabel(m_content, "startHeading"))
     , m_project(wrappedLabel(m_content, "startProject"))
@@ -82,7 +86,7 @@ StartPage::StartPage(QWidget *parent)
 void StartPage::makeEntries(QBoxLayout &column)
 {
     column.setSpacing(grid::margin);
-    for (QAction *action : {reopen, training, connectBus, open, replace}) {
+    for (QAction *action : {reopen, training, connectBus, open, replace, find}) {
         auto *its = new StartEntry(*action, m_content);
         column.addWidget(its);
         m_entries.push_back(its);
@@ -92,6 +96,7 @@ void StartPage::makeEntries(QBoxLayout &column)
     named(m_entries[2], "startConnect");
     named(m_entries[3], "startOpen");
     named(m_entries[4], "startReplace");
+    named(m_entries[5], "startFind");
     column.addStretch(1);
 }
 

@@ -39,6 +39,7 @@ public:
     QAction *open;
     QAction *recent;
     QAction *replace;
+    QAction *find;
 
 Q_SIGNALS:
     void recentRequested(const QString &path);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/find/find_page.h"
+#include "widgets/find/finder_news_model.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
+
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+class FindPageTest : public testing::Test
+{
+protected:
+    FindPageTest()
+    {
+        page.resize(800, 600);
+        page.show();
+        page.setPorts({{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R"), {}},
+                       {QStringLiteral("/dev/ttyUSB1"), {}, {}}},
+                      {});
+    }
+    QPushButton &button(const QString &text)
+    {
+        for (auto *its : page.findChildren<QPushButton *>())
+            if (plainLabel(its->text()) == text && its->isVisibleTo(&page))
+                return *its;
+        ADD_FAILURE() << text.toStdString();
+        return *page.findChild<QPushButton *>();
+    }
+    static FinderNews found(bool isMasterAtWork)
+    {
+        return {FinderNews::Kind::found, QStringLiteral("/dev/ttyUSB0"), QStringLiteral("An encoder"),
+                Found{.kind = QStringLiteral("esc"),
+                      .place = QStringLiteral("/dev/ttyUSB0"),
+                      .settings = QStringLiteral("9600 Bd, 8N2"),
+                      .isMasterAtWork = isMasterAtWork}};
+    }
+
+    FindPage page;
+};
+
+TEST_F(FindPageTest, LooksAtTheTickedPortsAndTheHost)
+{
+    auto &ports = *page.findChild<QListWidget *>();
+    ports.item(0)->setCheckState(Qt::Unchecked);
+    QTest::keyClicks(page.findChild<QLineEdit *>(QStringLiteral("findHost")), QStringLiteral(" gateway "));
+    FindWish wanted;
+    QObject::connect(&page, &FindPage::searchWanted, &page, [&](const FindWish &wish) { wanted = wish; });
+    QTest::mouseClick(&button(QStringLiteral("Search")), Qt::LeftButton);
+    EXPECT_EQ(wanted, (FindWish{{QStringLiteral("/dev/ttyUSB1")}, QStringLiteral("gateway"), 502}));
+    page.setPorts({{QStringLiteral("/dev/ttyUSB0"), {}, {}}}, {});
+    EXPECT_EQ(ports.item(0)->checkState(), Qt::Unchecked) << "a new list leaves it out, too";
+    EXPECT_TRUE(page.wish().ports.isEmpty());
+}
+
+TEST_F(FindPageTest, WithoutAPlaceThereIsNothingToSearch)
+{
+    page.setPorts({}, QStringLiteral("This computer has no serial port."));
+    EXPECT_FALSE(button(QStringLiteral("Search")).isEnabled());
+    QTest::keyClicks(page.findChild<QLineEdit *>(QStringLiteral("findHost")), QStringLiteral("gateway"));
+    EXPECT_TRUE(button(QStringLiteral("Search")).isEnabled());
+}
+
+TEST_F(FindPageTest, AsksOnlyIfThatIsAgreedTo)
+{
+    const QSignalSpy agreed(&page, &FindPage::askAgreed);
+    page.begin();
+    page.end();
+    page.ask({QStringLiteral("/dev/ttyUSB0")}, {QStringLiteral("ESC: all addresses.")});
+    const auto messages = page.findChildren<InlineMessage *>();
+    EXPECT_TRUE(std::ranges::any_of(messages, [](const InlineMessage *message) {
+        return message->sentence().contains(u"/dev/ttyUSB0 would be asked. Only reads are sent.\nESC: all");
+    }));
+    EXPECT_EQ(agreed.count(), 0);
+    QTest::mouseClick(&button(QStringLiteral("Ask")), Qt::LeftButton);
+    EXPECT_EQ(agreed.count(), 1);
+}
+
+TEST_F(FindPageTest, ConnectsWithWhatWasFoundOnceTheSearchHasEnded)
+{
+    std::vector<Found> wanted;
+    QObject::connect(&page, &FindPage::connectWanted, &page,
+                     [&](const Found &one) { wanted.push_back(one); });
+    page.begin();
+    page.add({FinderNews::Kind::looking, QStringLiteral("/dev/ttyUSB0"), QStringLiteral("Asks.")});
+    page.add(found(false));
+    EXPECT_EQ(page.news().rowCount(), 1) << "what it does is no row";
+    EXPECT_FALSE(button(QStringLiteral("Connect")).isEnabled());
+    page.end();
+    QTest::mouseClick(&button(QStringLiteral("Connect")), Qt::LeftButton);
+    ASSERT_EQ(wanted.size(), 1U);
+    EXPECT_EQ(wanted[0].settings, QStringLiteral("9600 Bd, 8N2"));
+}
+
+TEST_F(FindPageTest, NobodyConnectsWhereAMasterWorks)
+{
+    page.begin();
+    page.add(found(true));
+    page.end();
+    EXPECT_FALSE(button(QStringLiteral("Connect")).isEnabled());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/find/finder_news_model.h"
+
+#include "widgets/look/icons.h"
+
+#include <QFont>
+
+namespace codewheel {
+namespace {
+
+using Kind = FinderNews::Kind;
+
+Role roleOfNews(const FinderNews &news)
+{
+    if (news.kind == Kind::refused)
+        return Role::fault;
+    if (news.kind != Kind::found)
+        return Role::inactive;
+    return news.found->isMasterAtWork ? Role::attention : Role::running;
+}
+
+QString newsText(const FinderNews &news, int column)
+{
+    switch (column) {
+    case FinderNewsModel::place:
+        return news.place;
+    case FinderNewsModel::settings:
+        return news.found ? news.found->settings : QString();
+    case FinderNewsModel::sure:
+        return news.found ? certaintyText(news.found->certainty) : QString();
+    default:
+        return news.sentence;
+    }
+}
+
+} // namespace
+
+QVariant FinderNewsModel::headerCell(int column, int role) const
+{
+    const QString titles[] = {tr("Where"), tr("Settings"), tr("How sure"), tr("What")};
+    return role == Qt::DisplayRole ? QVariant(titles[column]) : QVariant();
+}
+
+QVariant FinderNewsModel::cell(const FinderNews &news, int column, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+        return newsText(news, column);
+    case Qt::DecorationRole:
+        return column == place ? QVariant(lineIcon(roleIcon(roleOfNews(news)), roleOfNews(news)))
+                               : QVariant();
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(news.kind == Kind::found);
+        return font;
+    }
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel
