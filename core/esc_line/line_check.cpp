@@ -7,7 +7,6 @@
 
 #include <QLocale>
 
-#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -149,7 +148,7 @@ LineFinding LineCheck::listen()
                    nullptr, static_cast<int>(heard.size())));
 }
 
-Result<esc::ExchangeResult> LineCheck::exchange(const esc::Request &request, bool &isEchoed)
+Result<esc::ExchangeResult> LineCheck::exchange(const esc::Request &request)
 {
     esc::Timing timing = m_settings.timing;
     timing.character = m_settings.serial.timeOf(1);
@@ -169,18 +168,15 @@ Result<esc::ExchangeResult> LineCheck::exchange(const esc::Request &request, boo
         if (!bytes->isEmpty())
             exchange.received(*bytes, m_link.now());
     }
-    isEchoed = std::ranges::any_of(
-        exchange.takeRows(), [](const esc::LineRow &row) { return row.kind == esc::LineRow::Kind::echo; });
     return exchange.result();
 }
 
-QString LineCheck::silenceText(const esc::ExchangeResult &result, bool isEchoed) const
+QString LineCheck::silenceText(int strayBytes, bool isEchoed)
 {
-    const int stray = result.garbageBytes + result.lateBytes;
-    if (stray > 0)
+    if (strayBytes > 0)
         return tr("%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two "
                   "encoders answer at once.",
-                  nullptr, stray);
+                  nullptr, strayBytes);
     if (isEchoed)
         return tr("Only the request came back: the adapter hears itself, and no encoder answers. Check "
                   "address, wires and supply.");
@@ -190,14 +186,14 @@ QString LineCheck::silenceText(const esc::ExchangeResult &result, bool isEchoed)
 
 LineFinding LineCheck::ask(LineAddress address)
 {
-    bool isEchoed = false;
-    const auto result = exchange({address, esc::Command::position}, isEchoed);
+    const auto result = exchange({address, esc::Command::position});
     if (!result)
         return refused(result.error());
     if (m_isStopped)
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
     if (!result->answer)
-        return told(CheckOutcome::failed, silenceText(*result, isEchoed));
+        return told(CheckOutcome::failed,
+                    silenceText(result->garbageBytes + result->lateBytes, result->isEchoed));
     if (result->answer->kind != esc::Answer::Kind::value)
         return told(CheckOutcome::failed, sentence(tr("It answers, but not with a position: %1."),
                                                    {QString::fromLatin1(result->answer->text.simplified())}));

@@ -54,6 +54,8 @@ public:
     void interrupt(); // skips what is left. Any thread
 
     static QString stepText(LineStep step, LineAddress address); // "Serial port", "Encoder 05"
+    // What came instead of an answer, and what to check.
+    static QString silenceText(int strayBytes, bool isEchoed);
 
 private:
     LineFinding find();
@@ -62,8 +64,7 @@ private:
     LineFinding ask(LineAddress address);
     LineFinding told(CheckOutcome outcome, const QString &sentence) const;
     LineFinding refused(const Refusal &why);
-    Result<esc::ExchangeResult> exchange(const esc::Request &request, bool &isEchoed);
-    QString silenceText(const esc::ExchangeResult &result, bool isEchoed) const;
+    Result<esc::ExchangeResult> exchange(const esc::Request &request);
 
     ByteLink &m_link;
     const LineSettings m_settings;
