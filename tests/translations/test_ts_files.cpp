@@ -20,6 +20,7 @@ const QStringList sameInGerman{
     QStringLiteral("2 MBd"),
     QStringLiteral("%1 (ms)"),
     QStringLiteral("&Port"),
+    QStringLiteral("Bytes"),
     QStringLiteral("Client"),
     QStringLiteral("Clients"),
     QStringLiteral("Exceptions %1"),
