@@ -38,7 +38,16 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build keeps both.
     target_compile_options(codewheel_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
+    # The same sources give the same programs, in whatever folder they are built.
+    target_compile_options(codewheel_options INTERFACE
+        "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build" "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 endif()
+
+# codewheel_resources(TARGET NAME ...): as qt_add_resources(). Without the times of the files, which are those of the checkout.
+set(codewheel_rcc_options --format-version 1)
+function(codewheel_resources)
+    qt_add_resources(${ARGV} OPTIONS ${codewheel_rcc_options})
+endfunction()
 
 # codewheel_library(NAME PUBLIC_LIBRARIES...): a static library; its folders add their own sources.
 function(codewheel_library name)

@@ -3638,8 +3638,8 @@
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>A project to open: *.codewheel, or a recording: *.cwrec</source>
-        <translation>Ein Projekt zum Öffnen: *.codewheel, oder eine Aufzeichnung: *.cwrec</translation>
+        <source>A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams</source>
+        <translation>Was geöffnet wird: ein Projekt (*.codewheel), eine Aufzeichnung (*.cwrec) oder Nocken (*.cwcams)</translation>
     </message>
 </context>
 <context>
@@ -4015,10 +4015,6 @@
         <translation>Nockenprogramme öffnen</translation>
     </message>
     <message>
-        <source>Cam programs (*.json)</source>
-        <translation>Nockenprogramme (*.json)</translation>
-    </message>
-    <message>
         <source>Open cam program %1</source>
         <translation>Nockenprogramm %1 öffnen</translation>
     </message>
@@ -4027,17 +4023,8 @@
         <translation>Alle Nockenprogramme speichern</translation>
     </message>
     <message>
-        <source>cams.json</source>
-        <translation>nocken.json</translation>
-    </message>
-    <message>
         <source>Save cam program %1</source>
         <translation>Nockenprogramm %1 speichern</translation>
-    </message>
-    <message>
-        <source>cams-%1.json</source>
-        <comment>file name</comment>
-        <translation>nocken-%1.json</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -4224,6 +4211,19 @@
     <message>
         <source>As it is in IN while the encoder is in cam mode</source>
         <translation>Wie er in IN steht, solange der Geber im Nockenbetrieb ist</translation>
+    </message>
+    <message>
+        <source>Cam programs (*.cwcams *.json)</source>
+        <translation>Nockenprogramme (*.cwcams *.json)</translation>
+    </message>
+    <message>
+        <source>cams.cwcams</source>
+        <translation>nocken.cwcams</translation>
+    </message>
+    <message>
+        <source>cams-%1.cwcams</source>
+        <comment>file name</comment>
+        <translation>nocken-%1.cwcams</translation>
     </message>
 </context>
 <context>
@@ -7472,6 +7472,57 @@ Modbus/TCP-Gateway wird verbunden und wieder verlassen. Zu jedem steht, was zu t
 Befehl zum Kopieren. Öffnet keinen seriellen Anschluss und sendet keinem Geber etwas. Endet mit 1,
 wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     </message>
+    <message>
+        <source>only listen: send nothing, connect nowhere</source>
+        <translation>nur horchen: nichts senden, nirgends verbinden</translation>
+    </message>
+    <message>
+        <source>ask silent lines and hosts without a question</source>
+        <translation>stille Leitungen und Hosts ohne Rückfrage fragen</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>who</source>
+        <translation>wer</translation>
+    </message>
+    <message>
+        <source>Nobody was found.</source>
+        <translation>Niemand wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>To find out more, %1 would be asked. Only reads are sent:</source>
+        <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet:</translation>
+    </message>
+    <message>
+        <source>Ask?</source>
+        <translation>Fragen?</translation>
+    </message>
+    <message>
+        <source>Nothing was sent. Add --yes to ask, or --listen to only listen.</source>
+        <translation>Nichts wurde gesendet. Fügen Sie --yes an, um zu fragen, oder --listen, um nur zu horchen.</translation>
+    </message>
+    <message>
+        <source>find encoders and gateways at ports and hosts</source>
+        <translation>Geber und Gateways an Anschlüssen und Hosts finden</translation>
+    </message>
+    <message>
+        <source>Looks for whoever is at these serial ports and hosts, or at every serial port of this computer. First
+it listens: where somebody talks, a master is at work, and nothing is sent. Then it says what it would
+send to lines that are silent, and to hosts, and asks whether it may. Only reads are sent. Each find is
+told with how sure it is and the link that leads there. Ends with 1 if nobody was found.</source>
+        <translation>Sucht, wer an diesen seriellen Anschlüssen und Hosts ist, oder an jedem seriellen Anschluss dieses
+Rechners. Zuerst wird gehorcht: Wo jemand spricht, arbeitet ein Master, und nichts wird gesendet. Dann
+wird gesagt, was an stille Leitungen und an Hosts gesendet würde, und gefragt, ob es darf. Nur Lesen
+wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dorthin führt. Endet mit
+1, wenn niemand gefunden wurde.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -7490,6 +7541,52 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     <message>
         <source>Meaning</source>
         <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Words in any order, or their beginnings: of an action, a device, a parameter, a message or a page of the manual</source>
+        <translation>Wörter in beliebiger Reihenfolge oder ihre Anfänge: von Aktionen, Geräten, Parametern, Meldungen oder Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>Return or a click carries it out</source>
+        <translation>Eingabe oder ein Klick führt es aus</translation>
+    </message>
+    <message>
+        <source>Command palette</source>
+        <translation>Befehlspalette</translation>
+    </message>
+    <message>
+        <source>Find a command, a device, a parameter, a message, a page of the manual</source>
+        <translation>Befehl, Gerät, Parameter, Meldung oder Seite des Handbuchs suchen</translation>
+    </message>
+    <message>
+        <source>Type what you are looking for.</source>
+        <translation>Geben Sie ein, was Sie suchen.</translation>
+    </message>
+    <message>
+        <source>Nothing is found for &quot;%1&quot;. Try fewer words, or the beginnings of words.</source>
+        <translation>Für „%1“ wird nichts gefunden. Versuchen Sie es mit weniger Wörtern oder mit Wortanfängen.</translation>
+    </message>
+    <message>
+        <source>What was used last, then what is used most</source>
+        <translation>Zuletzt benutzt, dann die gebräuchlichsten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9329,6 +9426,117 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     <message>
         <source>Ends the search (Esc)</source>
         <translation>Beendet die Suche (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Finder</name>
+    <message>
+        <source>An encoder with the Kübler ESC protocol</source>
+        <translation>Ein Geber mit dem Kübler-ESC-Protokoll</translation>
+    </message>
+    <message>
+        <source>at the master address</source>
+        <translation>an der Masteradresse</translation>
+    </message>
+    <message>
+        <source>at address %1</source>
+        <translation>an Adresse %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>no serial number</source>
+        <translation>ohne Seriennummer</translation>
+    </message>
+    <message>
+        <source>Asks for an encoder with the Kübler ESC protocol at address %1.</source>
+        <translation>Fragt nach einem Geber mit dem Kübler-ESC-Protokoll an Adresse %1.</translation>
+    </message>
+    <message>
+        <source>A master works on this line with the Kübler ESC protocol.</source>
+        <translation>An dieser Leitung arbeitet ein Master mit dem Kübler-ESC-Protokoll.</translation>
+    </message>
+    <message>
+        <source>Kübler ESC: at 19200, 9600 and 4800 Bd, 8N2, the master address 00 is asked for a serial number, twice; where anything comes, each address from 01 to 1F is asked for serial number, device code and version.</source>
+        <translation>Kübler ESC: Mit 19200, 9600 und 4800 Bd, 8N2, wird die Masteradresse 00 zweimal nach einer Seriennummer gefragt; wo etwas kommt, jede Adresse von 01 bis 1F nach Seriennummer, Gerätecode und Version.</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>Modbus/TCP: the host is connected, and the units 1, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
+        <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+    </message>
+    <message>
+        <source>The search was ended.</source>
+        <translation>Die Suche wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The host takes the connection.</source>
+        <translation>Der Host nimmt die Verbindung an.</translation>
+    </message>
+    <message>
+        <source>All were asked.</source>
+        <translation>Alle wurden gefragt.</translation>
+    </message>
+    <message>
+        <source>The host takes the connection, but no unit answers.</source>
+        <translation>Der Host nimmt die Verbindung an, aber keine Unit antwortet.</translation>
+    </message>
+    <message>
+        <source>The Modbus unit %1 does not answer.</source>
+        <translation>Die Modbus-Unit %1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>The Modbus unit %1 answers. Whether it shows a ring, its register map says: test it.</source>
+        <translation>Die Modbus-Unit %1 antwortet. Ob sie einen Ring zeigt, sagt ihr Registerplan: Testen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1. Nothing is sent; it is listened to with other settings.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben. Nichts wird gesendet; es wird mit anderen Einstellungen gehorcht.</translation>
+    </message>
+    <message>
+        <source>The line is silent. Asking may find out more.</source>
+        <translation>Die Leitung ist still. Fragen kann mehr herausfinden.</translation>
+    </message>
+    <message>
+        <source>The line is silent: it is asked.</source>
+        <translation>Die Leitung ist still: Sie wird gefragt.</translation>
+    </message>
+    <message>
+        <source>Somebody talks on this line, but it makes sense with no usual setting. Nothing was sent.</source>
+        <translation>An dieser Leitung spricht jemand, aber mit keiner üblichen Einstellung ergibt es einen Sinn. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1: next %2.</source>
+        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben: als Nächstes %2.</translation>
+    </message>
+    <message>
+        <source>Nobody answers. Check wires (A and B may be swapped) and supply.</source>
+        <translation>Niemand antwortet. Prüfen Sie Adern (A und B können vertauscht sein) und Versorgung.</translation>
+    </message>
+    <message>
+        <source>Asks the Modbus unit %1 for a register.</source>
+        <translation>Fragt die Modbus-Unit %1 nach einem Register.</translation>
+    </message>
+    <message>
+        <source>A Modbus RTU master works on this line.</source>
+        <translation>An dieser Leitung arbeitet ein Modbus-RTU-Master.</translation>
+    </message>
+    <message>
+        <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register.</source>
+        <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
     </message>
 </context>
 <context>
@@ -12319,10 +12527,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>%1 ist nicht im Busaufbau: weder verbunden noch im Projekt.</translation>
     </message>
     <message>
-        <source>Choose an encoder with cams first, then drop %1 again.</source>
-        <translation>Zuerst einen Geber mit Nocken wählen, dann %1 noch einmal ablegen.</translation>
-    </message>
-    <message>
         <source>A sequence is being sent: it stays until that has ended.</source>
         <translation>Eine Sequenz wird gerade gesendet: Sie bleibt, bis das zu Ende ist.</translation>
     </message>
@@ -13403,6 +13607,148 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>What is typed there will be discarded.</source>
         <translation>Was dort eingegeben ist, wird nicht übernommen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PaletteManual</name>
+    <message>
+        <source>The window</source>
+        <translation>Das Fenster, Panels, Anordnung</translation>
+    </message>
+    <message>
+        <source>Cams</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>Device panel</source>
+        <translation>Gerät, Anschlussbelegung, LEDs</translation>
+    </message>
+    <message>
+        <source>Dial</source>
+        <translation>Zifferblatt, Geber</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Gateway, registers</source>
+        <translation>Gateway, Register</translation>
+    </message>
+    <message>
+        <source>Help, keys, support</source>
+        <translation>Hilfe, Tasten, Support</translation>
+    </message>
+    <message>
+        <source>Modes, preset, reset, factory settings</source>
+        <translation>Betriebsarten, Preset, Zurücksetzen, Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>Master, faults of the ring</source>
+        <translation>Master, Störungen des Rings</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Monitors, words, bits</source>
+        <translation>Monitore, Wörter, Bits</translation>
+    </message>
+    <message>
+        <source>Command palette, search</source>
+        <translation>Befehlspalette, suchen</translation>
+    </message>
+    <message>
+        <source>Parameters, read, write</source>
+        <translation>Parameter, lesen, schreiben</translation>
+    </message>
+    <message>
+        <source>Project, bus structure, offline, compare</source>
+        <translation>Projekt, Busaufbau, offline, vergleichen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung, aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Replay of a recording</source>
+        <translation>Wiedergabe einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Commissioning report, print</source>
+        <translation>Inbetriebnahmebericht, drucken</translation>
+    </message>
+    <message>
+        <source>Sequence, handshake trace</source>
+        <translation>Sequenz, Handshake-Protokoll</translation>
+    </message>
+    <message>
+        <source>Serial line, port, search for encoders</source>
+        <translation>Serielle Leitung, Anschluss, Geber suchen</translation>
+    </message>
+    <message>
+        <source>Offer a training bus</source>
+        <translation>Übungsbus anbieten, bereitstellen</translation>
+    </message>
+    <message>
+        <source>Settings, language, appearance</source>
+        <translation>Einstellungen, Sprache, Darstellung</translation>
+    </message>
+    <message>
+        <source>Simulated line, disturbances</source>
+        <translation>Simulierte Leitung, Störungen</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Training, turn shafts, cause faults</source>
+        <translation>Übung, Wellen drehen, Fehler verursachen</translation>
+    </message>
+    <message>
+        <source>Transfer, replace encoder</source>
+        <translation>Übertragung, Geber ersetzen, tauschen</translation>
+    </message>
+    <message>
+        <source>Trend, curves</source>
+        <translation>Trend, Kurven</translation>
+    </message>
+    <message>
+        <source>Parameter wizard</source>
+        <translation>Parametrierassistent</translation>
+    </message>
+    <message>
+        <source>Command line</source>
+        <translation>Befehlszeile, Kommandozeile</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PaletteModel</name>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>not available now</source>
+        <translation>zurzeit nicht verfügbar</translation>
     </message>
 </context>
 <context>
@@ -20168,6 +20514,13 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::WaitingCams</name>
+    <message>
+        <source>%1 has cam programs: choose an encoder with cams in the bus structure, and they are opened for it.</source>
+        <translation>%1 enthält Nockenprogramme: im Busaufbau einen Geber mit Nocken wählen, dann werden sie für ihn geöffnet.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::WantedValues</name>
     <message>
         <source>%1 wanted for %2</source>
@@ -20677,6 +21030,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Open recordin&amp;g…</source>
         <translation>Aufz&amp;eichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;finden…</translation>
+    </message>
+    <message>
+        <source>Finds actions, devices, parameters, messages and pages of the manual by words</source>
+        <translation>Findet Aktionen, Geräte, Parameter, Meldungen und Seiten des Handbuchs über Wörter</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,16 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CommandPalette</name>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ComparisonPage</name>
     <message numerus="yes">
         <source>%n lines differ.</source>

@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "cli/commands.h"
+#include "cli/completion/complete.h"
 #include "cli/help.h"
 #include "cli/json.h"
 #include "cli/ledger_account.h"
@@ -32,7 +33,7 @@ QString commandNames()
 
 QString jsonText(const QJsonObject &json, const QString &command)
 {
-    const Subcommand *known = findCommand(command);
+    const Subcommand *known = commandNamed(command);
     if (known != nullptr && known->answersInLines)
         return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact)) + u'\n';
     return QString::fromUtf8(QJsonDocument(json).toJson());
@@ -285,6 +286,8 @@ bool makesPdf(const QStringList &words)
 // The command is the first word that is not an option; the common options may come before it.
 int runCommandLine(const QStringList &words, const Terminal &terminal)
 {
+    if (isCompletion(words))
+        return complete(words, terminal);
     qsizetype place = 0;
     while (place < words.size() && words[place].startsWith(u'-'))
         place += takesNextWord(words[place]) ? 2 : 1;
@@ -292,7 +295,7 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return withoutCommand(words, terminal);
 
     const QString &name = words[place];
-    const Subcommand *command = findCommand(name);
+    const Subcommand *command = commandNamed(name);
     if (!command)
         return fail(aboutUnknownCommand(name), {}, words, terminal);
     const QStringList behind = words.first(place) + words.sliced(place + 1);

@@ -61,14 +61,14 @@ Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession
     return find(encoder.place());
 }
 
-struct TimeSpan
+struct TypedSpan
 {
     QDateTime from;
     QDateTime until;
 };
 
 // To the minute, or to the second if one is given.
-Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
+Checked<TypedSpan> timeMeant(const QString &typed, const QDateTime &now)
 {
     const QString text = typed.contains(u'T') ? typed : now.date().toString(Qt::ISODate) + u'T' + typed;
     const bool toTheMinute = text.count(u':') == 1;
@@ -79,11 +79,11 @@ Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
                         {typed});
     if (at.timeSpec() == Qt::LocalTime)
         at.setTimeZone(now.timeZone());
-    return TimeSpan{at, at.addSecs(toTheMinute ? 60 : 1)};
+    return TypedSpan{at, at.addSecs(toTheMinute ? 60 : 1)};
 }
 
 // With --at.
-Checked<std::optional<TimeSpan>> timeMeant(const Call &call)
+Checked<std::optional<TypedSpan>> timeMeant(const Call &call)
 {
     const auto typed = call.arguments.value("--at");
     if (!typed)
@@ -93,7 +93,7 @@ Checked<std::optional<TimeSpan>> timeMeant(const Call &call)
 }
 
 Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all,
-                                  const std::optional<TimeSpan> &span)
+                                  const std::optional<TypedSpan> &span)
 {
     if (!span)
         return all.front();

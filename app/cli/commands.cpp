@@ -16,7 +16,8 @@ constexpr std::array firstCommands{&devicesCommand,  &scanCommand,    &compareCo
                                    &velocityCommand, &resetCommand,   &camsCommand,    &storeCommand,
                                    &transferCommand, &cloneCommand,   &replaceCommand, &restoreCommand,
                                    &reportCommand,   &monitorCommand, &recordCommand,  &exportCommand};
-constexpr std::array lastCommands{&serveCommand, &messagesCommand, &ledgerCommand, &doctorCommand};
+constexpr std::array lastCommands{&serveCommand, &messagesCommand, &ledgerCommand, &findCommand,
+                                  &doctorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
@@ -58,7 +59,7 @@ std::vector<const Subcommand *> allCommands()
     return all;
 }
 
-const Subcommand *findCommand(const QString &name)
+const Subcommand *commandNamed(const QString &name)
 {
     const auto all = allCommands();
     const auto found = std::ranges::find_if(

@@ -27,13 +27,14 @@ extern const Subcommand monitorCommand;
 extern const Subcommand recordCommand;
 extern const Subcommand exportCommand;
 extern const Subcommand doctorCommand;
+extern const Subcommand findCommand;
 extern const Subcommand serveCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;
 
 // In the order of the help.
 std::vector<const Subcommand *> allCommands();
-const Subcommand *findCommand(const QString &name);
+const Subcommand *commandNamed(const QString &name);
 // The ones that every command has, --json first.
 std::span<const Option> commonOptions();
 std::vector<Option> ownOptionsOf(const Subcommand &command);

@@ -68,6 +68,28 @@ constexpr const char *overallExamples[] = {
     "read 05 --link esc:ttyUSB0,baud=9600",
 };
 
+QString overallNotes()
+{
+    return CommandLine::tr(
+        "PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its "
+        "address,\n"
+        "two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses "
+        "have it,\n"
+        "BUS/PLACE names one, BUS being its name in the project, else Ring or Line, or its number. "
+        "Numbers\n"
+        "are decimal unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the "
+        "manuals print it.\n"
+        "\n"
+        "Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands\n"
+        "still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a "
+        "rod,\n"
+        "6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler\n"
+        "encoders 03, 05 and 12. What one call wrote, the next one does not find.\n"
+        "\n"
+        "Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.\n"
+        "codewheel-cli COMMAND --help explains a command.");
+}
+
 } // namespace
 
 QString overallHelp()
@@ -81,25 +103,7 @@ QString overallHelp()
            QStringLiteral("\n\n") + CommandLine::tr("Usage: codewheel-cli COMMAND ...") +
            QStringLiteral("\n\n") + CommandLine::tr("Commands:") + u'\n' + commands.toString(2) + u'\n' +
            CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) + u'\n' +
-           CommandLine::tr("Examples:") + u'\n' + exampleLines(overallExamples) + u'\n' +
-           CommandLine::tr(
-               "PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its "
-               "address,\n"
-               "two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses "
-               "have it,\n"
-               "BUS/PLACE names one, BUS being its name in the project, else Ring or Line, or its number. "
-               "Numbers\n"
-               "are decimal unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the "
-               "manuals print it.\n"
-               "\n"
-               "Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands\n"
-               "still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a "
-               "rod,\n"
-               "6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler\n"
-               "encoders 03, 05 and 12. What one call wrote, the next one does not find.\n"
-               "\n"
-               "Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.\n"
-               "codewheel-cli COMMAND --help explains a command.") +
+           CommandLine::tr("Examples:") + u'\n' + exampleLines(overallExamples) + u'\n' + overallNotes() +
            u'\n';
 }
 
@@ -127,6 +131,7 @@ QJsonObject overallHelpJson()
     json.insert(QStringLiteral("commands"), commands);
     json.insert(QStringLiteral("options"), optionsJson(commonOptions()));
     json.insert(QStringLiteral("examples"), examplesJson(overallExamples));
+    json.insert(QStringLiteral("notes"), overallNotes());
     return json;
 }
 

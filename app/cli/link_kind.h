@@ -3,6 +3,7 @@
 
 #include "cli/bus_access.h"
 #include "cli/subcommand.h"
+#include "finder/place_finder.h"
 
 #include <functional>
 #include <span>
@@ -25,12 +26,27 @@ struct LinkText
 // Makes a bus of the call; the catalog must outlive it.
 using MakeLink = std::function<Checked<std::unique_ptr<BusAccess>>(const Catalog &)>;
 
+// A device whose place is known without asking its bus.
+struct KnownDevice
+{
+    QString place; // as it is typed
+    QString key;   // of its description; empty: it has none, or it is not known
+};
+
 // What of a simulated bus can be offered to other programs, as "serve esc".
 struct Service
 {
     const char *name;
     std::span<const Option> options;
     Checked<Answer> (*serve)(const Call &call); // until it is told to end
+};
+
+// Somebody at a host whom "find" looks for, and what would be sent there.
+struct HostSearch
+{
+    QString place;
+    QString announcement;
+    std::unique_ptr<PlaceFinder> finder;
 };
 
 // A kind of bus at the command line: the links that reach it, and what it adds.
@@ -56,6 +72,13 @@ public:
     virtual std::span<const Subcommand *const> commands() const { return {}; }
     virtual std::span<const Option> scanOptions() const { return {}; } // of the search for encoders
     virtual std::span<const Service> services() const { return {}; }
+    // For shells that complete a call: where SCHEME: leads besides what is planned, the settings that may
+    // stand behind it, and the devices of the simulated bus. Opens nothing.
+    virtual QStringList ends(const QString &) const { return {}; }
+    virtual QStringList settingKeys(const QString &) const { return {}; }
+    virtual std::vector<KnownDevice> trainingDevices(const Catalog &) const { return {}; }
+    // At HOST[:PORT], as typed; null: this kind is at no host.
+    virtual Checked<std::optional<HostSearch>> hostSearch(const QString &) const { return std::nullopt; }
     // For a device on this kind of bus that has no words; empty: it is explained like all others.
     virtual std::optional<Checked<Answer>> explain(const Call &, const DeviceDescription &) const
     {

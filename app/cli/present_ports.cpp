@@ -6,6 +6,19 @@
 #include "links/serial_ports.h"
 
 namespace codewheel {
+namespace {
+
+const QString devices = QStringLiteral("/dev/");
+
+} // namespace
+
+QStringList presentPortNames()
+{
+    QStringList names;
+    for (const PortInfo &port : serialPorts())
+        names << (port.path.startsWith(devices) ? port.path.sliced(devices.size()) : port.path);
+    return names;
+}
 
 QString presentPortsText()
 {

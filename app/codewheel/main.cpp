@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 
 #include <algorithm>
 #include <cerrno>
@@ -28,7 +29,8 @@ void describe(QCommandLineParser &parser)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("codewheel", "A project to open: *.codewheel, or a recording: *.cwrec"),
+        QCoreApplication::translate(
+            "codewheel", "A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams"),
         QStringLiteral("[FILE]"));
 }
 
@@ -79,7 +81,8 @@ int main(int argc, char **argv)
     QApplication application(argc, argv);
     name(application);
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));
-    QApplication::setDesktopFileName(QStringLiteral("codewheel"));
+    QApplication::setDesktopFileName(QStringLiteral("io.codewheel.Codewheel"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/program/io.codewheel.Codewheel.svg")));
 
     codewheel::Program program(application);
     QCommandLineParser parser;

@@ -16,12 +16,14 @@
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/monitor_area.h"
+#include "widgets/palette/command_palette.h"
 #include "widgets/sequence/sequence_view.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 
@@ -129,6 +131,17 @@ QWidget *busFault(TrainingWindow &shown)
     return dock(shown, "masterDock");
 }
 
+QWidget *paletteAtWork(TrainingWindow &shown)
+{
+    readAll(shown);
+    shown.window().actions().findCommand->trigger();
+    auto *palette = shown.window().findChild<CommandPalette *>();
+    palette->findChild<QLineEdit *>()->setText(QStringLiteral("fra"));
+    while (!palette->isComplete())
+        QCoreApplication::processEvents();
+    return &shown.window();
+}
+
 // The question that comes before this function of the encoder.
 Picture questionBefore(const char *name, const char *action)
 {
@@ -168,6 +181,7 @@ std::vector<Picture> views()
                       readAll(shown);
                       return dock(shown, "dialDock");
                   }),
+        pictureOf("palette", paletteAtWork, low),
         pictureOf("cams", camsAtWork, low),
         pictureOf("structure-editor", structureEditorAtWork),
         pictureOf("structure-insert", insertionAtWork),

@@ -2,6 +2,7 @@
 #include "app/window/key_list.h"
 
 #include "app/window/main_window.h"
+#include "app/window/menu_list.h"
 #include "app/window/window_kinds.h"
 #include "widgets/cams/cam_program_strip.h"
 #include "widgets/cams/cam_ruler.h"
@@ -14,8 +15,6 @@
 
 #include <QAction>
 #include <QDockWidget>
-#include <QMenu>
-#include <QMenuBar>
 
 #include <algorithm>
 #include <map>
@@ -39,18 +38,14 @@ void addRow(KeyGroup &group, const QAction &action)
         group.rows.push_back(row);
 }
 
-void addMenu(std::vector<KeyGroup> &groups, std::set<const QAction *> &seen, const QMenu &menu,
-             const QString &title)
+void addMenus(std::vector<KeyGroup> &groups, std::set<const QAction *> &seen, const QMainWindow &window)
 {
-    const std::size_t own = groups.size();
-    groups.push_back({title, {}});
-    for (const QAction *action : menu.actions()) {
-        seen.insert(action);
-        if (action->menu() != nullptr)
-            addMenu(groups, seen, *action->menu(),
-                    QStringLiteral("%1 > %2").arg(title, plainLabel(action->text())));
-        else
-            addRow(groups[own], *action);
+    for (const ListedMenu &menu : menusOf(window)) {
+        groups.push_back({menu.path, {}});
+        for (const QAction *action : menu.actions) {
+            seen.insert(action);
+            addRow(groups.back(), *action);
+        }
     }
 }
 
@@ -133,8 +128,7 @@ std::vector<KeyGroup> keysOf(const QMainWindow &window)
 {
     std::vector<KeyGroup> groups;
     std::set<const QAction *> seen;
-    for (const QAction *menu : window.menuBar()->actions())
-        addMenu(groups, seen, *menu->menu(), plainLabel(menu->text()));
+    addMenus(groups, seen, window);
     addViews(groups, seen, window);
     addAnswered(groups);
     std::erase_if(groups, [](const KeyGroup &group) { return group.rows.isEmpty(); });

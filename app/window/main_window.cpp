@@ -10,6 +10,7 @@
 #include "app/window/leaving.h"
 #include "app/window/page_head.h"
 #include "app/window/page_stack.h"
+#include "app/window/palette_in_window.h"
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
@@ -88,7 +89,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     connectActions();
     connectViewActions();
-    new ContextHelp(*this, m_actions, m_settings);
+    m_help = new ContextHelp(*this, m_actions, m_settings);
     showBusState();
     if (!restoreGeometry(m_settings.geometry()))
         resize(firstSize.boundedTo(screen()->availableSize() - frame));
@@ -123,6 +124,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectProject();
     connectBuses();
     connectRecordings();
+    new PaletteInWindow({*this, m_actions, plant, m_project, *m_choice, *m_structure, *m_parameters, messages,
+                         *m_messages, m_panels, *m_help, m_settings, [this] { showMonitors(); }});
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
     m_dial->restore(m_settings.pinnedDial());

@@ -24,6 +24,7 @@ class BusAtWork;
 class BusViews;
 class CamEditor;
 class Buses;
+class ContextHelp;
 class DeviceChoice;
 class DevicePanel;
 class DialPin;
@@ -55,6 +56,7 @@ class StructureView;
 class TraceView;
 class TransferPages;
 class TrendPage;
+class WaitingCams;
 struct Track;
 class WantedValues;
 class WindowLayouts;
@@ -97,6 +99,8 @@ public:
     void showTrend();
     void showInTrend(const Track &track);
     bool openRecording(const QString &path); // false: it says why not
+    // A project, a recording, cams, a sequence or a device description, as if it were dropped.
+    void openFile(const QString &path);
     ProjectFiles &files() { return *m_files; }
     Start &start() { return *m_start; } // only after attach()
     void askForRecovery(ProjectRecovery &recovery);
@@ -157,6 +161,7 @@ private:
     void showBusState();
     void showStart();
     void foldBottom();
+    InlineMessage &addNotice(const QString &name); // above all pages
     void connectDrops();
     void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has no words
@@ -182,6 +187,7 @@ private:
     QStackedWidget *m_pages;
     PageHead *m_head;
     ProjectFiles *m_files;
+    ContextHelp *m_help;
     FaultNotice *m_faults = nullptr;
     ReportExport *m_report = nullptr;
     RecordingInWindow *m_recording = nullptr;
@@ -204,6 +210,7 @@ private:
     TransferPages *m_transfer = nullptr;
     Start *m_start = nullptr;
     DroppedDevice *m_droppedDevice = nullptr;
+    WaitingCams *m_waitingCams = nullptr;
     bool m_keepsBottomFolded = false; // by the user, whatever is in the middle
     QByteArray m_defaultLayout;
     WindowLayouts *m_layouts = nullptr;

@@ -13,6 +13,7 @@
 #include "app/window/report_export.h"
 #include "app/window/start.h"
 #include "app/window/transfer_pages.h"
+#include "app/window/waiting_cams.h"
 #include "app/window/window_kinds.h"
 #include "app/window/window_layouts.h"
 #include "bus/word_channel.h"
@@ -39,7 +40,6 @@
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAction>
-#include <QFileInfo>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -165,6 +165,15 @@ void MainWindow::connectProject()
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
 }
 
+// What is none of the program's files is refused as a project.
+void MainWindow::openFile(const QString &path)
+{
+    const FileKind kind = fileKind(path);
+    const bool isOther =
+        kind == FileKind::ofProgram || kind == FileKind::other || kind == FileKind::notReadable;
+    openDropped(isOther ? FileKind::project : kind, path);
+}
+
 // Opened as by its own page or panel, with the same questions.
 void MainWindow::openDropped(FileKind kind, const QString &path)
 {
@@ -173,14 +182,7 @@ void MainWindow::openDropped(FileKind kind, const QString &path)
         m_files->open(path);
         return;
     case FileKind::cams:
-        if (!m_actions.cams->isEnabled()) {
-            m_notice->showMessage(
-                Role::attention,
-                tr("Choose an encoder with cams first, then drop %1 again.").arg(QFileInfo(path).fileName()));
-            return;
-        }
-        showCams();
-        m_cams->load(path);
+        m_waitingCams->open(path);
         return;
     case FileKind::sequence:
         m_panels.show(panel::sequence);
@@ -203,13 +205,22 @@ void MainWindow::openDropped(FileKind kind, const QString &path)
     }
 }
 
+InlineMessage &MainWindow::addNotice(const QString &name)
+{
+    auto *notice = new InlineMessage(this);
+    notice->setObjectName(name);
+    static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, notice);
+    return *notice;
+}
+
 void MainWindow::connectDrops()
 {
-    auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
-    auto *notice = new InlineMessage(this);
-    notice->setObjectName(QStringLiteral("droppedDevice"));
-    rows->insertWidget(0, notice);
-    m_droppedDevice = new DroppedDevice(*notice, userDeviceFolder(), this);
+    m_droppedDevice = new DroppedDevice(addNotice(QStringLiteral("droppedDevice")), userDeviceFolder(), this);
+    m_waitingCams = new WaitingCams(addNotice(QStringLiteral("waitingCams")), *m_actions.cams, this);
+    connect(m_waitingCams, &WaitingCams::ready, this, [this](const QString &path) {
+        showCams();
+        m_cams->load(path);
+    });
     auto *drops = new DroppedFiles(*this);
     connect(drops, &DroppedFiles::dropped, this, &MainWindow::openDropped);
     connect(drops, &DroppedFiles::refused, this,

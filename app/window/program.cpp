@@ -5,7 +5,6 @@
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
-#include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/recording_in_window.h"
 #include "app/window/start.h"
@@ -126,10 +125,8 @@ void Program::keepLastFile()
 
 void Program::openProject()
 {
-    if (!m_file.isEmpty() && fileKind(m_file) == FileKind::recording)
-        m_window->openRecording(m_file);
-    else if (!m_file.isEmpty())
-        m_window->files().open(m_file);
+    if (!m_file.isEmpty())
+        m_window->openFile(m_file);
     m_window->compare();
     m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);
     connect(m_recovery.get(), &ProjectRecovery::told, m_messages.get(), &MessageModel::addNow);

@@ -35,8 +35,8 @@ public:
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
-    // A project to open as soon as the window is there; nothing is connected then. Without one, the very
-    // first start begins with the training plant, later ones with the start page.
+    // A project, or another file of the program, to open as soon as the window is there; nothing is connected
+    // then. Without one, the very first start begins with the training plant, later ones with the start page.
     void openAtStart(const QString &file) { m_file = file; }
     int run();
     void openWindow();

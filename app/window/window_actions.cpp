@@ -317,6 +317,10 @@ void WindowActions::makeHelpMenu()
                   QKeySequence::HelpContents, tr("Opens the manual at the section about what has the focus"));
     manual = described(menu->addAction(tr("&Manual")), {}, tr("Opens the manual at its first page"));
     keys = described(menu->addAction(tr("&Keys")), Qt::CTRL | Qt::Key_F1, tr("Lists the keys of the window"));
+    findCommand =
+        described(menu->addAction(lineIcon(Icon::search), tr("&Find a command…")), Qt::CTRL | Qt::Key_K,
+                  tr("Finds actions, devices, parameters, messages and pages of the manual by words"));
+    findCommand->setEnabled(false);
     menu->addSeparator();
     collectSupport = described(
         menu->addAction(lineIcon(Icon::save), tr("&Collect for support…")), {},

@@ -103,8 +103,9 @@ public:
     QAction *foldBottom;
     QAction *defaultLayout;
     // Help
-    QAction *help;   // about what has the focus
-    QAction *manual; // at its first page
+    QAction *findCommand; // enabled with the palette
+    QAction *help;        // about what has the focus
+    QAction *manual;      // at its first page
     QAction *keys;
     QAction *collectSupport;
     QAction *about;

@@ -52,6 +52,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString monitorsKey = QStringLiteral("window/monitors");
 const QString pinnedDialKey = QStringLiteral("window/pinnedDial");
 const QString helpLayoutKey = QStringLiteral("help/layout");
+const QString usedCommandsKey = QStringLiteral("palette/used");
 const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
 const QString decimalSignKey = QStringLiteral("appearance/decimalSign");
@@ -118,6 +119,16 @@ void WindowSettings::setChoices(const ProgramSettings &choices)
     m_settings->setValue(traceRowsKey, choices.traceRows);
     m_settings->setValue(trendMemoryKey, choices.trendMemory);
     m_settings->setValue(keepingKey, choices.secondsBetweenKeeping);
+}
+
+QStringList WindowSettings::usedCommands() const
+{
+    return m_settings->value(usedCommandsKey).toStringList();
+}
+
+void WindowSettings::setUsedCommands(const QStringList &ids)
+{
+    m_settings->setValue(usedCommandsKey, ids);
 }
 
 QString WindowSettings::folder() const

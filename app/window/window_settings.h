@@ -69,6 +69,9 @@ public:
     QStringList typedRequests() const;
     void setTypedRequests(const QStringList &requests);
 
+    QStringList usedCommands() const; // in the command palette, last one first
+    void setUsedCommands(const QStringList &ids);
+
     QString folder() const; // of the file
 
 private:

@@ -13,8 +13,8 @@ namespace codewheel {
 namespace {
 
 // Of our package: they keep adapters from ModemManager and brltty.
-constexpr std::array ourRules{"/usr/lib/udev/rules.d/60-codewheel.rules",
-                              "/lib/udev/rules.d/60-codewheel.rules", "/etc/udev/rules.d/60-codewheel.rules"};
+constexpr std::array ourRules{"/usr/lib/udev/rules.d/91-codewheel.rules",
+                              "/lib/udev/rules.d/91-codewheel.rules", "/etc/udev/rules.d/60-codewheel.rules"};
 
 bool hasOurRules(const Computer &computer)
 {

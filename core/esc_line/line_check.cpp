@@ -4,6 +4,7 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "esc_line/exchange_over_link.h"
 
 #include <QLocale>
 
@@ -148,29 +149,6 @@ LineFinding LineCheck::listen()
                    nullptr, static_cast<int>(heard.size())));
 }
 
-Result<esc::ExchangeResult> LineCheck::exchange(const esc::Request &request)
-{
-    esc::Timing timing = m_settings.timing;
-    timing.character = m_settings.serial.timeOf(1);
-    esc::Exchange exchange(request, timing);
-    for (;;) {
-        const auto action = exchange.next(m_link.now());
-        if (std::holds_alternative<esc::Exchange::Done>(action) || m_isStopped)
-            break;
-        if (const auto *send = std::get_if<esc::Exchange::Send>(&action)) {
-            if (auto written = m_link.write(send->bytes); !written)
-                return tl::unexpected(written.error());
-            continue;
-        }
-        const auto bytes = m_link.read(std::get<esc::Exchange::Wait>(action).until);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        if (!bytes->isEmpty())
-            exchange.received(*bytes, m_link.now());
-    }
-    return exchange.result();
-}
-
 QString LineCheck::silenceText(int strayBytes, bool isEchoed)
 {
     if (strayBytes > 0)
@@ -186,21 +164,23 @@ QString LineCheck::silenceText(int strayBytes, bool isEchoed)
 
 LineFinding LineCheck::ask(LineAddress address)
 {
-    const auto result = exchange({address, esc::Command::position});
+    esc::Timing timing = m_settings.timing;
+    timing.character = m_settings.serial.timeOf(1);
+    const auto result = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
     if (!result)
         return refused(result.error());
     if (m_isStopped)
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
-    if (!result->answer)
+    const auto &answer = result->answer;
+    if (!answer)
         return told(CheckOutcome::failed,
                     silenceText(result->garbageBytes + result->lateBytes, result->isEchoed));
-    if (result->answer->kind != esc::Answer::Kind::value)
+    if (answer->kind != esc::Answer::Kind::value)
         return told(CheckOutcome::failed, sentence(tr("It answers, but not with a position: %1."),
-                                                   {QString::fromLatin1(result->answer->text.simplified())}));
-    return told(CheckOutcome::passed,
-                sentence(tr("It answers after %1 ms: position %2 (%3h)."),
-                         {inMilliseconds(result->answerTime), QLocale().toString(result->answer->value),
-                          hexWord(result->answer->value)}));
+                                                   {QString::fromLatin1(answer->text.simplified())}));
+    return told(CheckOutcome::passed, sentence(tr("It answers after %1 ms: position %2 (%3h)."),
+                                               {inMilliseconds(result->answerTime),
+                                                QLocale().toString(answer->value), hexWord(answer->value)}));
 }
 
 } // namespace codewheel

@@ -64,7 +64,6 @@ private:
     LineFinding ask(LineAddress address);
     LineFinding told(CheckOutcome outcome, const QString &sentence) const;
     LineFinding refused(const Refusal &why);
-    Result<esc::ExchangeResult> exchange(const esc::Request &request);
 
     ByteLink &m_link;
     const LineSettings m_settings;

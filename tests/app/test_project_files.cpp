@@ -3,14 +3,18 @@
 // lost, what remains after a crash.
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "cams/cam_file.h"
+#include "project/file_access.h"
 #include "project/project_file.h"
 #include "project/project_take_over.h"
 #include "project/word_list.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
+#include "widgets/cams/cam_editor.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/sequence/sequence_view.h"
+#include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -321,6 +325,32 @@ TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
     }
     EXPECT_EQ(station(), QStringLiteral("unsaved")) << "asked, as Open does";
     EXPECT_TRUE(document().file().isEmpty());
+}
+
+TEST_F(ProjectFilesTest, DroppedCamsWaitForAnEncoderThatHasSome)
+{
+    auto &structure = *window().findChild<StructureView *>();
+    structure.choose("3.0"_ring); // a K1
+    advance(5);
+    const QString cams = path("hoist.cwcams");
+    ASSERT_TRUE(replaceFile(cams,
+                            camFileToJson({.device = QStringLiteral("fraba-ocd-ib"),
+                                           .totalRange = {},
+                                           .programs = {{.cam = {{{.start = 10, .stop = 20}}}}}}),
+                            OldFile::goes));
+    drop(cams);
+    EXPECT_TRUE(notice("waitingCams").startsWith(QStringLiteral("hoist.cwcams has cam programs")));
+    structure.choose(test::fraba);
+    advance(5);
+    EXPECT_EQ(notice("waitingCams"), QString());
+    auto &editor = *window().findChild<CamEditor *>();
+    EXPECT_EQ(page(), &editor);
+    EXPECT_EQ(editor.findChild<InlineMessage *>()->sentence(),
+              QStringLiteral("Loaded from hoist.cwcams: program 1."));
+    structure.choose(test::baumer);
+    structure.choose(test::fraba);
+    advance(5);
+    EXPECT_EQ(notice("waitingCams"), QString()) << "once";
 }
 
 TEST_F(ProjectFilesTest, TheProjectNamesTheDevicesOfTheRing)

@@ -5,6 +5,8 @@
 #include "app/window/program.h"
 #include "app/window/project_files.h"
 #include "app/window/start.h"
+#include "cams/cam_file.h"
+#include "project/file_access.h"
 #include "project/project_file.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
@@ -270,6 +272,19 @@ TEST_F(StartOfTheProgram, WithAProjectConnectsNothing)
     EXPECT_TRUE(program->plant()->buses().open().empty());
     EXPECT_TRUE(page().isVisible());
     EXPECT_FALSE(page().reopen->isVisible());
+}
+
+TEST_F(StartOfTheProgram, WithCamsAsksForTheirEncoder)
+{
+    const QString file = folder.filePath(QStringLiteral("hoist.cwcams"));
+    ASSERT_TRUE(replaceFile(
+        file, camFileToJson({.device = QStringLiteral("fraba-ocd-ib"), .totalRange = {}, .programs = {{}}}),
+        OldFile::goes));
+    start(file);
+    const auto *notice = program->window()->findChild<InlineMessage *>(QStringLiteral("waitingCams"));
+    EXPECT_TRUE(notice->isVisible());
+    EXPECT_TRUE(notice->sentence().startsWith(QStringLiteral("hoist.cwcams has cam programs")));
+    EXPECT_TRUE(program->plant()->buses().open().empty());
 }
 
 } // namespace

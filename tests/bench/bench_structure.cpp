@@ -2,9 +2,8 @@
 // The structure editor with a project of 512 devices: the time to open it, and from each edit, undo and wheel
 // step until it is painted. 60 frames a second allow 16 ms.
 #include "catalog/catalog.h"
-#include "project/project_take_over.h"
-#include "ring/id_code.h"
 #include "ring/ring_edit.h"
+#include "tests/bench/largest_project.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"
 #include "widgets/look/appearance.h"
@@ -23,30 +22,8 @@ namespace {
 
 using namespace codewheel;
 
-constexpr int terminals = 8;
-constexpr int localDevices = 63;
 constexpr double frame = 16; // ms
 constexpr int repetitions = 60;
-
-// As many as a ring may have: full local buses, alternating inputs and outputs.
-Project largestProject()
-{
-    RingStructure ring;
-    for (int segment = 1; segment <= terminals; ++segment) {
-        Participant terminal = deviceOf(busTerminalIdCode);
-        terminal.number = DeviceNumber{segment, 0}.node();
-        ring.push_back(terminal);
-        for (int position = 1; position <= localDevices; ++position) {
-            Participant device = deviceOf(position % 2 == 0 ? 0x81BE : 0x81BD);
-            device.number = DeviceNumber{segment, position}.node();
-            ring.push_back(device);
-        }
-    }
-    Project project = projectOf(ring);
-    for (ProjectDevice &device : project.devices)
-        device.station = QStringLiteral("station ") + device.place().toString();
-    return project;
-}
 
 template <typename What>
 void measure(const char *name, QWidget &seen, What what)
@@ -99,7 +76,8 @@ int main(int argc, char **argv)
     });
     measure("move first to last and back", editor, [&](int i) {
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};
-        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, KindData(place));
+        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevicesOfLargest - 1]},
+                         KindData(place));
     });
     measure("remove a local bus and undo", editor, [&](int i) {
         if (i % 2 == 0)

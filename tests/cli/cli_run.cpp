@@ -60,7 +60,7 @@ SharedBus::SharedBus()
 CliRun SharedBus::runLine(const QString &line, const Person &person)
 {
     QStringList words = line.split(u' ', Qt::SkipEmptyParts);
-    const Subcommand *command = findCommand(words.takeFirst());
+    const Subcommand *command = commandNamed(words.takeFirst());
     if (!command)
         return {};
     const auto arguments = parseArguments(words, optionsOf(*command), {});

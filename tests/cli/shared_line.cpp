@@ -50,7 +50,7 @@ private:
 CliRun SharedLine::runLine(const QString &line, const Person &person)
 {
     QStringList words = line.split(u' ', Qt::SkipEmptyParts);
-    const Subcommand *command = findCommand(words.takeFirst());
+    const Subcommand *command = commandNamed(words.takeFirst());
     const auto arguments = parseArguments(words, optionsOf(*command), {});
     if (!arguments) {
         ADD_FAILURE() << line.toStdString();

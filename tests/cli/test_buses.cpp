@@ -66,7 +66,7 @@ protected:
     {
         EXPECT_TRUE(saveProject(project, file));
         words << QStringLiteral("--project") << file;
-        const Subcommand &command = *findCommand(words.takeFirst());
+        const Subcommand &command = *commandNamed(words.takeFirst());
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments);
         return runWith({}, [&](const Terminal &terminal) {

@@ -26,7 +26,7 @@ protected:
     CliRun run(const QString &line)
     {
         QStringList words = line.split(u' ');
-        const Subcommand &command = *findCommand(words.takeFirst());
+        const Subcommand &command = *commandNamed(words.takeFirst());
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments);
         return runWith({}, [&](const Terminal &terminal) {

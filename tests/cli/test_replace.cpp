@@ -44,7 +44,7 @@ protected:
     CliRun run(const char *what, const Person &person = {})
     {
         QStringList words = QString::fromLatin1(what).replace(u'@', file).split(u' ', Qt::SkipEmptyParts);
-        const Subcommand &command = *findCommand(words.takeFirst());
+        const Subcommand &command = *commandNamed(words.takeFirst());
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments) << what;
         std::istringstream in(person.types);

@@ -54,7 +54,7 @@ TEST(UsbHindrances, ModemManagerIsToldUnlessOurRulesKeepItAway)
     const auto found = usbHindrances(made.computer());
     ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("modemManager")});
     EXPECT_EQ(found[0].weight, Hindrance::Weight::slows);
-    made.file(QStringLiteral("/usr/lib/udev/rules.d/60-codewheel.rules"));
+    made.file(QStringLiteral("/usr/lib/udev/rules.d/91-codewheel.rules"));
     EXPECT_TRUE(usbHindrances(made.computer()).empty());
 }
 

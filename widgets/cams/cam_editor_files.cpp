@@ -13,36 +13,42 @@
 #include <QFileInfo>
 
 namespace codewheel {
+namespace {
+
+// The desktop opens *.cwcams with the program; the files of earlier versions are called *.json.
+QString camFilter()
+{
+    return CamEditor::tr("Cam programs (*.cwcams *.json)");
+}
+
+} // namespace
 
 void CamEditor::askLoad()
 {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open cam programs"), {}, tr("Cam programs (*.json)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open cam programs"), {}, camFilter());
     if (!path.isEmpty())
         load(path);
 }
 
 void CamEditor::askLoadProgram()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open cam program %1").arg(m_sheet->number()),
-                                                      {}, tr("Cam programs (*.json)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open cam program %1").arg(m_sheet->number()), {}, camFilter());
     if (!path.isEmpty())
         loadProgram(path);
 }
 
 void CamEditor::askSave()
 {
-    const QString path =
-        askSaveFile(this, tr("Save all cam programs"), tr("cams.json"), {tr("Cam programs (*.json)")});
+    const QString path = askSaveFile(this, tr("Save all cam programs"), tr("cams.cwcams"), {camFilter()});
     if (!path.isEmpty())
         save(path);
 }
 
 void CamEditor::askSaveProgram()
 {
-    const QString path =
-        askSaveFile(this, tr("Save cam program %1").arg(m_sheet->number()),
-                    tr("cams-%1.json", "file name").arg(m_sheet->number()), {tr("Cam programs (*.json)")});
+    const QString path = askSaveFile(this, tr("Save cam program %1").arg(m_sheet->number()),
+                                     tr("cams-%1.cwcams", "file name").arg(m_sheet->number()), {camFilter()});
     if (!path.isEmpty())
         saveProgram(path);
 }

@@ -63,13 +63,7 @@ void addLinked(std::vector<QUrl> &urls, const QTextDocument &document)
 
 void addOthers(std::vector<QUrl> &urls)
 {
-    QStringList files;
-    for (QDirIterator each(QString::fromUtf16(docsFolder), {QStringLiteral("*.md")}, QDir::Files,
-                           QDirIterator::Subdirectories);
-         each.hasNext();)
-        files << each.next();
-    files.sort();
-    for (const QString &file : std::as_const(files))
+    for (const QString &file : Manual::files())
         if (std::ranges::find(urls, urlOf(file)) == urls.end())
             urls.push_back(urlOf(file));
 }
@@ -84,13 +78,30 @@ QString Manual::file()
     return found == places.end() ? places.front() : *found;
 }
 
+bool Manual::open()
+{
+    return QFile::exists(fileOf(firstPage())) ||
+           (QResource::registerResource(file()) && QFile::exists(fileOf(firstPage())));
+}
+
+QStringList Manual::files()
+{
+    if (!open())
+        return {};
+    QStringList files;
+    for (QDirIterator each(QString::fromUtf16(docsFolder), {QStringLiteral("*.md")}, QDir::Files,
+                           QDirIterator::Subdirectories);
+         each.hasNext();)
+        files << each.next();
+    files.sort();
+    return files;
+}
+
 Manual::Manual()
 {
-    if (!QFile::exists(fileOf(firstPage())))
-        QResource::registerResource(file());
-    std::vector<QUrl> urls{firstPage()};
-    if (!QFile::exists(fileOf(firstPage())))
+    if (!open())
         return;
+    std::vector<QUrl> urls{firstPage()};
     for (std::size_t i = 0; i < urls.size(); ++i) {
         QFile source(fileOf(urls[i]));
         if (!source.open(QIODevice::ReadOnly))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QUrl>
 
 #include <vector>
@@ -35,7 +36,8 @@ public:
     Manual();
 
     bool isThere() const { return !m_pages.empty(); }
-    static QString file(); // where it lies, or where it was looked for
+    static QString file();      // where it lies, or where it was looked for
+    static QStringList files(); // its pages as resources, by name; opens it
     // In the order of the manual's first page, then the rest by name.
     const std::vector<ManualPage> &pages() const { return m_pages; }
     const ManualPage *find(const QUrl &url) const; // null: there is no such page
@@ -46,6 +48,8 @@ public:
     static QUrl url(const QString &topic);
 
 private:
+    static bool open(); // false: there is none
+
     std::vector<ManualPage> m_pages;
 };
 

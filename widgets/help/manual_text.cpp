@@ -5,7 +5,6 @@
 #include "widgets/look/grid.h"
 
 #include <QPalette>
-#include <QSet>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -24,15 +23,6 @@ QString slug(const QString &title)
         else if (each.isSpace())
             slug += u'-';
     return slug;
-}
-
-QString unusedSlug(const QString &title, const QSet<QString> &used)
-{
-    const QString first = slug(title);
-    QString free = first;
-    for (int i = 1; used.contains(free); ++i)
-        free = QStringLiteral("%1-%2").arg(first).arg(i);
-    return free;
 }
 
 void formatHeading(const QTextBlock &block)
@@ -94,13 +84,22 @@ void formatTable(QTextTable &table, const QPalette &palette)
 
 } // namespace
 
+QString unusedAnchor(const QString &heading, const QSet<QString> &used)
+{
+    const QString first = slug(heading);
+    QString free = first;
+    for (int i = 1; used.contains(free); ++i)
+        free = QStringLiteral("%1-%2").arg(first).arg(i);
+    return free;
+}
+
 void nameHeadings(QTextDocument &document)
 {
     QSet<QString> used;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         if (block.blockFormat().headingLevel() == 0)
             continue;
-        const QString anchor = unusedSlug(block.text(), used);
+        const QString anchor = unusedAnchor(block.text(), used);
         used.insert(anchor);
         QTextCharFormat format;
         format.setAnchor(true);

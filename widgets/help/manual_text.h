@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QSet>
 #include <QString>
 
 class QPalette;
@@ -14,6 +15,8 @@ namespace codewheel {
 // Gives each heading the anchor that links use, the same as on the web.
 void nameHeadings(QTextDocument &document);
 QString anchorOf(const QTextBlock &heading);
+// That of the next heading of a page which has used these.
+QString unusedAnchor(const QString &heading, const QSet<QString> &used);
 
 // Tables with thin lines, room around headings, code in the program's fixed font.
 void formatManual(QTextDocument &document, const QPalette &palette);

@@ -8,10 +8,10 @@
 namespace codewheel {
 namespace {
 
-// "csv" from "Tables (*.csv)"
+// "csv" from "Tables (*.csv)" and from "Tables (*.csv *.txt)"
 QString suffixOf(const QString &filter)
 {
-    return filter.section(QStringLiteral("*."), 1).section(u')', 0, 0);
+    return filter.section(QStringLiteral("*."), 1, 1).section(u')', 0, 0).trimmed();
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace codewheel {
@@ -40,19 +41,6 @@ int rowsFor(std::span<const SightedMessage> messages, bool withDay)
     for (const SightedMessage &message : messages)
         own.append(message);
     return static_cast<int>(own.size()) - (withDay ? 0 : 1);
-}
-
-QIcon severityIcon(Severity severity)
-{
-    switch (severity) {
-    case Severity::fault:
-        return lineIcon(roleIcon(Role::fault), Role::fault);
-    case Severity::attention:
-        return lineIcon(roleIcon(Role::attention), Role::attention);
-    case Severity::information:
-        break;
-    }
-    return lineIcon(Icon::information, Role::inactive);
 }
 
 } // namespace
@@ -338,6 +326,39 @@ StoredMessage MessageModel::message(int row) const
     return stored(m_ids.at(its.isDay() ? its.first : its.last()), ids);
 }
 
+int MessageModel::rowBefore(qint64 id) const
+{
+    const auto rows = std::views::iota(0, rowCount());
+    const auto isOlder = [&](int row) { return m_ids.at(m_rows.at(row).first) < id; };
+    int row = static_cast<int>(std::ranges::partition_point(rows, isOlder) - rows.begin()) - 1;
+    while (row >= 0 && (isDay(row) || m_ids.at(m_rows.at(row).last()) >= id))
+        --row;
+    return row;
+}
+
+int MessageModel::rowOf(qint64 id) const
+{
+    const int row = rowBefore(id) + 1;
+    for (int each = row; each < std::min(row + 2, rowCount()); ++each) // the first may be a day
+        if (const MessageRows::Row its = m_rows.at(each);
+            !its.isDay() && m_ids.at(its.first) <= id && id <= m_ids.at(its.last()))
+            return each;
+    return -1;
+}
+
+QIcon MessageModel::icon(Severity severity)
+{
+    switch (severity) {
+    case Severity::fault:
+        return lineIcon(roleIcon(Role::fault), Role::fault);
+    case Severity::attention:
+        return lineIcon(roleIcon(Role::attention), Role::attention);
+    case Severity::information:
+        break;
+    }
+    return lineIcon(Icon::information, Role::inactive);
+}
+
 StoredMessage MessageModel::oldestMessage(int row) const
 {
     return stored(m_ids.at(m_rows.at(row).first), {});
@@ -447,7 +468,7 @@ QVariant MessageModel::data(const QModelIndex &index, int role) const
     if (shown.id == 0)
         return {};
     if (role == Qt::DecorationRole)
-        return severityIcon(shown.severity);
+        return icon(shown.severity);
     return role == Qt::DisplayRole ? rowText(index.row(), shown, column)
                                    : toolTip(index.row(), shown, column);
 }

@@ -7,6 +7,7 @@
 
 #include <QAbstractTableModel>
 #include <QCache>
+#include <QIcon>
 #include <QPointer>
 #include <QTimer>
 
@@ -66,6 +67,10 @@ public:
     // All matches found so far.
     IdRuns ids() const;
     qint64 foundCount() const { return m_ids.size(); } // so far
+    // The last row with a message older than this one; -1: none.
+    int rowBefore(qint64 id) const;
+    int rowOf(qint64 id) const; // that it has or shares; -1: none
+    static QIcon icon(Severity severity);
     bool isDay(int row) const { return m_rows.at(row).isDay(); }
     // The newest message of a row; its id is 0 if it has been dropped since.
     StoredMessage message(int row) const;

@@ -288,6 +288,16 @@ void MessagesView::clear()
          tr("The messages up to now are hidden. They are kept on disk."), tr("Bring back"));
 }
 
+void MessagesView::showMessage(qint64 id)
+{
+    const int row = m_messages.rowOf(id);
+    if (row < 0)
+        return;
+    m_table->setFocus();
+    m_table->setCurrentIndex(m_messages.index(row, MessageModel::textColumn));
+    m_table->scrollTo(m_table->currentIndex());
+}
+
 void MessagesView::bringBack()
 {
     m_messages.bringBack();

@@ -42,6 +42,7 @@ public:
     void
     copy(); // the rows chosen, else all that are shown (as many as a clipboard bears); tabs between columns
     void clear();
+    void showMessage(qint64 id); // chooses its row, unless it is gone
 
 Q_SIGNALS:
     void goToWanted(codewheel::Place place); // which a message is about

@@ -114,6 +114,14 @@ void ParameterModel::toggleRegisters()
             removeAt(rowCount() - 1);
 }
 
+int ParameterModel::rowOf(Parameter parameter) const
+{
+    const auto found = std::ranges::find_if(rows(), [parameter](const ParameterRow &row) {
+        return !row.isHead() && row.parameter.parameter == parameter;
+    });
+    return found == rows().end() ? -1 : static_cast<int>(found - rows().begin());
+}
+
 int ParameterModel::differing() const
 {
     return static_cast<int>(std::ranges::count_if(rows(), &ParameterRow::differs));

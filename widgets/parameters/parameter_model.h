@@ -53,6 +53,7 @@ public:
     bool isFoldable(const QModelIndex &index) const;
     void toggleRegisters();
     bool showsRegisters() const;
+    int rowOf(Parameter parameter) const; // -1: none
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is. A value from the label

@@ -341,6 +341,19 @@ void ParameterPanel::takeKnownAsWanted()
                      tr("Known values wanted for %1").arg(m_encoder.place().shown()));
 }
 
+void ParameterPanel::showParameter(Parameter parameter)
+{
+    if (isOpcRegister(parameter) && !m_model->showsRegisters())
+        m_model->toggleRegisters();
+    const int row = m_model->rowOf(parameter);
+    if (row < 0)
+        return;
+    m_pages->setCurrentWidget(m_tablePage);
+    m_table->setFocus();
+    m_table->setCurrentIndex(m_model->index(row, ParameterModel::wantedColumn));
+    m_table->scrollTo(m_table->currentIndex());
+}
+
 Parameter ParameterPanel::currentParameter() const
 {
     return m_model->rowAt(std::max(m_table->currentIndex().row(), 0)).parameter.parameter;

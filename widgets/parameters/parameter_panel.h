@@ -41,7 +41,8 @@ public:
     // Modes, FRABA preset, reset: for the menu here and that of the window.
     QList<QAction *> functionActions() const;
 
-    void showWhose(); // the name of its bus has changed
+    void showParameter(Parameter parameter); // chooses its row; nothing is read or written
+    void showWhose();                        // the name of its bus has changed
 
 Q_SIGNALS:
     void wizardRequested();

@@ -32,6 +32,22 @@ int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
     return levels;
 }
 
+void listBelow(const StructureModel &model, const QModelIndex &parent, std::vector<ListedDevice> &devices)
+{
+    const auto bus = model.busAt(parent);
+    const QString title = bus ? parent.data().toString() : devices.back().bus;
+    for (int row = 0; row < model.rowCount(parent); ++row) {
+        const QModelIndex index = model.index(row, StructureModel::deviceColumn, parent);
+        const auto text = [&index](int column) { return index.siblingAtColumn(column).data().toString(); };
+        if (const auto place = model.placeAt(index))
+            devices.push_back({*place, index.data().toString(), title, text(StructureModel::stateColumn),
+                               text(StructureModel::positionColumn), text(StructureModel::profileColumn),
+                               text(StructureModel::codeColumn),
+                               qvariant_cast<QIcon>(index.data(Qt::DecorationRole))});
+        listBelow(model, index, devices);
+    }
+}
+
 } // namespace
 
 StructureView::StructureView(QWidget *parent)
@@ -177,6 +193,14 @@ std::optional<Place> StructureView::row() const
 bool StructureView::has(Place row) const
 {
     return (row.isEmpty() ? m_model->indexOf(row.bus) : m_model->indexOf(row)).isValid();
+}
+
+std::vector<ListedDevice> StructureView::devices() const
+{
+    std::vector<ListedDevice> devices;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        listBelow(*m_model, m_model->index(row, 0), devices);
+    return devices;
 }
 
 void StructureView::choose(BusId bus)

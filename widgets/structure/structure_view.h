@@ -3,9 +3,11 @@
 
 #include "encoder/place.h"
 
+#include <QIcon>
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 class QTreeView;
 
@@ -18,6 +20,19 @@ class InlineMessage;
 class ProjectDocument;
 class StructureModel;
 class TreeFilter;
+
+// A device as its row in the tree shows it.
+struct ListedDevice
+{
+    Place place;
+    QString name; // station, place and make
+    QString bus;
+    QString state;
+    QString position;
+    QString profile;
+    QString code;
+    QIcon icon;
+};
 
 // The bus structure as a tree. The panels beside it show the chosen device; Enter or a double click opens its
 // monitors.
@@ -40,6 +55,7 @@ public:
     // The selected row: that of a device, or, without a node, of a bus.
     std::optional<Place> row() const;
     bool has(Place row) const;
+    std::vector<ListedDevice> devices() const; // of all buses, in the order of the tree
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
     void chooseRow(Place row);

@@ -20,6 +20,11 @@ bool isForLines(const DeviceDescription *device)
 
 } // namespace
 
+QString usualDeviceOnLine()
+{
+    return usualDevice;
+}
+
 QString deviceOf(const Call &call, const ProjectDevice *planned)
 {
     const bool isUsable = planned != nullptr && isForLines(call.catalog.find(planned->participant.deviceKey));

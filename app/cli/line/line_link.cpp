@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-const QString trainingLink = QStringLiteral("training");
+const QString simulatedPort = QStringLiteral("training");
 
 using std::chrono::milliseconds;
 
@@ -58,16 +58,6 @@ constexpr std::array numberSettings{
 const QString fromDevice = QStringLiteral("device");
 const QString formatKey = QStringLiteral("format");
 
-// The settings of a line, for the refusal: "baud, format, ...".
-QString lineSettingKeys()
-{
-    QStringList keys;
-    for (const NumberSetting &setting : numberSettings)
-        keys << QString::fromLatin1(setting.key);
-    keys.insert(1, formatKey);
-    return keys.join(QStringLiteral(", "));
-}
-
 // "8N2": data bits, parity, stop bits.
 Checked<void> takeFormat(LineLink &link, const QString &text)
 {
@@ -105,7 +95,7 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
             QStringLiteral("unknownLineSetting"),
             CommandLine::tr("A serial line has no setting \"%1\". Its settings are: %2. Write them "
                             "behind the port, as esc:ttyUSB0,baud=9600."),
-            {key, lineSettingKeys()});
+            {key, lineSettingKeys().join(QStringLiteral(", "))});
     const auto number = parseNumber(text);
     if (!number || *number < known->limits.least || *number > known->limits.most)
         return badInput(
@@ -162,7 +152,7 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
                         CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
                         {presentPortsText()});
     LineLink link;
-    if (port == trainingLink)
+    if (port == simulatedPort)
         return link;
     link.swapping = swappingOf(project, line);
     link.settings.port = port;
@@ -170,6 +160,15 @@ Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line
 }
 
 } // namespace
+
+QStringList lineSettingKeys()
+{
+    QStringList keys;
+    for (const NumberSetting &setting : numberSettings)
+        keys << QString::fromLatin1(setting.key);
+    keys.insert(1, formatKey);
+    return keys;
+}
 
 EscSettings LineLink::driver() const
 {

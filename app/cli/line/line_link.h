@@ -26,6 +26,9 @@ struct LineLink
     esc::ExplainOptions explainOptions() const;
 };
 
+// What can be set behind the port: "baud", "format", ...
+QStringList lineSettingKeys();
+
 // "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; for encoders on this line of the project (null:
 // none) what the project says of them applies.
 Checked<LineLink> lineMeant(const LinkText &text, const Project *project = nullptr, BusId line = firstLine);

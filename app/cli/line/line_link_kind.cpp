@@ -3,15 +3,18 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "cli/line/device_on_line.h"
 #include "cli/line/explain_line.h"
 #include "cli/line/line_access.h"
 #include "cli/line/scan_line.h"
 #include "cli/line/serve_line.h"
 #include "cli/places.h"
+#include "cli/present_ports.h"
 #include "cli/texts.h"
 #include "links/port_access.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
+#include "simulator/simulated_line.h"
 
 #include <array>
 
@@ -71,6 +74,12 @@ public:
     std::span<const Subcommand *const> commands() const override { return lineCommands; }
     std::span<const Option> scanOptions() const override { return scanLineOptions; }
     std::span<const Service> services() const override { return {&lineService, 1}; }
+    QStringList ends(const QString &) const override
+    {
+        return QStringList{QStringLiteral("training")} + presentPortNames();
+    }
+    QStringList settingKeys(const QString &) const override { return lineSettingKeys(); }
+    std::vector<KnownDevice> trainingDevices(const Catalog &catalog) const override;
     std::optional<Checked<Answer>> explain(const Call &call, const DeviceDescription &device) const override
     {
         return device.profile == Profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;
@@ -84,6 +93,14 @@ Checked<std::vector<MakeLink>> LineLinkKind::links(const LinkText &text, const P
     return lineMeant(text, project, id).map([id](const LineLink &link) {
         return std::vector{lineTo(link, id)};
     });
+}
+
+std::vector<KnownDevice> LineLinkKind::trainingDevices(const Catalog &) const
+{
+    std::vector<KnownDevice> devices;
+    for (const EscEncoderPlan &encoder : trainingLine())
+        devices.push_back({encoder.address.node().toString(), usualDeviceOnLine()});
+    return devices;
 }
 
 // With the limits of a scaling factor in the format of the line.

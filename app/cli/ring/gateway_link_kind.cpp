@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/gateway_link_kind.h"
 
+#include "cli/present_ports.h"
 #include "cli/ring/gateway_link_text.h"
 #include "cli/texts.h"
 #include "encoder/device_number.h"
+#include "finder/gateway_host_finder.h"
+#include "links/modbus_port.h"
 #include "project/gateway_plan.h"
 #include "project/ring_plan.h"
 
@@ -76,8 +79,35 @@ public:
         return MakeLink();
     }
     MakeLink training(const Project *) const override { return {}; }
+    Checked<std::optional<HostSearch>> hostSearch(const QString &typed) const override
+    {
+        return gatewayMeant({QString::fromLatin1(modbusTcpLink), typed, {}})
+            .map([](const GatewaySettings &host) {
+                return std::optional(
+                    HostSearch{gatewayAddress(host), GatewayHostFinder::announcement(),
+                               std::make_unique<GatewayHostFinder>(host, [](const GatewaySettings &settings) {
+                                   return std::make_unique<ModbusPort>(settings);
+                               })});
+            });
+    }
     std::span<const Subcommand *const> commands() const override { return gatewayCommands; }
+    QStringList ends(const QString &scheme) const override
+    {
+        return scheme == QLatin1String(modbusRtuLink) ? presentPortNames() : QStringList();
+    }
+    QStringList settingKeys(const QString &scheme) const override;
 };
+
+QStringList GatewayLinkKind::settingKeys(const QString &scheme) const
+{
+    GatewaySettings settings;
+    if (scheme == QLatin1String(modbusRtuLink))
+        settings.transport = GatewaySettings::Transport::rtu;
+    QStringList keys;
+    for (const auto &[key, value] : allSettingTexts(settings))
+        keys << key;
+    return keys;
+}
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ring/ring_link_kind.h"
 
+#include "catalog/device_description.h"
 #include "cli/ring/gateway_link_kind.h"
 #include "cli/ring/gateway_link_text.h"
 #include "cli/ring/ring_access.h"
@@ -9,6 +10,7 @@
 #include "encoder/device_number.h"
 #include "project/gateway_plan.h"
 #include "project/ring_plan.h"
+#include "simulator/training_bus.h"
 
 #include <array>
 
@@ -49,7 +51,18 @@ public:
     }
     std::span<const Subcommand *const> commands() const override { return ringCommands; }
     std::span<const Service> services() const override { return modbusServices(); }
+    QStringList ends(const QString &) const override { return {QStringLiteral("training")}; }
+    std::vector<KnownDevice> trainingDevices(const Catalog &catalog) const override;
 };
+
+std::vector<KnownDevice> RingLinkKind::trainingDevices(const Catalog &catalog) const
+{
+    std::vector<KnownDevice> devices;
+    for (const TrainingParticipant &participant : trainingPlan(catalog))
+        if (participant.device != nullptr)
+            devices.push_back({participant.number.toString(), participant.device->key});
+    return devices;
+}
 
 Checked<std::vector<MakeLink>> RingLinkKind::links(const LinkText &text, const Project *project) const
 {

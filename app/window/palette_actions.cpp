@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/palette_actions.h"
+
+#include "app/window/menu_list.h"
+#include "widgets/look/label_text.h"
+
+#include <QAction>
+#include <QPointer>
+
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+// In every language: its text is only taken where it has neither name nor key.
+QString idOf(const QAction &action)
+{
+    const QString key = action.shortcut().toString(QKeySequence::PortableText);
+    return QStringLiteral("action:") + (!action.objectName().isEmpty() ? action.objectName()
+                                        : !key.isEmpty()               ? key
+                                                                       : plainLabel(action.text()));
+}
+
+// What it does, or why it cannot be done now.
+QString tipOf(const QAction &action)
+{
+    const QString tip = action.statusTip().isEmpty() ? action.toolTip() : action.statusTip();
+    return tip == plainLabel(action.text()) ? QString() : tip;
+}
+
+// One that can be checked says whether it is.
+QString placeOf(const QAction &action, const QString &menu)
+{
+    if (!action.isCheckable() || !action.isChecked())
+        return menu;
+    return QStringLiteral("%1 \u2713").arg(menu);
+}
+
+} // namespace
+
+PaletteActions::PaletteActions(const QMainWindow &window, QList<QAction *> usual)
+    : m_window(window)
+    , m_usual(std::move(usual))
+{}
+
+void PaletteActions::begin()
+{
+    m_isGiven = false;
+}
+
+std::vector<PaletteEntry> PaletteActions::next()
+{
+    std::vector<PaletteEntry> entries;
+    if (std::exchange(m_isGiven, true))
+        return entries;
+    for (const ListedMenu &menu : menusOf(m_window))
+        for (QAction *action : menu.actions)
+            if (action->isVisible() && !action->text().isEmpty())
+                entries.push_back(entryOf(*action, menu.path));
+    return entries;
+}
+
+PaletteEntry PaletteActions::entryOf(QAction &action, const QString &menu) const
+{
+    const QPointer<QAction> its(&action); // its bus may go while the palette is open
+    return {.id = idOf(action),
+            .title = plainLabel(action.text()),
+            .context = placeOf(action, menu),
+            .key = action.shortcut().toString(QKeySequence::NativeText),
+            .words = tipOf(action),
+            .icon = action.icon(),
+            .isUsual = m_usual.contains(&action),
+            .run =
+                [its] {
+                    if (its)
+                        its->trigger();
+                },
+            .state =
+                [its] {
+                    return its ? PaletteState{its->isEnabled(), tipOf(*its)} : PaletteState{false};
+                }};
+}
+
+} // namespace codewheel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "esc/esc_exchange.h"
+#include "esc_line/byte_link.h"
+
+#include <atomic>
+
+namespace codewheel {
+
+// One request over a link of which nobody else makes use, from its first byte to its end.
+//
+// Refused as the link refuses. `isStopped`: nothing more is sent; ByteLink::interrupt() ends the present
+// wait.
+Result<esc::ExchangeResult> exchangeOver(ByteLink &link, const esc::Request &request,
+                                         const esc::Timing &timing, const std::atomic<bool> &isStopped);
+
+} // namespace codewheel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finder/found.h"
+
+#include "finder/finder_texts.h"
+
+namespace codewheel {
+
+QString certaintyKey(Certainty certainty)
+{
+    return certainty == Certainty::certain ? QStringLiteral("certain") : QStringLiteral("likely");
+}
+
+QString certaintyText(Certainty certainty)
+{
+    return certainty == Certainty::certain ? FinderTexts::tr("certain") : FinderTexts::tr("likely");
+}
+
+QString formatText(const SerialSettings &settings)
+{
+    return QStringLiteral("%1 Bd, %2").arg(settings.baudRate).arg(settings.format());
+}
+
+} // namespace codewheel

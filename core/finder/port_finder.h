@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "finder/place_finder.h"
+#include "finder/spoken_protocol.h"
+
+#include <deque>
+
+namespace codewheel {
+
+// Looks for whoever is on the line of a serial port, in an order that disturbs nobody: it listens first, and
+// where somebody talks it sends nothing, but finds out with which settings the talk makes sense. Only a line
+// that is silent is asked, and only if that is agreed to. Each next() does one step. Time is that of the
+// link.
+class PortFinder final : public PlaceFinder
+{
+public:
+    static constexpr Instant firstListening{1'500'000}; // a master polls in that time
+    static constexpr Instant nextListening{700'000};    // with other settings, where somebody talks
+
+    // `link` must outlive this and is used by nobody else meanwhile.
+    PortFinder(ByteLink &link, bool mayAsk);
+    ~PortFinder() override; // closes the link
+    Q_DISABLE_COPY_MOVE(PortFinder)
+
+    bool isDone() const override { return m_isDone; }
+    FinderNews next() override;
+    void interrupt() override;
+    // Nothing came while it listened: asking may find out more.
+    bool isSilent() const { return m_isSilent; }
+
+private:
+    enum class Phase : std::uint8_t { listen, tune, ask };
+
+    FinderNews listen();
+    FinderNews tune();
+    FinderNews ask();
+    FinderNews news(FinderNews::Kind kind, const QString &sentence) const;
+    FinderNews refused(const Refusal &why);
+    FinderNews end(FinderNews::Kind kind, const QString &sentence);
+    FinderNews foundBy(const Found &found);
+    Result<void> open(const SerialSettings &settings);
+    Result<QByteArray> hear(Instant duration);
+    std::optional<Found> sense(const QByteArray &bytes) const;
+    void startAsking();
+
+    ByteLink &m_link;
+    const bool m_mayAsk;
+    Phase m_phase = Phase::listen;
+    std::optional<SerialSettings> m_opened;
+    std::deque<SerialSettings> m_settings; // to listen with
+    std::deque<std::unique_ptr<Asking>> m_askings;
+    int m_found = 0;
+    bool m_isSilent = false;
+    bool m_isDone = false;
+    std::atomic<bool> m_isStopped = false;
+};
+
+// What asking a silent line would send, protocol by protocol.
+QStringList askingAnnouncements();
+
+} // namespace codewheel

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completion of codewheel-cli in bash; the program itself says what a word may be.
+_codewheel_cli() {
+    local cur words cword line IFS=$'\n'
+    _get_comp_words_by_ref -n =: cur words cword
+    COMPREPLY=()
+    for line in $("${words[0]}" complete -- "${words[@]:1:cword}" 2>/dev/null); do
+        line=${line%%$'\t'*}
+        case $line in
+            :files) _filedir ;;
+            ":files "*) _filedir "${line#:files }" ;;
+            *) COMPREPLY+=("$(printf '%q' "$line")") ;;
+        esac
+    done
+    # What goes on after its end: esc:, steps=
+    [[ ${#COMPREPLY[@]} -ne 1 || ${COMPREPLY[0]} != *[=:,] ]] || compopt -o nospace
+    # For bash a word ends at = and :
+    if [[ $cur == *[=:]* ]]; then
+        local before=${cur%"${cur##*[=:]}"}
+        COMPREPLY=("${COMPREPLY[@]#"$before"}")
+    fi
+}
+complete -F _codewheel_cli codewheel-cli

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finder/gateway_host_finder.h"
+#include "tests/support/register_bank.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using Kind = FinderNews::Kind;
+
+// One unit of a host; another does not answer.
+class UnitPort final : public test::RegisterBankPort
+{
+public:
+    UnitPort(std::shared_ptr<test::RegisterBank> bank, std::optional<RegisterError> error)
+        : RegisterBankPort(std::move(bank))
+        , m_error(std::move(error))
+    {}
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        if (m_error)
+            return tl::unexpected(*m_error);
+        return RegisterBankPort::read(area, first, to);
+    }
+
+private:
+    const std::optional<RegisterError> m_error;
+};
+
+class GatewayHostFinderTest : public testing::Test
+{
+protected:
+    std::vector<FinderNews> run()
+    {
+        GatewaySettings where;
+        where.host = QStringLiteral("gateway");
+        where.tcpPort = 1502;
+        GatewayHostFinder finder(where, [this](const GatewaySettings &settings) {
+            const bool isThere = settings.unit == unit;
+            return std::make_unique<UnitPort>(
+                bank, isThere ? std::nullopt : std::optional(RegisterError{otherwise, 11, {}}));
+        });
+        std::vector<FinderNews> all;
+        while (!finder.isDone() && all.size() < 100)
+            all.push_back(finder.next());
+        return all;
+    }
+
+    std::shared_ptr<test::RegisterBank> bank = std::make_shared<test::RegisterBank>();
+    int unit = 2;
+    RegisterError::Kind otherwise = RegisterError::Kind::noAnswer;
+};
+
+TEST_F(GatewayHostFinderTest, FindsTheUnitThatAnswers)
+{
+    const auto news = run();
+    std::vector<Found> found;
+    for (const FinderNews &one : news)
+        if (one.found)
+            found.push_back(*one.found);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].place, QStringLiteral("gateway:1502"));
+    EXPECT_EQ(found[0].link, QStringLiteral("modbus-tcp:gateway:1502,unit=2"));
+    EXPECT_TRUE(found[0].sentence.startsWith(u"The Modbus unit 2 answers."));
+    EXPECT_EQ(bank->writes, 0);
+}
+
+TEST_F(GatewayHostFinderTest, AnExceptionOfAGatewayForAMissingUnitIsNobody)
+{
+    unit = 77; // that is not asked
+    otherwise = RegisterError::Kind::exception;
+    const auto news = run();
+    EXPECT_EQ(news.back().kind, Kind::nobody);
+    EXPECT_TRUE(news.back().sentence.contains(u"no unit answers"));
+}
+
+TEST_F(GatewayHostFinderTest, TakesHoldingRegistersWhereThereAreNoOthers)
+{
+    unit = 1;
+    bank->inputEnd = 0;
+    const auto news = run();
+    ASSERT_TRUE(news[1].found);
+    EXPECT_TRUE(news[1].found->link.contains(u"in-area=holding")) << news[1].found->link.toStdString();
+}
+
+} // namespace
+} // namespace codewheel

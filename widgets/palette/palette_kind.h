@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/palette/palette_source.h"
+
+namespace codewheel {
+
+QString kindWord(PaletteEntry::Kind kind);
+QIcon kindIcon(PaletteEntry::Kind kind); // of entries without one of their own
+
+} // namespace codewheel
