@@ -8141,6 +8141,37 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
 </context>
 <context>
+    <name>codewheel::DataCheckModel</name>
+    <message>
+        <source>as expected</source>
+        <translation>wie erwartet</translation>
+    </message>
+    <message>
+        <source>worth knowing</source>
+        <translation>gut zu wissen</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+    <message>
+        <source>not known, because of what differs before</source>
+        <translation>nicht bekannt, weil vorher etwas abweicht</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Gekommen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DecimalText</name>
     <message>
         <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
@@ -18856,6 +18887,10 @@ Worte: IN %3, OUT %4</translation>
         <source>%1, the bus is interrupted before it</source>
         <translation>%1, davor ist der Bus unterbrochen</translation>
     </message>
+    <message>
+        <source>Double click or Enter: why there is no data</source>
+        <translation>Doppelklick oder Eingabe: warum keine Daten kommen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
@@ -18876,12 +18911,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Das Projekt hat noch keine Teilnehmer.</translation>
     </message>
     <message>
-        <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
-        <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore; dorthin gezogen, wird es angeheftet.</translation>
-    </message>
-    <message>
         <source>No bus is connected</source>
         <translation>Kein Bus ist verbunden</translation>
+    </message>
+    <message>
+        <source>Choose a device to see it in the panels. Enter opens its monitors, or says what is wrong with one in red; dragged onto the monitors, it is pinned there.</source>
+        <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore oder sagt, was bei einem roten nicht stimmt; auf die Monitore gezogen, wird es dort angeheftet.</translation>
     </message>
 </context>
 <context>
@@ -20532,6 +20567,50 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::WhyPage</name>
+    <message>
+        <source>Everything is as expected</source>
+        <translation>Alles ist wie erwartet</translation>
+    </message>
+    <message>
+        <source>Expected and came, step by step</source>
+        <translation>Erwartet und gekommen, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>What is expected on the way of the data, and what came.</source>
+        <translation>Was auf dem Weg der Daten erwartet wird und was gekommen ist.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>Nichts ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose a device or a bus in the bus structure.</source>
+        <translation>Im Busaufbau ein Gerät oder einen Bus wählen.</translation>
+    </message>
+    <message>
+        <source>Only looks at what is known. Nothing is sent here.</source>
+        <translation>Sieht nur nach, was bekannt ist. Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>What differs first: %1</source>
+        <translation>Die erste Abweichung: %1</translation>
+    </message>
+    <message>
+        <source>Why is there no data?</source>
+        <translation>Warum kommen keine Daten?</translation>
+    </message>
+    <message>
+        <source>%1. Position: %2</source>
+        <comment>a sentence without its full stop</comment>
+        <translation>%1. Position: %2</translation>
+    </message>
+    <message>
+        <source>Data comes</source>
+        <translation>Daten kommen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -21038,6 +21117,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Finds actions, devices, parameters, messages and pages of the manual by words</source>
         <translation>Findet Aktionen, Geräte, Parameter, Meldungen und Seiten des Handbuchs über Wörter</translation>
+    </message>
+    <message>
+        <source>W&amp;hy is there no data?</source>
+        <translation>Warum kommen &amp;keine Daten?</translation>
+    </message>
+    <message>
+        <source>Shows what is expected of the chosen device or bus beside what came, and what to do; sends nothing</source>
+        <translation>Zeigt, was vom gewählten Gerät oder Bus erwartet wird, neben dem, was kam, und was zu tun ist; sendet nichts</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,7 @@ public:
     QAction *cams;
     QAction *replaceEncoder;
     QAction *restoreValues;
+    QAction *whyNoData;
     QAction *zeroOut;
     // View
     QMenu *docks;
