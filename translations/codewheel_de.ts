@@ -7938,6 +7938,240 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
 </context>
 <context>
+    <name>codewheel::DataCheck</name>
+    <message>
+        <source>Wait a moment. If nothing comes, check its supply and its place.</source>
+        <translation>Kurz warten. Kommt nichts, Versorgung und Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>Wait for it, or end the search or the job.</source>
+        <translation>Abwarten, oder die Suche oder den Auftrag beenden.</translation>
+    </message>
+    <message>
+        <source>Wait for the next answer.</source>
+        <translation>Die nächste Antwort abwarten.</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>operation</source>
+        <translation>Betrieb</translation>
+    </message>
+    <message>
+        <source>parameterization</source>
+        <translation>Parametrierung</translation>
+    </message>
+    <message>
+        <source>self test or read-out</source>
+        <translation>Selbsttest oder Auslesen</translation>
+    </message>
+    <message>
+        <source>service mode</source>
+        <translation>Dienst</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>A job is at work on this encoder. Wait for its end, or cancel it.</source>
+        <translation>An diesem Geber läuft ein Auftrag. Sein Ende abwarten, oder ihn abbrechen.</translation>
+    </message>
+    <message>
+        <source>The encoder is in parameterization and shows what was written to it, not its position. Set OUT to 00000000, in its monitor, to bring it back.</source>
+        <translation>Der Geber ist in der Parametrierung und zeigt, was ihm geschrieben wurde, nicht seine Position. OUT in seinem Monitor auf 00000000 setzen bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The encoder tests itself, or shows a value that was asked for, not its position. Wait for the end of the self test; otherwise set OUT to 00000000, in its monitor.</source>
+        <translation>Der Geber prüft sich selbst oder zeigt einen angefragten Wert, nicht seine Position. Das Ende des Selbsttests abwarten; sonst OUT in seinem Monitor auf 00000000 setzen.</translation>
+    </message>
+    <message>
+        <source>The encoder answers a service and shows no position. Set OUT to 00000000, in its monitor, to bring it back.</source>
+        <translation>Der Geber beantwortet einen Dienst und zeigt keine Position. OUT in seinem Monitor auf 00000000 setzen bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The encoder reports an error. The messages say which.</source>
+        <translation>Der Geber meldet einen Fehler. Welchen, steht in den Meldungen.</translation>
+    </message>
+    <message>
+        <source>No manual says what this word means. Check which encoder is there, and in which order its bytes come.</source>
+        <translation>Kein Handbuch sagt, was dieses Wort bedeutet. Prüfen, welcher Geber dort ist und in welcher Reihenfolge seine Bytes kommen.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>The bus is not connected. Connect it.</source>
+        <translation>Der Bus ist nicht verbunden. Verbinden.</translation>
+    </message>
+    <message>
+        <source>The program is connecting the bus. Wait for it.</source>
+        <translation>Das Programm verbindet den Bus gerade. Abwarten.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <comment>the kind of device at a place</comment>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>any: the project plans none here</source>
+        <translation>beliebig: das Projekt plant hier keines</translation>
+    </message>
+    <message>
+        <source>Last word or answer</source>
+        <translation>Letztes Wort, letzte Antwort</translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation>aktuell</translation>
+    </message>
+    <message>
+        <source>the device has none</source>
+        <translation>das Gerät hat keines</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>State of the encoder</source>
+        <translation>Zustand des Gebers</translation>
+    </message>
+    <message>
+        <source>not described</source>
+        <translation>nicht beschrieben</translation>
+    </message>
+    <message>
+        <source>This program has no description of this device: only its words are shown.</source>
+        <translation>Dieses Programm hat keine Beschreibung dieses Geräts: nur seine Wörter werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>The position jumped further than the encoder can turn, and is being asked for again. If that happens often, check shield and termination of the line.</source>
+        <translation>Die Position ist weiter gesprungen, als der Geber drehen kann, und wird noch einmal erfragt. Geschieht das oft, Schirm und Abschluss der Leitung prüfen.</translation>
+    </message>
+    <message>
+        <source>a speed: %1 1/min</source>
+        <translation>eine Drehzahl: %1 1/min</translation>
+    </message>
+    <message>
+        <source>cams: the encoder is in cam mode</source>
+        <translation>Nocken: der Geber ist im Nockenmodus</translation>
+    </message>
+    <message>
+        <source>It is not known how the position is coded in IN. Name the make of the encoder, or read its parameters.</source>
+        <translation>Es ist nicht bekannt, wie die Position in IN codiert ist. Den Hersteller des Gebers benennen oder seine Parameter lesen.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>as you want it</source>
+        <translation>wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>Bedienen</translation>
+    </message>
+    <message>
+        <source>never to a recording</source>
+        <translation>nie in eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>Watch: values are read, and nothing can be written. Switch to Operate to write.</source>
+        <translation>Beobachten: Werte werden gelesen, nichts kann geschrieben werden. Zum Schreiben auf Bedienen schalten.</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>keine Störung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n devices</source>
+        <translation>
+            <numerusform>%n Gerät</numerusform>
+            <numerusform>%n Geräte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no position</source>
+        <translation>keine Position</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DataCheckModel</name>
+    <message>
+        <source>as expected</source>
+        <translation>wie erwartet</translation>
+    </message>
+    <message>
+        <source>worth knowing</source>
+        <translation>gut zu wissen</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+    <message>
+        <source>not known, because of what differs before</source>
+        <translation>nicht bekannt, weil vorher etwas abweicht</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Gekommen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DecimalText</name>
     <message>
         <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
@@ -9981,6 +10215,14 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>it counts its own bytes wrong</source>
         <translation>sie zählt ihre eigenen Bytes falsch</translation>
     </message>
+    <message>
+        <source>Word order</source>
+        <translation>Wortreihenfolge</translation>
+    </message>
+    <message>
+        <source>no IN word</source>
+        <translation>kein IN-Wort</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::GearPanel</name>
@@ -11052,6 +11294,91 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>It answers after %1 ms: position %2 (%3h).</source>
         <translation>Er antwortet nach %1 ms: Position %2 (%3h).</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineChecks</name>
+    <message>
+        <source>Asking for positions</source>
+        <translation>Abfrage der Positionen</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>Nobody asks for positions: that was stopped. Start it.</source>
+        <translation>Niemand fragt Positionen ab: das wurde angehalten. Starten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>none for %n requests</source>
+        <translation>
+            <numerusform>keine auf %n Anfrage</numerusform>
+            <numerusform>keine auf %n Anfragen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>some after each request</source>
+        <translation>einige nach jeder Anfrage</translation>
+    </message>
+    <message>
+        <source>they come</source>
+        <translation>sie kommen</translation>
+    </message>
+    <message>
+        <source>Rate and format</source>
+        <translation>Baudrate und Format</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes that are no answer</source>
+        <translation>
+            <numerusform>%n Byte, das keine Antwort ist</numerusform>
+            <numerusform>%n Bytes, die keine Antwort sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the bytes make sense</source>
+        <translation>die Bytes ergeben einen Sinn</translation>
+    </message>
+    <message>
+        <source>More than the echo</source>
+        <translation>Mehr als das Echo</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>only the request came back</source>
+        <translation>nur die Anfrage kam zurück</translation>
+    </message>
+    <message>
+        <source>Answer of the encoder</source>
+        <translation>Antwort des Gebers</translation>
+    </message>
+    <message>
+        <source>to each request</source>
+        <translation>auf jede Anfrage</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>after %1 ms</source>
+        <translation>nach %1 ms</translation>
+    </message>
+    <message>
+        <source>Alarms and warnings</source>
+        <translation>Alarme und Warnungen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -16153,6 +16480,82 @@ Zustand: %3 (%4)</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingChecks</name>
+    <message>
+        <source>%1 requests, %2 without an answer</source>
+        <translation>%1 Anfragen, %2 ohne Antwort</translation>
+    </message>
+    <message>
+        <source>exception %1: %2 times</source>
+        <translation>Ausnahme %1: %2-mal</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>ALARM STOP has stopped the ring. Start it once it may run again.</source>
+        <translation>ALARM STOP hat den Ring angehalten. Starten, sobald er wieder laufen darf.</translation>
+    </message>
+    <message>
+        <source>The ring was stopped from here. Start it.</source>
+        <translation>Der Ring wurde von hier angehalten. Starten.</translation>
+    </message>
+    <message>
+        <source>The ring does not run, and was not stopped from here. Look at its master, then start it.</source>
+        <translation>Der Ring läuft nicht und wurde nicht von hier angehalten. Nach seinem Master sehen, dann starten.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>a state, a device</comment>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>The ring is being read in. Wait for it.</source>
+        <translation>Der Ring wird eingelesen. Abwarten.</translation>
+    </message>
+    <message>
+        <source>Place in the ring</source>
+        <translation>Platz im Ring</translation>
+    </message>
+    <message>
+        <source>no such device</source>
+        <translation>kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation>da</translation>
+    </message>
+    <message>
+        <source>Reports of the master</source>
+        <translation>Meldungen des Masters</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>keine Störung</translation>
+    </message>
+    <message>
+        <source>words that do not agree</source>
+        <translation>Wörter, die nicht übereinstimmen</translation>
+    </message>
+    <message>
+        <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin.</source>
+        <translation>Die Lesungen von %1 stimmen nicht überein, daher wird seinem Wort nicht geglaubt. Wortreihenfolge und Beginn seiner Register prüfen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingComparison</name>
     <message>
         <source>a configuration without a name</source>
@@ -18620,6 +19023,10 @@ Worte: IN %3, OUT %4</translation>
         <source>%1, the bus is interrupted before it</source>
         <translation>%1, davor ist der Bus unterbrochen</translation>
     </message>
+    <message>
+        <source>Double click or Enter: why there is no data</source>
+        <translation>Doppelklick oder Eingabe: warum keine Daten kommen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
@@ -18640,12 +19047,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Das Projekt hat noch keine Teilnehmer.</translation>
     </message>
     <message>
-        <source>Choose a device to see it in the panels. Enter opens its monitors; dragged onto them, it is pinned there.</source>
-        <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore; dorthin gezogen, wird es angeheftet.</translation>
-    </message>
-    <message>
         <source>No bus is connected</source>
         <translation>Kein Bus ist verbunden</translation>
+    </message>
+    <message>
+        <source>Choose a device to see it in the panels. Enter opens its monitors, or says what is wrong with one in red; dragged onto the monitors, it is pinned there.</source>
+        <translation>Ein Gerät wählen, um es in den Bereichen zu sehen. Eingabe öffnet seine Monitore oder sagt, was bei einem roten nicht stimmt; auf die Monitore gezogen, wird es dort angeheftet.</translation>
     </message>
 </context>
 <context>
@@ -20296,6 +20703,50 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::WhyPage</name>
+    <message>
+        <source>Everything is as expected</source>
+        <translation>Alles ist wie erwartet</translation>
+    </message>
+    <message>
+        <source>Expected and came, step by step</source>
+        <translation>Erwartet und gekommen, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>What is expected on the way of the data, and what came.</source>
+        <translation>Was auf dem Weg der Daten erwartet wird und was gekommen ist.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>Nichts ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose a device or a bus in the bus structure.</source>
+        <translation>Im Busaufbau ein Gerät oder einen Bus wählen.</translation>
+    </message>
+    <message>
+        <source>Only looks at what is known. Nothing is sent here.</source>
+        <translation>Sieht nur nach, was bekannt ist. Hier wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>What differs first: %1</source>
+        <translation>Die erste Abweichung: %1</translation>
+    </message>
+    <message>
+        <source>Why is there no data?</source>
+        <translation>Warum kommen keine Daten?</translation>
+    </message>
+    <message>
+        <source>%1. Position: %2</source>
+        <comment>a sentence without its full stop</comment>
+        <translation>%1. Position: %2</translation>
+    </message>
+    <message>
+        <source>Data comes</source>
+        <translation>Daten kommen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -20810,6 +21261,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Looks for encoders and gateways at the ports of this computer and at a host; listens first</source>
         <translation>Sucht Geber und Gateways an den Anschlüssen dieses Rechners und an einem Host; horcht zuerst</translation>
+    </message>
+    <message>
+        <source>W&amp;hy is there no data?</source>
+        <translation>Warum kommen &amp;keine Daten?</translation>
+    </message>
+    <message>
+        <source>Shows what is expected of the chosen device or bus beside what came, and what to do; sends nothing</source>
+        <translation>Zeigt, was vom gewählten Gerät oder Bus erwartet wird, neben dem, was kam, und was zu tun ist; sendet nichts</translation>
     </message>
 </context>
 <context>

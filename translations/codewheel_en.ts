@@ -63,6 +63,16 @@
     </message>
 </context>
 <context>
+    <name>codewheel::DataCheck</name>
+    <message numerus="yes">
+        <source>%n devices</source>
+        <translation>
+            <numerusform>%n device</numerusform>
+            <numerusform>%n devices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DroppedFiles</name>
     <message numerus="yes">
         <source>%n files were dropped. Drop one at a time.</source>
@@ -117,6 +127,23 @@
         <translation>
             <numerusform>%n byte came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
             <numerusform>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineChecks</name>
+    <message numerus="yes">
+        <source>none for %n requests</source>
+        <translation>
+            <numerusform>none for %n request</numerusform>
+            <numerusform>none for %n requests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes that are no answer</source>
+        <translation>
+            <numerusform>%n byte that is no answer</numerusform>
+            <numerusform>%n bytes that are no answer</numerusform>
         </translation>
     </message>
 </context>

@@ -218,6 +218,15 @@ std::vector<Picture> views()
                       busFault(shown);
                       return &shown.window();
                   }),
+        pictureOf(
+            "why",
+            [](TrainingWindow &shown) {
+                busFault(shown);
+                shown.window().actions().whyNoData->trigger();
+                shown.advance(whileMilliseconds);
+                return &shown.window();
+            },
+            low),
         pictureOf("training",
                   [](TrainingWindow &shown) {
                       shown.controls().setSpeed(fraba.node, 60);

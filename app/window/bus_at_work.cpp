@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/bus_at_work.h"
 
+#include "bus/data_check.h"
 #include "journal/ledger_keeper.h"
 #include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
@@ -42,6 +43,18 @@ bool BusAtWork::isTraining() const
 QString BusAtWork::nameOfNew() const
 {
     return busKind(kind())->nameOfNew();
+}
+
+DataChecks BusAtWork::dataChecks(NodeId node) const
+{
+    const Project &its = project().project();
+    if (bus() != nullptr && bus()->state() != BusState::closed)
+        return bus()->dataChecks(node, participantsOn(its, m_id));
+    const PlannedBus *planned = findBus(its, m_id);
+    const BusKind *kindOfIt = busKind(kind());
+    const QString link =
+        planned != nullptr && kindOfIt != nullptr ? kindOfIt->linkText(planned->settings) : QString();
+    return {notConnectedCheck(link, m_whyRefused || bus() == nullptr ? m_whyRefused : bus()->whyRefused())};
 }
 
 void BusAtWork::tellMessagesOf(EncoderBus &bus)

@@ -45,6 +45,8 @@ public:
     virtual QString nameOfNew() const;   // while no project gives it a name
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
+    // Why there is no data of this device, or, without a node, of the bus: also while it is not connected.
+    std::vector<DataCheck> dataChecks(NodeId node) const;
     virtual void openTraining() {} // connects a training bus, in Operate
     // An encoder of a training bus whose shaft turns by itself.
     virtual std::optional<Place> turning() const { return std::nullopt; }
@@ -58,6 +60,8 @@ Q_SIGNALS:
 
 protected:
     const Surroundings &surroundings() const { return m_surroundings; }
+    // Why it was refused to connect it before there was a session to ask; empty: it was not.
+    void noteRefused(const std::optional<Refusal> &why) { m_whyRefused = why; }
     void tellMessagesOf(EncoderBus &bus);
     void keepAccount(std::unique_ptr<LedgerKeeper> ledger); // from now on
     void endAccount();
@@ -66,6 +70,7 @@ private:
     const BusId m_id;
     const Surroundings m_surroundings;
     std::unique_ptr<LedgerKeeper> m_ledger;
+    std::optional<Refusal> m_whyRefused;
 };
 
 } // namespace codewheel

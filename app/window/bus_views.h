@@ -3,6 +3,7 @@
 
 #include "app/window/bus_at_work.h"
 #include "app/window/panels.h"
+#include "bus/data_check.h"
 #include "project/kind_data.h"
 #include "widgets/structure/fault_banner.h"
 
@@ -74,6 +75,8 @@ public:
     // Whether an action that its faults name is available now; carries it out.
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}
+    // The action of its kind for what a check proposes; null: it has none for that.
+    virtual QAction *actionFor(DataCheck::Action) const { return nullptr; }
 
 Q_SIGNALS:
     void panelRequested(const codewheel::Panel &panel); // to be shown

@@ -42,6 +42,8 @@ LineAtWork::LineAtWork(BusId id, Surroundings its, QObject *parent)
     connect(&project(), &ProjectDocument::changed, this, &LineAtWork::tellByteOrder);
     connect(&project(), &ProjectDocument::replaced, this, &LineAtWork::followProject);
     connect(&m_openingTurns, &QTimer::timeout, this, &LineAtWork::goOnOpening);
+    connect(this, &LineAtWork::openRefused, this, [this](const Refusal &why) { noteRefused(why); });
+    connect(this, &LineAtWork::changed, this, [this] { noteRefused({}); });
 }
 
 LineAtWork::~LineAtWork()

@@ -214,6 +214,13 @@ void LineViews::act(const Fault &, FaultAction)
         m_session->setRunning(true);
 }
 
+QAction *LineViews::actionFor(DataCheck::Action action) const
+{
+    const bool isConnection =
+        action == DataCheck::Action::connectBus || action == DataCheck::Action::connection;
+    return isConnection ? m_actions.settings : nullptr;
+}
+
 void LineViews::open()
 {
     Q_EMIT panelRequested(linePanel);

@@ -58,6 +58,7 @@ public:
     void showFrame() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
+    QAction *actionFor(DataCheck::Action action) const override;
 
     void showSettings();
     void showSearch();

@@ -18,6 +18,7 @@
 #include "app/window/start.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
+#include "app/window/why_in_window.h"
 #include "app/window/window_layouts.h"
 #include "bus/buses.h"
 #include "transfer/last_positions.h"
@@ -120,6 +121,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connect(m_faults, &FaultNotice::changed, this, &MainWindow::showOtherFaults);
     m_structure->setProject(m_project, plant.catalog());
     m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
+    m_why = new WhyInWindow(
+        {plant, m_actions, *m_structure, *m_pages, [this](BusId bus) { return viewsOf(bus); }}, this);
     connectViews();
     connectProject();
     connectBuses();
@@ -238,6 +241,7 @@ void MainWindow::showFrame()
     for (const auto &[bus, views] : m_views)
         views->showFrame();
     m_faults->showFrame();
+    m_why->showFrame();
     if (m_trend->isVisible())
         m_trend->showFrame();
     m_status->showFrame();

@@ -60,6 +60,7 @@ class TrendPage;
 class WaitingCams;
 struct Track;
 class WantedValues;
+class WhyInWindow;
 class WindowLayouts;
 class WordChannel;
 
@@ -214,6 +215,7 @@ private:
     FinderInWindow *m_finder = nullptr;
     DroppedDevice *m_droppedDevice = nullptr;
     WaitingCams *m_waitingCams = nullptr;
+    WhyInWindow *m_why = nullptr;
     bool m_keepsBottomFolded = false; // by the user, whatever is in the middle
     QByteArray m_defaultLayout;
     WindowLayouts *m_layouts = nullptr;

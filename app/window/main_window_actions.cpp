@@ -149,7 +149,7 @@ void MainWindow::showBusState()
     for (QAction *action :
          {m_actions.findEncoders, m_actions.projectPage, m_actions.structureEditor, m_actions.compare,
           m_actions.transfer, m_actions.exportReport, m_actions.exportMessages, m_actions.collectSupport,
-          m_actions.record, m_actions.print})
+          m_actions.record, m_actions.print, m_actions.whyNoData})
         action->setEnabled(isAttached);
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();

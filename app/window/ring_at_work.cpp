@@ -72,6 +72,7 @@ void RingAtWork::followProject()
 Result<void> RingAtWork::open()
 {
     const auto gateway = plannedGateway(project().project(), id());
+    noteRefused(gateway && !*gateway ? std::optional(gateway->error()) : std::nullopt);
     if (gateway && !*gateway)
         return tl::unexpected(gateway->error());
     if (gateway)

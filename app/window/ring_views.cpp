@@ -259,6 +259,20 @@ void RingViews::act(const Fault &fault, FaultAction action)
         m_master->toggleSegment(DeviceNumber::of(fault.cutOff).segment);
 }
 
+QAction *RingViews::actionFor(DataCheck::Action action) const
+{
+    switch (action) {
+    case DataCheck::Action::connectBus:
+        return m_actions.connectBus;
+    case DataCheck::Action::connection:
+        return m_actions.connection;
+    case DataCheck::Action::registers:
+        return m_actions.registers;
+    default:
+        return nullptr;
+    }
+}
+
 void RingViews::showCurrent()
 {
     if (!isCurrent())

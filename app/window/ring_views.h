@@ -48,6 +48,7 @@ public:
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
+    QAction *actionFor(DataCheck::Action action) const override;
 
 private:
     void showCurrent() override;

@@ -201,6 +201,10 @@ void WindowActions::makeDeviceMenu()
     pinDial->setEnabled(false);
     showInTrend = deviceMenu->addAction(lineIcon(Icon::trend), tr("Show in &trend"));
     showInTrend->setShortcut(Qt::CTRL | Qt::Key_4);
+    whyNoData =
+        open(Icon::question, tr("W&hy is there no data?"), Qt::Key_F12,
+             tr("Shows what is expected of the chosen device or bus beside what came, and what to do; sends "
+                "nothing"));
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);

@@ -91,6 +91,7 @@ public:
     QAction *cams;
     QAction *replaceEncoder;
     QAction *restoreValues;
+    QAction *whyNoData;
     QAction *zeroOut;
     // View
     QMenu *docks;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/encoder_bus.h"
 
+#include "bus/data_check.h"
 #include "bus/word_channel.h"
 
 #include <utility>
@@ -39,6 +40,7 @@ void EncoderBus::tellTraffic(TrafficRow row)
 
 void EncoderBus::linkRefused(const Refusal &why)
 {
+    m_whyRefused = why;
     tell({.at = now(), .severity = Severity::fault, .refusal = why});
     tellState();
     Q_EMIT openRefused(why);
@@ -47,6 +49,8 @@ void EncoderBus::linkRefused(const Refusal &why)
 void EncoderBus::tellState(bool isOther)
 {
     const State now{state(), isRunning(), isOperating()};
+    if (now.bus == BusState::open)
+        m_whyRefused.reset();
     if (std::exchange(m_told, now) != now || isOther)
         Q_EMIT stateChanged();
 }
@@ -69,6 +73,21 @@ Refusal EncoderBus::whyNotThere(Place place) const
 std::optional<Refusal> EncoderBus::isOther(Place, const QString &, const QString &) const
 {
     return std::nullopt;
+}
+
+DataChecks EncoderBus::dataChecks(NodeId node, const std::vector<Participant> &planned) const
+{
+    DataChecks checks{linkCheck(*this, {})};
+    if (!isOpen())
+        return checks;
+    if (node.isEmpty())
+        checks.push_back(devicesCheck(*this));
+    else
+        for (DataCheck &check : DataChecks{kindCheck(*this, node, planned), upToDateCheck(*this, node),
+                                           stateCheck(*this, node), positionCheck(*this, node)})
+            checks.push_back(std::move(check));
+    checks.push_back(writingCheck(*this));
+    return asFarAsKnown(std::move(checks));
 }
 
 WordChannel *EncoderBus::channelAt(NodeId) const

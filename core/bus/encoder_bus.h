@@ -17,6 +17,7 @@ namespace codewheel {
 class BusOutline;
 class Catalog;
 class WordChannel;
+struct DataCheck;
 
 // A write that somebody typed: to this encoder, or to a place where none is known to be.
 struct TypedWrite
@@ -77,6 +78,12 @@ public:
     // encoder() returns from then on, and of what was known only the count of EEPROM writes is kept; the old
     // session ends. Refused while a job runs. Sends nothing.
     virtual Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) = 0;
+
+    // Why there is no data: of the device there, or, without a node, of the bus itself; `planned` are the
+    // devices that the project plans for it.
+    virtual std::vector<DataCheck> dataChecks(NodeId node, const std::vector<Participant> &planned) const;
+    // Why it could not be connected, when that was last tried.
+    const std::optional<Refusal> &whyRefused() const { return m_whyRefused; }
 
     virtual BusState state() const = 0;
     bool isOpen() const { return state() == BusState::open || state() == BusState::lost; } // connected
@@ -154,6 +161,7 @@ private:
     BusId m_id;
     std::span<const TrafficColumn> m_trafficColumns;
     State m_told;
+    std::optional<Refusal> m_whyRefused;
     WallTime m_wallTime;
 };
 

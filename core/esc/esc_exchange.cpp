@@ -161,6 +161,8 @@ void Exchange::Private::keepRows(const std::optional<Reception::Found> &taken)
             result.garbageBytes += size;
         else if (row.kind == LineRow::Kind::late)
             result.lateBytes += size;
+        else if (row.kind == LineRow::Kind::echo)
+            result.isEchoed = true;
         rows.push_back(std::move(row));
     }
 }

@@ -48,9 +48,10 @@ struct ExchangeResult
     std::optional<Answer> answer; // empty: none came
     int sent = 0;                 // how often it was sent
     int timeOuts = 0;
-    int garbageBytes = 0; // neither echo nor part of a well-formed answer
-    int lateBytes = 0;    // drained, or part of an answer that came too early to be this request's
-    Instant answerTime{}; // from the end of the answered request to the end of the answer
+    int garbageBytes = 0;  // neither echo nor part of a well-formed answer
+    bool isEchoed = false; // the request came back
+    int lateBytes = 0;     // drained, or part of an answer that came too early to be this request's
+    Instant answerTime{};  // from the end of the answered request to the end of the answer
 };
 
 // One request from its first byte to its end: sends it, finds the answer among echo and garbage, sends a read

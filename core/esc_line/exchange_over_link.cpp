@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "esc_line/exchange_over_link.h"
 
-#include <algorithm>
-
 namespace codewheel {
 
-Result<LinkExchange> exchangeOver(ByteLink &link, const esc::Request &request, const esc::Timing &timing,
-                                  const std::atomic<bool> &isStopped)
+Result<esc::ExchangeResult> exchangeOver(ByteLink &link, const esc::Request &request,
+                                         const esc::Timing &timing, const std::atomic<bool> &isStopped)
 {
     esc::Exchange exchange(request, timing);
     for (;;) {
@@ -24,10 +22,7 @@ Result<LinkExchange> exchangeOver(ByteLink &link, const esc::Request &request, c
         if (!bytes->isEmpty())
             exchange.received(*bytes, link.now());
     }
-    const auto rows = exchange.takeRows();
-    return LinkExchange{exchange.result(), std::ranges::any_of(rows, [](const esc::LineRow &row) {
-                            return row.kind == esc::LineRow::Kind::echo;
-                        })};
+    return exchange.result();
 }
 
 } // namespace codewheel

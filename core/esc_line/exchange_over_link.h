@@ -9,15 +9,10 @@
 namespace codewheel {
 
 // One request over a link of which nobody else makes use, from its first byte to its end.
-struct LinkExchange
-{
-    esc::ExchangeResult result{};
-    bool isEchoed = false; // the request itself came back
-};
-
+//
 // Refused as the link refuses. `isStopped`: nothing more is sent; ByteLink::interrupt() ends the present
 // wait.
-Result<LinkExchange> exchangeOver(ByteLink &link, const esc::Request &request, const esc::Timing &timing,
-                                  const std::atomic<bool> &isStopped);
+Result<esc::ExchangeResult> exchangeOver(ByteLink &link, const esc::Request &request,
+                                         const esc::Timing &timing, const std::atomic<bool> &isStopped);
 
 } // namespace codewheel

@@ -149,14 +149,13 @@ LineFinding LineCheck::listen()
                    nullptr, static_cast<int>(heard.size())));
 }
 
-QString LineCheck::silenceText(const LinkExchange &exchange)
+QString LineCheck::silenceText(int strayBytes, bool isEchoed)
 {
-    const int stray = exchange.result.garbageBytes + exchange.result.lateBytes;
-    if (stray > 0)
+    if (strayBytes > 0)
         return tr("%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two "
                   "encoders answer at once.",
-                  nullptr, stray);
-    if (exchange.isEchoed)
+                  nullptr, strayBytes);
+    if (isEchoed)
         return tr("Only the request came back: the adapter hears itself, and no encoder answers. Check "
                   "address, wires and supply.");
     return tr("Nothing came. Check address, baud rate, wires (A and B may be swapped) and supply; an RS-422 "
@@ -167,19 +166,20 @@ LineFinding LineCheck::ask(LineAddress address)
 {
     esc::Timing timing = m_settings.timing;
     timing.character = m_settings.serial.timeOf(1);
-    const auto exchange = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
-    if (!exchange)
-        return refused(exchange.error());
+    const auto result = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
+    if (!result)
+        return refused(result.error());
     if (m_isStopped)
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
-    const auto &answer = exchange->result.answer;
+    const auto &answer = result->answer;
     if (!answer)
-        return told(CheckOutcome::failed, silenceText(*exchange));
+        return told(CheckOutcome::failed,
+                    silenceText(result->garbageBytes + result->lateBytes, result->isEchoed));
     if (answer->kind != esc::Answer::Kind::value)
         return told(CheckOutcome::failed, sentence(tr("It answers, but not with a position: %1."),
                                                    {QString::fromLatin1(answer->text.simplified())}));
     return told(CheckOutcome::passed, sentence(tr("It answers after %1 ms: position %2 (%3h)."),
-                                               {inMilliseconds(exchange->result.answerTime),
+                                               {inMilliseconds(result->answerTime),
                                                 QLocale().toString(answer->value), hexWord(answer->value)}));
 }
 

@@ -13,8 +13,6 @@
 
 namespace codewheel {
 
-struct LinkExchange;
-
 enum class LineStep : std::uint8_t {
     found,   // the port is there
     opened,  // with these settings
@@ -56,6 +54,8 @@ public:
     void interrupt(); // skips what is left. Any thread
 
     static QString stepText(LineStep step, LineAddress address); // "Serial port", "Encoder 05"
+    // What came instead of an answer, and what to check.
+    static QString silenceText(int strayBytes, bool isEchoed);
 
 private:
     LineFinding find();
@@ -64,7 +64,6 @@ private:
     LineFinding ask(LineAddress address);
     LineFinding told(CheckOutcome outcome, const QString &sentence) const;
     LineFinding refused(const Refusal &why);
-    static QString silenceText(const LinkExchange &exchange);
 
     ByteLink &m_link;
     const LineSettings m_settings;

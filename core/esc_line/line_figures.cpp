@@ -14,10 +14,20 @@ void LineCounter::note(const esc::ExchangeResult &result)
     m_figures.lateBytes += static_cast<std::uint64_t>(result.lateBytes);
     if (!result.answer) {
         ++m_figures.unanswered;
+        noteMissing(result);
         return;
     }
+    m_figures.sinceAnswer = {};
     ++m_figures.answers;
     m_figures.answerTime = m_times.note(result.answerTime);
+}
+
+void LineCounter::noteMissing(const esc::ExchangeResult &result)
+{
+    SinceAnswer &since = m_figures.sinceAnswer;
+    since.requests += static_cast<std::uint64_t>(result.sent);
+    since.strayBytes += static_cast<std::uint64_t>(result.garbageBytes + result.lateBytes);
+    since.isEchoed = result.isEchoed;
 }
 
 Instant LineCounter::longestAnswer() const

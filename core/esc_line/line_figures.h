@@ -9,6 +9,16 @@
 
 namespace codewheel {
 
+// What came instead of an answer, since the last one.
+struct SinceAnswer
+{
+    std::uint64_t requests = 0;
+    std::uint64_t strayBytes = 0; // no part of an answer in time
+    bool isEchoed = false;        // the last request came back
+
+    friend bool operator==(const SinceAnswer &, const SinceAnswer &) = default;
+};
+
 // The statistics of a line, or of one device on it, since it was opened.
 struct LineFigures
 {
@@ -20,6 +30,7 @@ struct LineFigures
     std::uint64_t garbageBytes = 0;
     std::uint64_t lateBytes = 0;
     std::optional<AnswerTime> answerTime; // from the end of a request to that of its answer; empty: none yet
+    SinceAnswer sinceAnswer{};
 
     friend bool operator==(const LineFigures &, const LineFigures &) = default;
 };
@@ -34,6 +45,8 @@ public:
     Instant longestAnswer() const; // 0: no answer yet
 
 private:
+    void noteMissing(const esc::ExchangeResult &result);
+
     LineFigures m_figures;
     AnswerTimes m_times;
 };

@@ -7,6 +7,7 @@
 #include "drivers/esc_fraction_bits.h"
 #include "drivers/esc_values.h"
 #include "encoder/hex.h"
+#include "esc_line/line_checks.h"
 #include "esc_line/line_encoder_session.h"
 #include "esc_line/line_outline.h"
 #include "esc_line/line_runner.h"
@@ -367,6 +368,11 @@ const LineSnapshot::Device *LineSession::shown(Place place) const
 void LineSession::post(LineCommand command)
 {
     d->engine.post(std::move(command));
+}
+
+DataChecks LineSession::dataChecks(NodeId node, const std::vector<Participant> &planned) const
+{
+    return lineChecks(*this, node, planned);
 }
 
 BusState LineSession::state() const

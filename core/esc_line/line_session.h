@@ -46,6 +46,8 @@ public:
     void advance(Instant duration) override;
     void pump() override;
 
+    std::vector<DataCheck> dataChecks(NodeId node, const std::vector<Participant> &planned) const override;
+
     BusState state() const override;
     bool isSimulated() const override;
     QString linkName() const;

@@ -3,6 +3,8 @@
 
 #include "encoder/instant.h"
 
+#include <QString>
+
 #include <cstdint>
 
 namespace codewheel {
@@ -21,6 +23,12 @@ struct SerialSettings
 
     // Start bit, data, parity and stop bits.
     int bitsPerCharacter() const { return 1 + dataBits + (parity == Parity::none ? 0 : 1) + stopBits; }
+    // "8N2".
+    QString format() const
+    {
+        const QLatin1Char letter(QLatin1String("NEO").at(static_cast<qsizetype>(parity)));
+        return QStringLiteral("%1%2%3").arg(dataBits).arg(letter).arg(stopBits);
+    }
     // How long `characters` take on the wire, rounded up to a microsecond.
     Instant timeOf(int characters) const
     {

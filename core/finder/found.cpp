@@ -17,12 +17,7 @@ QString certaintyText(Certainty certainty)
 
 QString formatText(const SerialSettings &settings)
 {
-    constexpr char letters[] = "NEO";
-    return QStringLiteral("%1 Bd, %2%3%4")
-        .arg(settings.baudRate)
-        .arg(settings.dataBits)
-        .arg(QLatin1Char(letters[static_cast<int>(settings.parity)]))
-        .arg(settings.stopBits);
+    return QStringLiteral("%1 Bd, %2").arg(settings.baudRate).arg(settings.format());
 }
 
 } // namespace codewheel

@@ -81,10 +81,10 @@ public:
         esc::Timing timing;
         timing.character = settings().timeOf(1);
         timing.retries = 0;
-        const auto exchange = exchangeOver(link, request, timing, isStopped);
-        if (!exchange)
-            return tl::unexpected(exchange.error());
-        return m_scan ? scanned(exchange->result) : knocked(exchange->result);
+        const auto result = exchangeOver(link, request, timing, isStopped);
+        if (!result)
+            return tl::unexpected(result.error());
+        return m_scan ? scanned(*result) : knocked(*result);
     }
 
 private:

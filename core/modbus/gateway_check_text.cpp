@@ -175,6 +175,18 @@ QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings)
     return sentence(GatewayTexts::tr("IN is %1. What this device sends is not described."), {word});
 }
 
+DataCheck wordCheck(const DeviceRegisters &shown, const GatewaySettings &settings)
+{
+    const QString what = GatewayTexts::tr("Word order");
+    const QString expected = orderText(settings.highWordFirst);
+    const WordReading *set = readingSet(shown, settings);
+    const QString came = set != nullptr ? hexWord(set->word) : GatewayTexts::tr("no IN word");
+    if (wordOutcome(shown, settings) != CheckOutcome::failed)
+        return passedCheck(DataCheck::Id::order, what, expected, came);
+    return failedCheck(DataCheck::Id::order, what, expected, came, wordText(shown, settings),
+                       DataCheck::Action::registers);
+}
+
 QString plausibilityKey(Plausibility plausibility)
 {
     constexpr std::array keys{"fits", "unlikely", "cannotBe", "notKnown"};

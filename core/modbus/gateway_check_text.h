@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/data_check.h"
 #include "modbus/gateway_check.h"
 
 namespace codewheel {
@@ -16,6 +17,9 @@ QString registerText(Register word); // "00E0h"
 
 CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);
 QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings);
+
+// The same as a step on the way of the data.
+DataCheck wordCheck(const DeviceRegisters &shown, const GatewaySettings &settings);
 
 // "fits": language-neutral.
 QString plausibilityKey(Plausibility plausibility);

@@ -49,6 +49,8 @@ public:
     bool isUpToDate(std::size_t device) const override;
     std::optional<Instant> age(std::size_t device) const override;
     std::shared_ptr<const LinkFigures> figures() const override { return m_counter.figures(); }
+    std::optional<DataCheck> checkWord(std::size_t device, Word in,
+                                       const EncoderSession &encoder) const override;
     Instant now() const override { return m_port->now(); }
     // While open: no longer than until the next exchange is due; not at all if it is.
     void wait(Instant until) override;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The transactions of a gateway, and IN.
+#include "drivers/value_notes.h"
+#include "drivers/values_to_write.h"
+#include "encoder/encoder_session.h"
+#include "modbus/gateway_check_text.h"
 #include "modbus/gateway_device_state.h"
 #include "modbus/register_refusal.h"
 
@@ -140,6 +144,20 @@ void GatewayLink::showIn(std::span<Word> in)
 {
     for (std::size_t i = 0; i < m_devices.size(); ++i)
         in[i] = m_devices[i].in.word();
+}
+
+// As the registers would be judged by a test of the gateway.
+std::optional<DataCheck> GatewayLink::checkWord(std::size_t device, Word in,
+                                                const EncoderSession &encoder) const
+{
+    const auto map = GatewayMap::of(m_ring, m_settings);
+    if (!map || device >= map->devices())
+        return std::nullopt;
+    DeviceRegisters shown{.place = m_ring[device].number, .in = map->in(device), .out = map->out(device)};
+    shown.inNow.resize(static_cast<std::size_t>(shown.in.count));
+    map->put(in, shown.inNow);
+    shown.readings = wordReadings(shown.inNow, senderOf(encoder.device(), valuesOf(allKnown(encoder))));
+    return wordCheck(shown, m_settings);
 }
 
 Result<void> GatewayLink::readStatus()

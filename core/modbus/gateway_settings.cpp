@@ -110,8 +110,7 @@ Setting optionalRegister(const char *name, std::optional<int> GatewaySettings::*
 // "8E1".
 QString formOf(const GatewaySettings &all)
 {
-    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(all.serial.parity)));
-    return QStringLiteral("%1%2%3").arg(all.serial.dataBits).arg(parity).arg(all.serial.stopBits);
+    return all.serial.format();
 }
 
 bool takeForm(GatewaySettings &all, const QString &text)

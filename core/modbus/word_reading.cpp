@@ -2,6 +2,7 @@
 #include "modbus/word_reading.h"
 
 #include "catalog/explain_word.h"
+#include "catalog/total_range.h"
 #include "words/k3_plausible.h"
 #include "words/position_code.h"
 
@@ -99,6 +100,14 @@ QString wordOrderName(WordOrder order)
 WordOrder wordOrderOf(bool highWordFirst)
 {
     return highWordFirst ? WordOrder::abcd : WordOrder::cdab;
+}
+
+SendingEncoder senderOf(const DeviceDescription &device, const ParameterValues &known)
+{
+    if (const auto range = totalRange(device, known))
+        return {device, range};
+    const std::int64_t physical = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+    return {device, physical > 0 ? std::optional(physical) : std::nullopt};
 }
 
 std::vector<WordReading> wordReadings(std::span<const Register> registers, const SendingEncoder &sender)

@@ -43,6 +43,9 @@ struct SendingEncoder
     std::optional<std::int64_t> totalRange{};  // positions; empty: not known
 };
 
+// With the values it is known to have; without them, with what its disc gives: no scaling has more.
+SendingEncoder senderOf(const DeviceDescription &device, const ParameterValues &known);
+
 // The IN word of an encoder in all orders there are for so many registers; more than two are left out.
 std::vector<WordReading> wordReadings(std::span<const Register> registers, const SendingEncoder &sender);
 

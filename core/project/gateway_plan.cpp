@@ -2,7 +2,6 @@
 #include "project/gateway_plan.h"
 
 #include "catalog/catalog.h"
-#include "catalog/total_range.h"
 #include "project/ring_plan.h"
 
 namespace codewheel {
@@ -16,23 +15,13 @@ ParameterValues valuesOf(const ProjectDevice &device)
     return values;
 }
 
-// With the values the encoder was known to have; without them, what its disc gives: no scaling has more.
-std::optional<std::int64_t> rangeOf(const ProjectDevice &device, const DeviceDescription &described)
-{
-    if (const auto known = totalRange(described, valuesOf(device)))
-        return known;
-    const std::int64_t physical = std::int64_t{described.physicalStepsPerTurn} * described.physicalTurns;
-    return physical > 0 ? std::optional(physical) : std::nullopt;
-}
-
-SendingEncoder senderOf(const ProjectDevice &device, const Catalog &catalog)
+SendingEncoder plannedSender(const ProjectDevice &device, const Catalog &catalog)
 {
     const DeviceDescription *described =
         catalog.find(device.participant.deviceKey, device.participant.deviceCode);
     if (described == nullptr)
         return {};
-    const DeviceDescription its = described->labelled(device.label.turns, device.label.stepsPerTurn);
-    return {its, rangeOf(device, its)};
+    return senderOf(described->labelled(device.label.turns, device.label.stepsPerTurn), valuesOf(device));
 }
 
 } // namespace
@@ -60,7 +49,7 @@ std::vector<CheckedDevice> checkedDevices(const Project &project, BusId ring, co
 {
     std::vector<CheckedDevice> devices;
     for (const ProjectDevice &device : devicesOn(project, ring))
-        devices.push_back({device.participant, senderOf(device, catalog)});
+        devices.push_back({device.participant, plannedSender(device, catalog)});
     return devices;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/data_check.h"
 #include "encoder/instant.h"
 #include "encoder/refusal.h"
 #include "ring/participant.h"
@@ -12,6 +13,7 @@
 
 namespace codewheel {
 
+class EncoderSession;
 class MasterLink;
 struct LinkFigures;
 
@@ -50,6 +52,12 @@ public:
     virtual bool isUpToDate(std::size_t /*device*/) const { return true; }
     // Statistics, newly made now and then; null: it keeps none.
     virtual std::shared_ptr<const LinkFigures> figures() const { return nullptr; }
+    // Whether the device can have sent this word; empty: words always come as they were sent. Any thread.
+    virtual std::optional<DataCheck> checkWord(std::size_t /*device*/, Word /*in*/,
+                                               const EncoderSession & /*encoder*/) const
+    {
+        return std::nullopt;
+    }
     // The time on the ring's clock, which starts at 0 with the link and never goes back, whatever is closed
     // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes only in
     // wait().

@@ -85,6 +85,7 @@ Result<void> RingSession::open(Start start, std::optional<Pacing> pacing)
     d->start = start;
     d->generation = 0;
     d->readingIn = false;
+    d->stoppedBy = StoppedBy::other;
     d->crcHistory.clear();
     auto runner = std::make_unique<RingRunner>(*d->link);
     runner->post(command::OfferTo{d->guests});
@@ -340,6 +341,11 @@ const BusOutline &RingSession::outline() const
     return d->outline;
 }
 
+DataChecks RingSession::dataChecks(NodeId node, const std::vector<Participant> &planned) const
+{
+    return ringChecks(*this, *d->link, d->stoppedBy, node, planned);
+}
+
 // Not open before its devices are known.
 BusState RingSession::state() const
 {
@@ -413,6 +419,7 @@ bool RingSession::isRunning() const
 
 void RingSession::setRunning(bool on)
 {
+    d->stoppedBy = on ? StoppedBy::other : StoppedBy::program;
     if (on)
         post(command::StartBus{});
     else
@@ -426,6 +433,7 @@ void RingSession::setOperate(bool on)
 
 void RingSession::alarmStop()
 {
+    d->stoppedBy = StoppedBy::alarmStop;
     post(command::AlarmStop{});
 }
 

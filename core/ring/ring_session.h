@@ -61,6 +61,8 @@ public:
     // Guests read and write the ring beside us, from now on and after each opening; null: nobody does.
     void offerTo(std::shared_ptr<RingGuests> guests);
 
+    std::vector<DataCheck> dataChecks(NodeId node, const std::vector<Participant> &planned) const override;
+
     BusState state() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;

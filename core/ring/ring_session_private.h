@@ -6,6 +6,7 @@
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "ring/crc_history.h"
+#include "ring/ring_checks.h"
 #include "ring/ring_encoder_session.h"
 #include "ring/ring_outline.h"
 #include "ring/ring_runner.h"
@@ -64,6 +65,7 @@ struct RingSession::Private
     Start start = Start::watching;
     unsigned generation = 0; // of the ring; 0: none is used yet
     bool readingIn = false;
+    StoppedBy stoppedBy = StoppedBy::other;
     CrcHistory crcHistory;
     WordDoubts doubts;
     MasterState toldState = MasterState::ready;

@@ -140,6 +140,7 @@ void RingSession::readIn()
     if (!isOpen())
         return;
     d->readingIn = true;
+    d->stoppedBy = StoppedBy::other;
     post(command::ReadIn{});
 }
 

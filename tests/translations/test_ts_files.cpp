@@ -17,9 +17,11 @@ const QString englishFile = sourceFolder + QStringLiteral("/translations/codewhe
 
 // Words that engineers also use in German. Add only what a German manual prints like that.
 const QStringList sameInGerman{
+    QStringLiteral("%1. Position: %2"),
     QStringLiteral("2 MBd"),
     QStringLiteral("%1 (ms)"),
     QStringLiteral("&Port"),
+    QStringLiteral("Bytes"),
     QStringLiteral("Client"),
     QStringLiteral("Clients"),
     QStringLiteral("Exceptions %1"),

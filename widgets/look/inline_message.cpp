@@ -90,9 +90,9 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
     QAccessible::updateAccessibility(&alert);
 }
 
-void InlineMessage::showTrouble(Role role, const Trouble &trouble)
+void InlineMessage::showTrouble(Role role, const Trouble &trouble, const QString &actionText)
 {
-    showMessage(role, trouble.sentence);
+    showMessage(role, trouble.sentence, actionText);
     if (trouble.command.isEmpty())
         return;
     setCommand(trouble.command);

@@ -28,8 +28,10 @@ public:
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
     // Its command is shown below the sentence, and can be copied.
-    void showTrouble(Role role, const Trouble &trouble);
+    void showTrouble(Role role, const Trouble &trouble, const QString &actionText = {});
     QString command() const { return m_command; }
+    // The same message in other words: screen readers are not alerted again.
+    void rephrase(const QString &sentence);
     void withdraw(); // the cause is gone
     QString sentence() const;
     // In small type after the sentence; empty: nothing.
@@ -47,9 +49,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
     void addButton(QAbstractButton *button); // after its actions
-    // The same message in other words: screen readers are not alerted again.
-    void rephrase(const QString &sentence);
-    void arrange(); // after buttons were added or removed
+    void arrange();                          // after buttons were added or removed
 
 private:
     void drawIcon();

@@ -32,6 +32,7 @@ public:
         nameRole = Qt::UserRole, // the station, else the place and the name of the device
         detailRole,              // place and name behind a station
         isBehindBreakRole,       // the fault of the bus is between it and the device before it
+        isFaultRole,             // the state of the row is a fault
     };
 
     explicit StructureModel(QObject *parent = nullptr);

@@ -54,6 +54,14 @@ QVariant stateIcon(const StateWord &state)
     return lineIcon(roleIcon(state.role), state.role);
 }
 
+// How to ask about a fault.
+QString withWhy(const QString &toolTip, const StateWord &state)
+{
+    return state.role == Role::fault
+               ? toolTip + u'\n' + StructureModel::tr("Double click or Enter: why there is no data")
+               : toolTip;
+}
+
 } // namespace
 
 // An encoder without a known position shows a dash, and the tooltip says why.
@@ -94,7 +102,9 @@ QVariant StructureModel::data(const QModelIndex &index, int role) const
 QVariant StructureModel::busCell(const BusBranch &branch, int column, int role)
 {
     if (role == Qt::ToolTipRole)
-        return branch.outline().toolTip();
+        return withWhy(branch.outline().toolTip(), branch.state);
+    if (role == isFaultRole)
+        return branch.state.role == codewheel::Role::fault;
     if (column == deviceColumn && role == Qt::DisplayRole)
         return branch.title;
     if (column == deviceColumn && role == Qt::DecorationRole)
@@ -111,7 +121,7 @@ QVariant StructureModel::busCell(const BusBranch &branch, int column, int role)
 QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int column, int role)
 {
     if (role == Qt::ToolTipRole)
-        return toolTip(branch, row);
+        return withWhy(toolTip(branch, row), row.state.shown);
     if (column == positionColumn && row.state.isOld)
         if (QVariant look = oldPositionLook(row.state, role); look.isValid())
             return look;
@@ -119,6 +129,8 @@ QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int
         return QGuiApplication::palette().brush(QPalette::PlaceholderText);
     if (role == isBehindBreakRole)
         return row.state.isBehindBreak;
+    if (role == isFaultRole)
+        return row.state.shown.role == codewheel::Role::fault;
     if (role == nameRole)
         return row.station.isEmpty() ? placeAndName(row.node) : row.station;
     if (role == detailRole)

@@ -48,14 +48,19 @@ void listBelow(const StructureModel &model, const QModelIndex &parent, std::vect
     }
 }
 
+bool isFault(const QModelIndex &index)
+{
+    return index.data(StructureModel::isFaultRole).toBool();
+}
+
 } // namespace
 
 StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
     , m_model(new StructureModel(this))
     , m_tree(describe(new StructureTree(this), "structure", tr("Bus structure"),
-                      tr("Choose a device to see it in the panels. Enter opens its monitors; dragged onto "
-                         "them, it is pinned there.")))
+                      tr("Choose a device to see it in the panels. Enter opens its monitors, or says what is "
+                         "wrong with one in red; dragged onto the monitors, it is pinned there.")))
     , m_filter(nullptr)
     , m_empty(
           new EmptyState(Icon::ring, tr("No bus is connected"), tr("The project has no devices yet."), this))
@@ -99,11 +104,10 @@ StructureView::StructureView(QWidget *parent)
                 else if (const auto bus = m_model->busAt(index))
                     Q_EMIT busChosen(*bus);
             });
-    connect(m_tree, &QTreeView::activated, this, [this](const QModelIndex &index) {
-        if (const auto place = m_model->placeAt(index))
-            Q_EMIT opened(*place);
-        else if (const auto bus = m_model->busAt(index))
-            Q_EMIT busOpened(*bus);
+    connect(m_tree, &QTreeView::activated, this, &StructureView::open);
+    connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex &index) {
+        if (index.column() == StructureModel::stateColumn && isFault(index))
+            Q_EMIT whyRequested(*rowOf(index));
     });
     connect(m_tree, &QTreeView::customContextMenuRequested, this, [this](const QPoint &position) {
         const QModelIndex index = m_tree->indexAt(position);
@@ -178,6 +182,19 @@ void StructureView::restoreRow()
         chooseRow(*m_rowBefore);
 }
 
+void StructureView::open(const QModelIndex &index)
+{
+    const auto row = rowOf(index);
+    if (!row)
+        return;
+    if (isFault(index))
+        Q_EMIT whyRequested(*row);
+    else if (row->isEmpty())
+        Q_EMIT busOpened(row->bus);
+    else
+        Q_EMIT opened(*row);
+}
+
 std::optional<BusId> StructureView::currentBus() const
 {
     const QModelIndex index = m_tree->currentIndex();
@@ -186,8 +203,21 @@ std::optional<BusId> StructureView::currentBus() const
 
 std::optional<Place> StructureView::row() const
 {
-    const auto bus = currentBus();
-    return bus ? std::optional(Place{*bus}) : current();
+    return rowOf(m_tree->currentIndex());
+}
+
+std::optional<Place> StructureView::rowOf(const QModelIndex &index) const
+{
+    if (const auto place = m_model->placeAt(index))
+        return place;
+    const auto bus = m_model->busAt(index);
+    return bus ? std::optional(Place{*bus}) : std::nullopt;
+}
+
+QString StructureView::nameOf(Place row) const
+{
+    const QModelIndex index = row.isEmpty() ? m_model->indexOf(row.bus) : m_model->indexOf(row);
+    return index.data().toString();
 }
 
 bool StructureView::has(Place row) const

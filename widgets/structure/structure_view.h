@@ -35,7 +35,7 @@ struct ListedDevice
 };
 
 // The bus structure as a tree. The panels beside it show the chosen device; Enter or a double click opens its
-// monitors.
+// monitors, or, where its state is a fault, what is wrong with it.
 class StructureView : public QWidget
 {
     Q_OBJECT
@@ -55,6 +55,7 @@ public:
     // The selected row: that of a device, or, without a node, of a bus.
     std::optional<Place> row() const;
     bool has(Place row) const;
+    QString nameOf(Place row) const;           // as the tree shows it; empty: it has no such row
     std::vector<ListedDevice> devices() const; // of all buses, in the order of the tree
     void choose(Place place);
     void choose(BusId bus); // the row of the bus itself
@@ -64,6 +65,8 @@ public:
 Q_SIGNALS:
     void chosen(codewheel::Place place);
     void opened(codewheel::Place place);
+    // A row whose state is a fault was opened, or its state was clicked.
+    void whyRequested(codewheel::Place row);
     // The bus does not tell the make of the chosen device: the user wants to.
     void namingRequested(codewheel::Place place);
     void menuRequested(codewheel::Place place, const QPoint &globalPosition);
@@ -81,6 +84,8 @@ private:
     void showWhetherEmpty();
     void restoreRow();
     void askForMake();
+    std::optional<Place> rowOf(const QModelIndex &index) const;
+    void open(const QModelIndex &index);
 
     StructureModel *m_model;
     QTreeView *m_tree;

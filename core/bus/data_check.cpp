@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/data_check.h"
+
+#include "bus/bus_outline.h"
+#include "bus/encoder_bus.h"
+#include "bus/word_channel.h"
+#include "catalog/catalog.h"
+#include "catalog/hex_code.h"
+#include "encoder/freshness_text.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The translation context of these texts.
+struct DataCheckText
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::DataCheck)
+};
+
+QString freshnessRemedy(Freshness::Reason reason)
+{
+    switch (reason) {
+    case Freshness::Reason::notSeen:
+        return DataCheckText::tr("Wait a moment. If nothing comes, check its supply and its place.");
+    case Freshness::Reason::notAsked:
+        return DataCheckText::tr("Wait for it, or end the search or the job.");
+    case Freshness::Reason::slept:
+        return DataCheckText::tr("Wait for the next answer.");
+    default:
+        return {};
+    }
+}
+
+QString joined(const QString &sentence, const QString &next)
+{
+    return next.isEmpty() ? sentence : sentence + u' ' + next;
+}
+
+DataCheck remarkOf(DataCheck check, const QString &remedy, DataCheck::Action action = DataCheck::Action::none)
+{
+    check.outcome = DataCheck::Outcome::remark;
+    check.remedy = remedy;
+    check.action = action;
+    return check;
+}
+
+const Freshness *freshnessOf(const EncoderBus &bus, NodeId node)
+{
+    if (const EncoderSession *encoder = bus.encoder(node))
+        return &encoder->freshness();
+    const WordChannel *channel = bus.channel(node);
+    return channel != nullptr ? &channel->freshness() : nullptr;
+}
+
+// "FRABA OCD-IB K3, 37h"
+QString kindText(const Participant &device, const Catalog &catalog)
+{
+    const QString name = participantName(device, catalog.findFitting(device.deviceKey, device.deviceCode));
+    return device.idCode == 0 ? name : QStringLiteral("%1, %2").arg(name, hexCode(device.idCode, 2));
+}
+
+QString stateName(const EncoderSession &encoder)
+{
+    switch (encoder.latest().state) {
+    case EncoderState::notSeen:
+        return DataCheckText::tr("not seen");
+    case EncoderState::operation:
+        return DataCheckText::tr("operation");
+    case EncoderState::parameterization:
+        return DataCheckText::tr("parameterization");
+    case EncoderState::readOut:
+        return DataCheckText::tr("self test or read-out");
+    case EncoderState::service:
+        return DataCheckText::tr("service mode");
+    case EncoderState::error:
+        return DataCheckText::tr("error");
+    case EncoderState::silent:
+        return DataCheckText::tr("silent");
+    case EncoderState::unknown:
+        break;
+    }
+    return DataCheckText::tr("unknown");
+}
+
+QString stateRemedy(const EncoderSession &encoder)
+{
+    if (encoder.runningJob())
+        return DataCheckText::tr("A job is at work on this encoder. Wait for its end, or cancel it.");
+    switch (encoder.latest().state) {
+    case EncoderState::parameterization:
+        return DataCheckText::tr(
+            "The encoder is in parameterization and shows what was written to it, not its "
+            "position. Set OUT to 00000000, in its monitor, to bring it back.");
+    case EncoderState::readOut:
+        return DataCheckText::tr(
+            "The encoder tests itself, or shows a value that was asked for, not its "
+            "position. Wait for the end of the self test; otherwise set OUT to 00000000, "
+            "in its monitor.");
+    case EncoderState::service:
+        return DataCheckText::tr(
+            "The encoder answers a service and shows no position. Set OUT to 00000000, in "
+            "its monitor, to bring it back.");
+    case EncoderState::error:
+        return DataCheckText::tr("The encoder reports an error. The messages say which.");
+    case EncoderState::unknown:
+        return DataCheckText::tr("No manual says what this word means. Check which encoder is there, and in "
+                                 "which order its bytes come.");
+    default:
+        return DataCheckText::tr("Wait a moment. If nothing comes, check its supply and its place.");
+    }
+}
+
+} // namespace
+
+DataChecks asFarAsKnown(DataChecks checks)
+{
+    const auto first = std::ranges::find(checks, DataCheck::Outcome::differs, &DataCheck::outcome);
+    for (auto check = first == checks.end() ? first : first + 1; check != checks.end(); ++check) {
+        if (check->id == DataCheck::Id::writing)
+            continue;
+        *check = {.id = check->id,
+                  .outcome = DataCheck::Outcome::notKnown,
+                  .what = check->what,
+                  .expected = check->expected};
+    }
+    return checks;
+}
+
+const DataCheck *firstDifference(const DataChecks &checks)
+{
+    const auto first = std::ranges::find(checks, DataCheck::Outcome::differs, &DataCheck::outcome);
+    return first == checks.end() ? nullptr : &*first;
+}
+
+const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id)
+{
+    const auto found = std::ranges::find(checks, id, &DataCheck::id);
+    return found == checks.end() ? nullptr : &*found;
+}
+
+DataCheck passedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came)
+{
+    return {.id = id, .what = what, .expected = expected, .came = came};
+}
+
+DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came,
+                      const QString &remedy, DataCheck::Action action)
+{
+    return {.id = id,
+            .outcome = DataCheck::Outcome::differs,
+            .what = what,
+            .expected = expected,
+            .came = came,
+            .remedy = remedy,
+            .action = action};
+}
+
+DataCheck notConnectedCheck(const QString &expected, const std::optional<Refusal> &refused)
+{
+    DataCheck check = failedCheck(
+        DataCheck::Id::link, DataCheckText::tr("Link"),
+        expected.isEmpty() ? DataCheckText::tr("connected") : expected, DataCheckText::tr("not connected"),
+        refused ? refusalText(*refused) : DataCheckText::tr("The bus is not connected. Connect it."),
+        refused ? DataCheck::Action::connection : DataCheck::Action::connectBus);
+    check.why = refused;
+    return check;
+}
+
+DataCheck linkCheck(const EncoderBus &bus, const QString &expected)
+{
+    const QString what = DataCheckText::tr("Link");
+    const QString wanted = expected.isEmpty() ? DataCheckText::tr("connected") : expected;
+    const QString came = bus.outline().state().word;
+    if (bus.state() == BusState::closed)
+        return notConnectedCheck(expected, bus.whyRefused());
+    if (bus.state() == BusState::opening)
+        return failedCheck(DataCheck::Id::link, what, wanted, came,
+                           DataCheckText::tr("The program is connecting the bus. Wait for it."));
+    if (bus.state() == BusState::lost)
+        return failedCheck(DataCheck::Id::link, what, wanted, came,
+                           freshnessText(Freshness::Reason::linkLost), DataCheck::Action::connection);
+    if (bus.isReplay())
+        return remarkOf(passedCheck(DataCheck::Id::link, what, wanted, came),
+                        freshnessText(Freshness::Reason::recorded));
+    return passedCheck(DataCheck::Id::link, what, wanted, DataCheckText::tr("connected"));
+}
+
+DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned)
+{
+    const QString what = DataCheckText::tr("Device", "the kind of device at a place");
+    const auto found = bus.found(bus.placeOf(node));
+    const QString came = found ? kindText(*found, bus.catalog()) : DataCheckText::tr("none");
+    const auto own = std::ranges::find(planned, node, &Participant::number);
+    if (own == planned.end())
+        return found ? passedCheck(DataCheck::Id::kind, what,
+                                   DataCheckText::tr("any: the project plans none here"), came)
+                     : failedCheck(DataCheck::Id::kind, what,
+                                   DataCheckText::tr("any: the project plans none here"), came,
+                                   refusalText(bus.whyNotThere(bus.placeOf(node))));
+    const QString expected = kindText(*own, bus.catalog());
+    const auto strangers = bus.strangers(planned);
+    const auto stranger = strangers.find(node);
+    const auto other = stranger != strangers.end() ? std::optional(stranger->second)
+                                                   : bus.isOther(bus.placeOf(node), own->deviceKey, {});
+    if (other)
+        return failedCheck(DataCheck::Id::kind, what, expected, came, refusalText(*other),
+                           DataCheck::Action::compare);
+    return passedCheck(DataCheck::Id::kind, what, expected, came);
+}
+
+DataCheck upToDateCheck(const EncoderBus &bus, NodeId node)
+{
+    const QString what = DataCheckText::tr("Last word or answer");
+    const QString expected = DataCheckText::tr("up to date");
+    const Freshness *freshness = freshnessOf(bus, node);
+    if (freshness == nullptr)
+        return passedCheck(DataCheck::Id::upToDate, what, expected, DataCheckText::tr("the device has none"));
+    const QString seen = freshness->state() == Freshness::State::unknown
+                             ? DataCheckText::tr("none yet")
+                             : agoText(bus.dateTime(freshness->seen()), bus.dateTime(bus.now()));
+    if (freshness->isLive())
+        return passedCheck(DataCheck::Id::upToDate, what, expected, seen);
+    if (freshness->isOfRecording())
+        return remarkOf(
+            passedCheck(DataCheck::Id::upToDate, what, expected, freshnessBrief(freshness->reason())),
+            freshnessText(freshness->reason()));
+    return failedCheck(DataCheck::Id::upToDate, what, expected, seen,
+                       joined(freshnessText(freshness->reason()), freshnessRemedy(freshness->reason())));
+}
+
+DataCheck stateCheck(const EncoderBus &bus, NodeId node)
+{
+    const QString what = DataCheckText::tr("State of the encoder");
+    const QString expected = DataCheckText::tr("operation");
+    const EncoderSession *encoder = bus.encoder(node);
+    if (encoder == nullptr)
+        return remarkOf(
+            passedCheck(DataCheck::Id::state, what, expected, DataCheckText::tr("not described")),
+            DataCheckText::tr("This program has no description of this device: only its words are shown."));
+    const Reading &reading = encoder->latest();
+    if (reading.state == EncoderState::operation)
+        return passedCheck(DataCheck::Id::state, what, expected, stateName(*encoder));
+    const WordChannel *channel = bus.channel(node);
+    QString came = stateName(*encoder);
+    if (channel != nullptr && reading.state != EncoderState::notSeen)
+        came = QStringLiteral("%1 (IN %2)").arg(came, hexWord(reading.in));
+    return failedCheck(DataCheck::Id::state, what, expected, came, stateRemedy(*encoder),
+                       channel != nullptr ? DataCheck::Action::monitor : DataCheck::Action::none);
+}
+
+DataCheck positionCheck(const EncoderBus &bus, NodeId node)
+{
+    const QString what = DataCheckText::tr("Position");
+    const QString expected = DataCheckText::tr("valid");
+    const EncoderSession *encoder = bus.encoder(node);
+    if (encoder == nullptr)
+        return passedCheck(DataCheck::Id::position, what, expected, DataCheckText::tr("not described"));
+    const Reading &reading = encoder->latest();
+    if (reading.suspect)
+        return failedCheck(DataCheck::Id::position, what, expected, DataCheckText::tr("suspect"),
+                           DataCheckText::tr("The position jumped further than the encoder can turn, and is "
+                                             "being asked for again. If that happens often, check shield and "
+                                             "termination of the line."));
+    if (reading.position)
+        return passedCheck(DataCheck::Id::position, what, expected, numberText(*reading.position));
+    if (reading.velocity)
+        return passedCheck(DataCheck::Id::position, what, expected,
+                           sentence(DataCheckText::tr("a speed: %1 1/min"), {numberText(*reading.velocity)}));
+    if (reading.cams)
+        return passedCheck(DataCheck::Id::position, what, expected,
+                           DataCheckText::tr("cams: the encoder is in cam mode"));
+    return failedCheck(
+        DataCheck::Id::position, what, expected, DataCheckText::tr("no position"),
+        DataCheckText::tr("It is not known how the position is coded in IN. Name the make of the "
+                          "encoder, or read its parameters."),
+        DataCheck::Action::monitor);
+}
+
+DataCheck writingCheck(const EncoderBus &bus)
+{
+    const QString what = DataCheckText::tr("Writing");
+    const QString expected = DataCheckText::tr("as you want it");
+    if (bus.isOperating())
+        return passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("Operate"));
+    if (bus.isReplay())
+        return passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("never to a recording"));
+    return remarkOf(passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("Watch")),
+                    DataCheckText::tr("Watch: values are read, and nothing can be written. Switch to Operate "
+                                      "to write."),
+                    bus.isOpen() ? DataCheck::Action::operate : DataCheck::Action::none);
+}
+
+DataCheck devicesCheck(const EncoderBus &bus)
+{
+    const QString what = DataCheckText::tr("Devices");
+    const QString expected = DataCheckText::tr("no fault");
+    const auto faults = bus.outline().faults();
+    const auto worst = std::ranges::find_if(faults, [](const Fault &fault) {
+        return fault.extent == Fault::Extent::device && fault.shown.role == Role::fault;
+    });
+    if (worst == faults.end())
+        return passedCheck(DataCheck::Id::devices, what, expected,
+                           DataCheckText::tr("%n devices", nullptr, static_cast<int>(bus.places().size())));
+    return failedCheck(DataCheck::Id::devices, what, expected,
+                       QStringLiteral("%1: %2").arg(worst->node.toString(), worst->shown.word), worst->text);
+}
+
+} // namespace codewheel

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/place.h"
+#include "encoder/refusal.h"
+
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+class EncoderBus;
+struct Participant;
+
+// One step on the way of the data from an encoder to the screen: what is expected there, and what came.
+struct DataCheck
+{
+    enum class Id : std::uint8_t {
+        link,     // connected
+        gateway,  // answers
+        running,  // the bus exchanges data, or is polled
+        reached,  // the device is there, and not cut off
+        master,   // reports no fault of it
+        kind,     // it is the planned one
+        bytes,    // come at all
+        sense,    // they make sense
+        echo,     // they are more than our own request
+        answer,   // the encoder answers
+        upToDate, // what came last
+        order,    // of the bytes of a word
+        alarms,   //
+        state,    // that the encoder reports
+        position, //
+        devices,  // all of the bus
+        writing,  // is allowed
+    };
+    enum class Outcome : std::uint8_t {
+        asExpected,
+        remark, // worth knowing; the data comes all the same
+        differs,
+        notKnown, // because of what differs before
+    };
+    // What can be done from here.
+    enum class Action : std::uint8_t {
+        none,
+        connectBus,
+        connection, // its page
+        start,
+        operate,
+        compare,
+        registers, // of a gateway
+        monitor,
+    };
+
+    Id id = Id::link;
+    Outcome outcome = Outcome::asExpected;
+    QString what{};
+    QString expected{};
+    QString came{};
+    QString remedy{}; // what is wrong, and what to do; empty as expected
+    Action action = Action::none;
+    std::optional<Refusal> why{}; // where the computer may tell more about it
+
+    friend bool operator==(const DataCheck &, const DataCheck &) = default;
+};
+using DataChecks = std::vector<DataCheck>; // in the order in which data travels
+
+// Nothing is known of what is behind the first that differs, except whether writing is allowed.
+DataChecks asFarAsKnown(DataChecks checks);
+// Null: everything is as expected.
+const DataCheck *firstDifference(const DataChecks &checks);
+const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id); // null: not among them
+
+DataCheck passedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came);
+DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came,
+                      const QString &remedy, DataCheck::Action action = DataCheck::Action::none);
+
+// The steps that every bus has.
+//
+// `expected`: how it is connected; `refused`: why it could not be, when that was last tried.
+DataCheck notConnectedCheck(const QString &expected, const std::optional<Refusal> &refused);
+DataCheck linkCheck(const EncoderBus &bus, const QString &expected);
+DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned);
+DataCheck upToDateCheck(const EncoderBus &bus, NodeId node);
+DataCheck stateCheck(const EncoderBus &bus, NodeId node);
+DataCheck positionCheck(const EncoderBus &bus, NodeId node);
+DataCheck writingCheck(const EncoderBus &bus);
+// Those of its devices that report a fault.
+DataCheck devicesCheck(const EncoderBus &bus);
+
+} // namespace codewheel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why there is no data of a ring behind a gateway.
+#include "bus/data_check.h"
+#include "tests/support/gateway_session.h"
+
+namespace codewheel::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const DataCheck *orderOf(const DataChecks &checks)
+{
+    return findCheck(checks, DataCheck::Id::order);
+}
+
+TEST(GatewayDataChecks, AWordInTheOrderThatIsSetIsAsExpected)
+{
+    GatewaySession gateway;
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
+    EXPECT_NE(findCheck(checks, DataCheck::Id::gateway), nullptr);
+    ASSERT_NE(orderOf(checks), nullptr);
+    EXPECT_EQ(orderOf(checks)->outcome, DataCheck::Outcome::asExpected);
+    EXPECT_EQ(orderOf(checks)->expected, QStringLiteral("high word first"));
+}
+
+TEST(GatewayDataChecks, AWrongWordOrderIsToldWithTheOneThatWouldFit)
+{
+    GatewaySession gateway({.settings = {.highWordFirst = false}});
+    gateway.ring->setSpeed("2.0"_ring.node, 0);
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
+    const DataCheck *first = firstDifference(checks);
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(first->id, DataCheck::Id::order) << first->what.toStdString();
+    EXPECT_TRUE(first->remedy.contains(QStringLiteral("It can with high word first")))
+        << first->remedy.toStdString();
+    EXPECT_EQ(first->action, DataCheck::Action::registers);
+}
+
+TEST(GatewayDataChecks, AWrongWordOrderOfAShaftThatTurnsIsSuspected)
+{
+    GatewaySession gateway({.settings = {.highWordFirst = false}});
+    gateway.ring->setSpeed("2.0"_ring.node, 600);
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
+    const DataCheck *first = firstDifference(checks);
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(first->id, DataCheck::Id::reached) << first->what.toStdString();
+    EXPECT_TRUE(first->remedy.contains(QStringLiteral("Check the word order")))
+        << first->remedy.toStdString();
+    EXPECT_EQ(first->action, DataCheck::Action::registers);
+}
+
+} // namespace
+} // namespace codewheel::test
