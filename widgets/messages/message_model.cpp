@@ -10,7 +10,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace codewheel {
@@ -328,9 +327,14 @@ StoredMessage MessageModel::message(int row) const
 
 int MessageModel::rowBefore(qint64 id) const
 {
-    const auto rows = std::views::iota(0, rowCount());
-    const auto isOlder = [&](int row) { return m_ids.at(m_rows.at(row).first) < id; };
-    int row = static_cast<int>(std::ranges::partition_point(rows, isOlder) - rows.begin()) - 1;
+    int row = 0; // the first that is not older, found by halving
+    for (int left = rowCount(); left > 0;) {
+        const int half = left / 2;
+        const bool isOlder = m_ids.at(m_rows.at(row + half).first) < id;
+        row += isOlder ? half + 1 : 0;
+        left = isOlder ? left - half - 1 : half;
+    }
+    --row;
     while (row >= 0 && (isDay(row) || m_ids.at(m_rows.at(row).last()) >= id))
         --row;
     return row;
