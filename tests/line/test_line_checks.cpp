@@ -137,8 +137,8 @@ TEST_F(LineChecks, AnAlarmIsToldWithWhatToDo)
 TEST_F(LineChecks, AnEncoderThatIsOnlyPlannedIsNotThere)
 {
     open();
-    planned = {{.number = LineAddress(9).node(), .deviceKey = QStringLiteral("kuebler-esc-rs485")}};
-    expectFirst(LineAddress(9).node(), DataCheck::Id::kind, "esc:09 is not connected.",
+    planned = {{.number = LineAddress{9}.node(), .deviceKey = QStringLiteral("kuebler-esc-rs485")}};
+    expectFirst(LineAddress{9}.node(), DataCheck::Id::kind, "esc:09 is not connected.",
                 DataCheck::Action::compare);
 }
 
