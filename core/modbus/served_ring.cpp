@@ -104,7 +104,7 @@ std::shared_ptr<const GatewayMap> ServedRing::mapOf(const GuestImage &image) con
 tl::expected<std::vector<Register>, ModbusException> ServedRing::read(RegisterArea area, int first,
                                                                       int count) const
 {
-    const GuestImage image = m_guests->image();
+    const GuestImage image = m_guests->image(longestWait);
     const auto map = mapOf(image);
     if (!map)
         return tl::unexpected(ModbusException::deviceFailure);
@@ -127,7 +127,7 @@ tl::expected<std::vector<Register>, ModbusException> ServedRing::read(RegisterAr
 tl::expected<ServedWord, ModbusException>
 ServedRing::write(int first, const std::vector<ModbusRequest::Change> &changes) const
 {
-    const GuestImage image = m_guests->image();
+    const GuestImage image = m_guests->image(longestWait);
     const auto map = mapOf(image);
     if (!map)
         return tl::unexpected(ModbusException::deviceFailure);

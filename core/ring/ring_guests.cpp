@@ -19,9 +19,10 @@ bool isFree(const std::vector<GuestWord> &words, const std::vector<bool> &taken)
 
 } // namespace
 
-GuestImage RingGuests::image() const
+GuestImage RingGuests::image(std::chrono::milliseconds patience) const
 {
-    const std::scoped_lock lock(m_mutex);
+    std::unique_lock lock(m_mutex);
+    m_shown.wait_for(lock, patience, [this] { return m_isShown; });
     return m_image;
 }
 
@@ -69,6 +70,8 @@ void RingGuests::show(const Result<void> &exchanged, const std::function<void(Gu
 {
     const std::scoped_lock lock(m_mutex);
     update(m_image);
+    m_isShown = true;
+    m_shown.notify_all();
     for (Write *write : std::exchange(m_carriedOut, {})) {
         if (!exchanged) {
             end(*write, tl::unexpected(exchanged.error()));
@@ -85,6 +88,8 @@ void RingGuests::leave()
 {
     const std::scoped_lock lock(m_mutex);
     m_image = {};
+    m_isShown = true;
+    m_shown.notify_all();
     const Refusal why{RefusalKind::stopped, RefusalId::busStopped, {}};
     for (std::vector<Write *> *writes : {&m_waiting, &m_carriedOut})
         for (Write *write : std::exchange(*writes, {}))

@@ -53,7 +53,9 @@ struct GuestSent
 class RingGuests
 {
 public:
-    GuestImage image() const;
+    // As of the last cycle. Before the first one since the ring is offered it waits for that, at most
+    // `patience`.
+    GuestImage image(std::chrono::milliseconds patience) const;
 
     // Returns once the words were on the bus. Refused: as words written by hand (maySend()); notInRing, if
     // the ring of this image is not the one in use; busStopped, if no cycle came within `patience`. What was
@@ -85,6 +87,8 @@ private:
 
     mutable std::mutex m_mutex; // guards everything below
     GuestImage m_image;
+    bool m_isShown = false; // or left: there is nothing to wait for
+    mutable std::condition_variable m_shown;
     std::vector<Write *> m_waiting; // oldest first; those who wait for them own them
     std::vector<Write *> m_carriedOut;
 };

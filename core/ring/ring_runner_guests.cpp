@@ -75,11 +75,13 @@ void RingRunner::Private::tellGuestWords(bool isExchanged)
 void RingRunner::Private::showGuests(bool isExchanged)
 {
     tellGuestWords(isExchanged);
-    if (!guests || ring.generation == 0)
+    if (!guests)
         return;
     const auto exchanged =
         isExchanged ? Result<void>() : refuse(RefusalKind::busy, RefusalId::notRunning, {QString()});
     guests->show(exchanged, [this](GuestImage &shown) {
+        if (ring.generation == 0) // not read in yet
+            return;
         if (std::exchange(generationOfGuests, ring.generation) != ring.generation)
             shown.ring = std::make_shared<const RingStructure>(structure);
         shown.in.resize(ring.devices.size());

@@ -60,7 +60,7 @@ TEST_F(ModbusRtuServerTest, ReadsAndWritesTheRing)
 {
     const QByteArray confirmed = frameOf(5, {16, 0, 2, 0, 2});
     EXPECT_EQ(ask(5, {16, 0, 2, 0, 2, 4, 0x12, 0x34, 0x56, 0x78}, confirmed.size()), confirmed);
-    EXPECT_THAT(m_ring.guests()->image().out, ElementsAre(0U, 0x12345678U));
+    EXPECT_THAT(m_ring.guests()->image({}).out, ElementsAre(0U, 0x12345678U));
     const QByteArray read = frameOf(5, {3, 4, 0x12, 0x34, 0x56, 0x78});
     EXPECT_EQ(ask(5, {3, 0, 2, 0, 2}, read.size()), read);
     const ServedClient client = m_server->clients().clients().at(0);
@@ -81,7 +81,7 @@ TEST_F(ModbusRtuServerTest, ABroadcastIsCarriedOutAndNotAnswered)
 {
     m_pty.send(frameOf(0, {6, 0, 1, 0x00, 0x77}));
     expectToServe();
-    EXPECT_THAT(m_ring.guests()->image().out, ElementsAre(0x77U, 0U));
+    EXPECT_THAT(m_ring.guests()->image({}).out, ElementsAre(0x77U, 0U));
 }
 
 TEST_F(ModbusRtuServerTest, AnUnknownFunctionIsRefused)

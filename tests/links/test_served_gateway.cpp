@@ -100,7 +100,7 @@ TEST_F(ServedGateway, TheOtherProgramShowsThePositions)
 {
     connect();
     EXPECT_TRUE(waitFor([this] { return (encoder(2)->latest().in & 0x1FFFFFF) != 0; }));
-    EXPECT_EQ(encoder(2)->latest().in, m_ring->guests()->image().in[1]);
+    EXPECT_EQ(encoder(2)->latest().in, m_ring->guests()->image({}).in[1]);
     EXPECT_EQ(m_server->clients().total().writes, 0U) << "connecting and watching write nothing";
 }
 

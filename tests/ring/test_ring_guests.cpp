@@ -55,7 +55,7 @@ protected:
     Result<GuestSent> write(std::vector<GuestWord> words)
     {
         auto sent = std::async(std::launch::async, [&] {
-            return m_guests->write(m_guests->image(), std::move(words), patience);
+            return m_guests->write(m_guests->image(patience), std::move(words), patience);
         });
         while (sent.wait_for(0ms) != std::future_status::ready)
             cycle();
@@ -83,9 +83,9 @@ TEST_F(RingGuestsTest, AWriteEndsOnceItWasOnTheBus)
     EXPECT_THAT(sent->words, ElementsAre(0x12345678U));
     EXPECT_EQ(m_got[1].at(sent->cycle - 1), 0x12345678U);
     EXPECT_EQ(m_got[1].at(sent->cycle - 2), 0U);
-    EXPECT_THAT(m_guests->image().out, ElementsAre(0U, 0x12345678U, 0U));
-    EXPECT_THAT(m_guests->image().in, ElementsAre(0x100U, 0x12345778U, 0x100U));
-    EXPECT_EQ(m_guests->image().status, 0x00E0) << "healthy in RUN";
+    EXPECT_THAT(m_guests->image(patience).out, ElementsAre(0U, 0x12345678U, 0U));
+    EXPECT_THAT(m_guests->image(patience).in, ElementsAre(0x100U, 0x12345778U, 0x100U));
+    EXPECT_EQ(m_guests->image(patience).status, 0x00E0) << "healthy in RUN";
 }
 
 TEST_F(RingGuestsTest, OfAWordOnlyTheBitsInTheMaskAreChanged)
@@ -118,7 +118,7 @@ TEST_F(RingGuestsTest, EachWriteIsOnTheBusForACycleOfItsOwn)
             std::vector<GuestWord> words;
             for (const std::size_t device : devices)
                 words.push_back({device, mark + i});
-            const auto sent = m_guests->write(m_guests->image(), words, patience);
+            const auto sent = m_guests->write(m_guests->image(patience), words, patience);
             cycles.push_back(sent ? sent->cycle : 0);
         }
         --left;
@@ -171,7 +171,7 @@ TEST_F(RingGuestsTest, WhatTheUserWritesInTheSameCycleIsNotWrittenOver)
     auto guest = std::async(std::launch::async, [&] {
         Word acknowledged = 0;
         for (Word i = 1; i <= writes; ++i)
-            acknowledged += m_guests->write(m_guests->image(), {{0, i}}, patience) ? 1 : 0;
+            acknowledged += m_guests->write(m_guests->image(patience), {{0, i}}, patience) ? 1 : 0;
         return acknowledged;
     });
     Word byHand = ofUser;
@@ -207,7 +207,7 @@ TEST_F(RingGuestsTest, AWordOfACycleThatFailedIsRefusedAndNotSentLater)
     m_link->failAt(1);
     m_link->lose();
     EXPECT_EQ(refusalOf(write({{0, 7}})), RefusalId::notRunning);
-    EXPECT_EQ(m_guests->image().status & 0x0020, 0) << "not in RUN";
+    EXPECT_EQ(m_guests->image(patience).status & 0x0020, 0) << "not in RUN";
     m_link->comeBack();
     m_now += 1s;
     cycle();
@@ -219,7 +219,7 @@ TEST_F(RingGuestsTest, AWordOfACycleThatFailedIsRefusedAndNotSentLater)
 TEST_F(RingGuestsTest, AWordOfACycleThatWasSkippedIsRefusedAndNotSentLater)
 {
     auto sent = std::async(std::launch::async, [&] {
-        return m_guests->write(m_guests->image(), {{0, 7}}, patience);
+        return m_guests->write(m_guests->image(patience), {{0, 7}}, patience);
     });
     while (sent.wait_for(0ms) != std::future_status::ready) {
         m_link->interrupt();
@@ -232,7 +232,7 @@ TEST_F(RingGuestsTest, AWordOfACycleThatWasSkippedIsRefusedAndNotSentLater)
 
 TEST_F(RingGuestsTest, AWriteForTheRingOfBeforeIsRefused)
 {
-    const GuestImage before = m_guests->image();
+    const GuestImage before = m_guests->image(patience);
     useRing(3);
     cycle();
     EXPECT_EQ(refusalOf(m_guests->write(before, {{0, 7}}, patience)), RefusalId::notInRing);
@@ -240,7 +240,7 @@ TEST_F(RingGuestsTest, AWriteForTheRingOfBeforeIsRefused)
 
 TEST_F(RingGuestsTest, WithoutCyclesAWriteIsGivenUpAndNotSentLater)
 {
-    EXPECT_EQ(refusalOf(m_guests->write(m_guests->image(), {{0, 7}}, 1ms)), RefusalId::busStopped);
+    EXPECT_EQ(refusalOf(m_guests->write(m_guests->image(patience), {{0, 7}}, 1ms)), RefusalId::busStopped);
     cycle();
     EXPECT_THAT(m_got[0], testing::Each(0U));
 }
@@ -250,7 +250,7 @@ TEST_F(RingGuestsTest, WhenTheBusIsClosedGuestsHaveNoRing)
     auto sent = std::async(std::launch::async, [&] {
         Result<GuestSent> last = GuestSent{};
         while (last) // until it is refused
-            last = m_guests->write(m_guests->image(), {{0, 7}}, patience);
+            last = m_guests->write(m_guests->image(patience), {{0, 7}}, patience);
         return last;
     });
     for (int i = 0; i < 10; ++i)
@@ -258,7 +258,26 @@ TEST_F(RingGuestsTest, WhenTheBusIsClosedGuestsHaveNoRing)
     m_runner->close();
     EXPECT_THAT(refusalOf(sent.get()),
                 testing::AnyOf(RefusalId::busStopped, RefusalId::notInRing, RefusalId::notRunning));
-    EXPECT_FALSE(m_guests->image().ring);
+    EXPECT_FALSE(m_guests->image(patience).ring);
+}
+
+TEST_F(RingGuestsTest, WhoComesBeforeTheFirstCycleWaitsForIt)
+{
+    const auto early = std::make_shared<RingGuests>();
+    auto image = std::async(std::launch::async, [&] { return early->image(patience); });
+    EXPECT_FALSE(early->image(1ms).ring);
+    m_runner->post(command::OfferTo{early});
+    cycle();
+    EXPECT_TRUE(image.get().ring);
+}
+
+TEST_F(RingGuestsTest, ARingThatWasNotReadInLetsNobodyWait)
+{
+    RingRunner runner(*m_link);
+    const auto guests = std::make_shared<RingGuests>();
+    runner.post(command::OfferTo{guests});
+    runner.cycle(m_now);
+    EXPECT_FALSE(guests->image(patience).ring);
 }
 
 TEST_F(RingGuestsTest, OfferedToOthersTheFirstHaveNoRing)
@@ -266,9 +285,9 @@ TEST_F(RingGuestsTest, OfferedToOthersTheFirstHaveNoRing)
     const auto others = std::make_shared<RingGuests>();
     m_runner->post(command::OfferTo{others});
     cycle();
-    EXPECT_FALSE(m_guests->image().ring);
-    ASSERT_TRUE(others->image().ring);
-    EXPECT_EQ(others->image().ring->size(), 3U);
+    EXPECT_FALSE(m_guests->image(patience).ring);
+    ASSERT_TRUE(others->image(patience).ring);
+    EXPECT_EQ(others->image(patience).ring->size(), 3U);
 }
 
 } // namespace
