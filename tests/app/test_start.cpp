@@ -11,10 +11,14 @@
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_table.h"
 #include "widgets/start/recent_list.h"
 #include "widgets/start/start_page.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QMenu>
 #include <QPushButton>
@@ -72,6 +76,28 @@ TEST_F(StartPageTest, StandsInPlaceOfTheMonitorsWhileNoBusIsConnected)
     ringActions().connectBus->trigger();
     advance(50);
     EXPECT_EQ(page(), &monitors());
+}
+
+// The value is typed where the first click goes, and the review is confirmed by Return.
+TEST_F(StartPageTest, ThreeClicksToTheFirstWrittenParameter)
+{
+    disconnectAll();
+    QTest::mouseClick(&entry("startTraining"), Qt::LeftButton);
+    advance(50);
+
+    const auto &panel = *window().findChild<ParameterPanel *>();
+    const auto *table = panel.findChild<ParameterTable *>();
+    const QModelIndex steps = table->model()->index(0, ParameterModel::wantedColumn);
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(steps).center());
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("4096"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+
+    QTest::mouseClick(panel.findChild<QPushButton *>(QStringLiteral("writeParameters")), Qt::LeftButton);
+    advance(50);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    advance(3'000);
+    const QModelIndex known = steps.siblingAtColumn(ParameterModel::knownColumn);
+    EXPECT_EQ(known.data().toString(), QStringLiteral("4096"));
 }
 
 TEST_F(StartPageTest, HasTheHeightOfThePanelsAtTheBottom)

@@ -90,6 +90,7 @@ QWidget *ParameterPanel::makeButtons()
     auto *buttons = new QWidget(this);
     m_read = new QPushButton(lineIcon(Icon::read), tr("&Read from encoder"), buttons);
     m_write = new QPushButton(lineIcon(Icon::write), tr("&Write…"), buttons);
+    m_write->setObjectName(QStringLiteral("writeParameters"));
     m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard…"), buttons);
     m_more = describe(new QToolButton(buttons), tr("More for the parameters"),
                       tr("Take over, clear or set values manually; modes, preset and reset"));
