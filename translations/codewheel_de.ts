@@ -3638,8 +3638,8 @@
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams</source>
-        <translation>Was geöffnet wird: ein Projekt (*.codewheel), eine Aufzeichnung (*.cwrec) oder Nocken (*.cwcams)</translation>
+        <source>A project to open: *.codewheel, a recording: *.cwrec, cams: *.cwcams, or a fault plan: *.cwfaults</source>
+        <translation>Ein Projekt: *.codewheel, eine Aufzeichnung: *.cwrec, Nocken: *.cwcams, oder ein Fehlerplan: *.cwfaults</translation>
     </message>
 </context>
 <context>
@@ -8904,12 +8904,12 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>%1 lässt sich nicht lesen.</translation>
     </message>
     <message>
-        <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences, device descriptions and recordings can.</source>
-        <translation>%1 ist eine Datei von Codewheel, lässt sich aber nicht durch Ablegen öffnen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
+        <source>%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, cams, sequences, fault plans, device descriptions and recordings can.</source>
+        <translation>%1 ist eine Datei von Codewheel, lässt sich aber nicht durch Ablegen öffnen. Das geht mit Projekten, Nocken, Sequenzen, Fehlerplänen, Gerätebeschreibungen und Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>%1 cannot be dropped here. Projects, cams, sequences, device descriptions and recordings can.</source>
-        <translation>%1 lässt sich hier nicht ablegen. Das geht mit Projekten, Nocken, Sequenzen, Gerätebeschreibungen und Aufzeichnungen.</translation>
+        <source>%1 cannot be dropped here. Projects, cams, sequences, fault plans, device descriptions and recordings can.</source>
+        <translation>%1 kann hier nicht abgelegt werden. Das geht mit Projekten, Nocken, Sequenzen, Fehlerplänen, Gerätebeschreibungen und Aufzeichnungen.</translation>
     </message>
 </context>
 <context>
@@ -9350,10 +9350,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Fehlerplan</translation>
     </message>
     <message>
-        <source>Fault plans (*.json)</source>
-        <translation>Fehlerpläne (*.json)</translation>
-    </message>
-    <message>
         <source>In %1 s: %2</source>
         <translation>In %1 s: %2</translation>
     </message>
@@ -9367,6 +9363,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Fault plan…</source>
         <translation>Fehlerplan…</translation>
+    </message>
+    <message>
+        <source>Fault plans (*.cwfaults *.json)</source>
+        <translation>Fehlerpläne (*.cwfaults *.json)</translation>
     </message>
 </context>
 <context>
@@ -12808,6 +12808,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Recordings (*.cwrec);;All files (*)</source>
         <translation>Aufzeichnungen (*.cwrec);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 has cam programs: choose an encoder with cams in the bus structure, and they are opened for it.</source>
+        <translation>%1 enthält Nockenprogramme: im Busaufbau einen Geber mit Nocken wählen, dann werden sie für ihn geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 is a fault plan: it can be loaded once a training ring is connected.</source>
+        <translation>%1 ist ein Fehlerplan: Er kann geladen werden, sobald ein Übungsring verbunden ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Training bus</source>
+        <translation>Übu&amp;ngsbus</translation>
     </message>
 </context>
 <context>
@@ -20682,13 +20694,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>After the values, GP makes the place where the shaft stands this position.</source>
         <translation>Nach den Werten setzt GP die Position dort, wo die Welle steht, auf diesen Wert.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::WaitingCams</name>
-    <message>
-        <source>%1 has cam programs: choose an encoder with cams in the bus structure, and they are opened for it.</source>
-        <translation>%1 enthält Nockenprogramme: im Busaufbau einen Geber mit Nocken wählen, dann werden sie für ihn geöffnet.</translation>
     </message>
 </context>
 <context>

@@ -29,8 +29,8 @@ void describe(QCommandLineParser &parser)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate(
-            "codewheel", "A project to open: *.codewheel, a recording: *.cwrec, or cams: *.cwcams"),
+        QCoreApplication::translate("codewheel", "A project to open: *.codewheel, a recording: *.cwrec, "
+                                                 "cams: *.cwcams, or a fault plan: *.cwfaults"),
         QStringLiteral("[FILE]"));
 }
 

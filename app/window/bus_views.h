@@ -70,6 +70,9 @@ public:
     virtual void connectFound(const KindData &) {} // with a link that a search has found
     // A device was opened. False: show its words, as for any device.
     virtual bool open(Place) { return false; }
+    // Whether a fault plan can be loaded now; loads it, and shows it or what is wrong with it.
+    virtual bool takesFaultPlans() const { return false; }
+    virtual void loadFaultPlan(const QString &) {}
     virtual void showFrame() {} // with each frame of the window
     virtual void compare() {}   // reports how its bus differs from the project
     // Whether an action that its faults name is available now; carries it out.

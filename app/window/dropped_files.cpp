@@ -58,6 +58,8 @@ FileKind fileKind(const QString &path)
         return FileKind::cams;
     if (isFormat("sequence"))
         return FileKind::sequence;
+    if (isFormat("faults"))
+        return FileKind::faultPlan;
     if (isFormat("[a-z-]+"))
         return FileKind::ofProgram;
     if (holds(*text, R"("vendor"\s*:)") && holds(*text, R"("profile"\s*:)"))
@@ -101,11 +103,11 @@ void DroppedFiles::take(const QStringList &paths)
         Q_EMIT refused(tr("%1 cannot be read.").arg(name));
     else if (kind == FileKind::ofProgram)
         Q_EMIT refused(tr("%1 is a Codewheel file, but not one that can be opened by dropping it. Projects, "
-                          "cams, sequences, device descriptions and recordings can.")
+                          "cams, sequences, fault plans, device descriptions and recordings can.")
                            .arg(name));
     else if (kind == FileKind::other)
-        Q_EMIT refused(tr("%1 cannot be dropped here. Projects, cams, sequences, device descriptions and "
-                          "recordings can.")
+        Q_EMIT refused(tr("%1 cannot be dropped here. Projects, cams, sequences, fault plans, device "
+                          "descriptions and recordings can.")
                            .arg(name));
     else
         Q_EMIT dropped(kind, paths.front());

@@ -15,6 +15,7 @@ enum class FileKind : std::uint8_t {
     sequence,
     device,
     recording,
+    faultPlan,
     ofProgram,
     other,
     notReadable

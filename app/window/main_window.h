@@ -57,7 +57,7 @@ class StructureView;
 class TraceView;
 class TransferPages;
 class TrendPage;
-class WaitingCams;
+class WaitingFile;
 struct Track;
 class WantedValues;
 class WhyInWindow;
@@ -101,7 +101,7 @@ public:
     void showTrend();
     void showInTrend(const Track &track);
     bool openRecording(const QString &path); // false: it says why not
-    // A project, a recording, cams, a sequence or a device description, as if it were dropped.
+    // A project, a recording, cams, a sequence, a fault plan or a device description, as if it were dropped.
     void openFile(const QString &path);
     ProjectFiles &files() { return *m_files; }
     Start &start() { return *m_start; } // only after attach()
@@ -165,7 +165,10 @@ private:
     void showStart();
     void foldBottom();
     InlineMessage &addNotice(const QString &name); // above all pages
+    void makeWaitingCams();
+    void makeWaitingFaultPlan();
     void connectDrops();
+    BusViews *takerOfFaultPlans() const; // null: no training ring is connected
     void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has no words
     void showWordActions();
@@ -214,7 +217,8 @@ private:
     Start *m_start = nullptr;
     FinderInWindow *m_finder = nullptr;
     DroppedDevice *m_droppedDevice = nullptr;
-    WaitingCams *m_waitingCams = nullptr;
+    WaitingFile *m_waitingCams = nullptr;
+    WaitingFile *m_waitingFaultPlan = nullptr;
     WhyInWindow *m_why = nullptr;
     bool m_keepsBottomFolded = false; // by the user, whatever is in the middle
     QByteArray m_defaultLayout;

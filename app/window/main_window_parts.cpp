@@ -14,7 +14,7 @@
 #include "app/window/report_export.h"
 #include "app/window/start.h"
 #include "app/window/transfer_pages.h"
-#include "app/window/waiting_cams.h"
+#include "app/window/waiting_file.h"
 #include "app/window/window_kinds.h"
 #include "app/window/window_layouts.h"
 #include "bus/word_channel.h"
@@ -205,6 +205,9 @@ void MainWindow::openDropped(FileKind kind, const QString &path)
     case FileKind::cams:
         m_waitingCams->open(path);
         return;
+    case FileKind::faultPlan:
+        m_waitingFaultPlan->open(path);
+        return;
     case FileKind::sequence:
         m_panels.show(panel::sequence);
         if (m_sequence->isSending())
@@ -234,14 +237,64 @@ InlineMessage &MainWindow::addNotice(const QString &name)
     return *notice;
 }
 
-void MainWindow::connectDrops()
+void MainWindow::makeWaitingCams()
 {
-    m_droppedDevice = new DroppedDevice(addNotice(QStringLiteral("droppedDevice")), userDeviceFolder(), this);
-    m_waitingCams = new WaitingCams(addNotice(QStringLiteral("waitingCams")), *m_actions.cams, this);
-    connect(m_waitingCams, &WaitingCams::ready, this, [this](const QString &path) {
+    m_waitingCams = new WaitingFile(addNotice(QStringLiteral("waitingCams")),
+                                    {.isThere = [this] { return m_actions.cams->isEnabled(); },
+                                     .sentence =
+                                         [](const QString &file) {
+                                             return tr("%1 has cam programs: choose an encoder with cams in "
+                                                       "the bus structure, and they are "
+                                                       "opened for it.")
+                                                 .arg(file);
+                                         }},
+                                    this);
+    connect(m_actions.cams, &QAction::enabledChanged, m_waitingCams, &WaitingFile::lookAgain,
+            Qt::QueuedConnection); // once all views show that encoder
+    connect(m_waitingCams, &WaitingFile::ready, this, [this](const QString &path) {
         showCams();
         m_cams->load(path);
     });
+}
+
+void MainWindow::makeWaitingFaultPlan()
+{
+    m_waitingFaultPlan = new WaitingFile(
+        addNotice(QStringLiteral("waitingFaultPlan")),
+        {.isThere = [this] { return takerOfFaultPlans() != nullptr; },
+         .sentence =
+             [](const QString &file) {
+                 return tr("%1 is a fault plan: it can be loaded once a training ring is connected.")
+                     .arg(file);
+             },
+         .action = tr("&Training bus")},
+        this);
+    connect(m_waitingFaultPlan, &WaitingFile::actionTriggered, this, [this] { m_start->openTraining(); });
+    connect(&m_plant->buses(), &Buses::changed, m_waitingFaultPlan, &WaitingFile::lookAgain,
+            Qt::QueuedConnection);
+    connect(m_waitingFaultPlan, &WaitingFile::ready, this,
+            [this](const QString &path) { takerOfFaultPlans()->loadFaultPlan(path); });
+}
+
+// The chosen one, or else the first.
+BusViews *MainWindow::takerOfFaultPlans() const
+{
+    const auto chosen = m_structure->row();
+    BusViews *first = nullptr;
+    for (const auto &[bus, views] : m_views)
+        if (views->takesFaultPlans()) {
+            if (chosen && chosen->bus == bus)
+                return views;
+            first = first == nullptr ? views : first;
+        }
+    return first;
+}
+
+void MainWindow::connectDrops()
+{
+    m_droppedDevice = new DroppedDevice(addNotice(QStringLiteral("droppedDevice")), userDeviceFolder(), this);
+    makeWaitingCams();
+    makeWaitingFaultPlan();
     auto *drops = new DroppedFiles(*this);
     connect(drops, &DroppedFiles::dropped, this, &MainWindow::openDropped);
     connect(drops, &DroppedFiles::refused, this,

@@ -206,6 +206,18 @@ void RingViews::open()
     Q_EMIT panelRequested(masterPanel);
 }
 
+bool RingViews::takesFaultPlans() const
+{
+    return m_ring.isOpen() && m_ring.bus()->isSimulated();
+}
+
+void RingViews::loadFaultPlan(const QString &path)
+{
+    Q_EMIT goToWanted(Place{m_ring.id()});
+    Q_EMIT panelRequested(panel::training);
+    m_training->loadFaultPlan(path);
+}
+
 void RingViews::connectBus()
 {
     if (m_links->canConnect())

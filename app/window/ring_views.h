@@ -44,6 +44,8 @@ public:
     void connectBus() override;
     void connectFound(const KindData &plan) override;
     void connectTraining() override { connectBus(); } // offered only for one that is planned as such
+    bool takesFaultPlans() const override;
+    void loadFaultPlan(const QString &path) override;
     void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;

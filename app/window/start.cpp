@@ -114,7 +114,6 @@ void Start::showFiles()
     m_page->setLast({m_last, m_look.state(m_last)});
 }
 
-// First closes an opened project; one without a file, such as the training plant itself, stays.
 void Start::openTraining()
 {
     if (!m_parts.project.file().isEmpty() && !m_parts.files.makeNew())

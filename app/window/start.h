@@ -46,6 +46,9 @@ public:
     QWidget *pageInsteadOf(QWidget *monitors) const;
     QWidget *page() const;
 
+    // First closes an opened project; one without a file, such as the training plant itself, stays.
+    void openTraining();
+
 Q_SIGNALS:
     void connectRequested(codewheel::BusId bus);
     void trainingRequested(codewheel::BusId bus); // connect its simulated link
@@ -55,7 +58,6 @@ private:
     void showProject();
     void showFiles();
     void lookAtFiles();
-    void openTraining();
     void chooseBus();
     std::vector<BusAtWork *> closedBuses() const; // the planned ones; if no device is planned, all
     void beginReplacing();

@@ -6,7 +6,7 @@ _codewheel() {
     if [[ $cur == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "--help --version" -- "$cur")
     else
-        _filedir '@(codewheel|cwrec|cwcams)'
+        _filedir '@(codewheel|cwrec|cwcams|cwfaults)'
     fi
 }
 complete -F _codewheel codewheel

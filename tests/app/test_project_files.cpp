@@ -15,6 +15,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/training/fault_plan_bar.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -25,6 +26,7 @@
 #include <QFile>
 #include <QIODevice>
 #include <QKeySequence>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -36,6 +38,7 @@
 #include <QUrl>
 #include <QWidget>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
 
@@ -67,6 +70,23 @@ protected:
     {
         const auto *shownNotice = window().findChild<InlineMessage *>(QLatin1String(name));
         return shownNotice && shownNotice->isVisible() ? shownNotice->sentence() : QString();
+    }
+    QString faultPlan(const char *name, const char *place)
+    {
+        const QString file = path(name);
+        const QByteArray json =
+            R"({"format": "codewheel-faults", "version": 1, "title": "Lesson 1", "steps": [
+            {"at": 10, "fault": "wireBreak", "place": ")" +
+            QByteArray(place) + R"("}]})";
+        EXPECT_TRUE(replaceFile(file, json, OldFile::goes));
+        return file;
+    }
+    static bool saysPlan(const FaultPlanBar &bar, const QString &text)
+    {
+        const auto labels = bar.findChildren<QLabel *>();
+        return std::ranges::any_of(labels, [&](const QLabel *label) {
+            return label->isVisible() && label->text().startsWith(text);
+        });
     }
     void drop(const QString &file)
     {
@@ -310,7 +330,7 @@ TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
     };
     drop(write("words.txt", sequenceToJson({.words = {0x020000FF, 0x80000000}})));
     EXPECT_EQ(window().findChild<SequenceView *>()->list().words.size(), 2u);
-    drop(write("steps.json", R"({"format": "codewheel-faults", "version": 1})"));
+    drop(write("steps.json", R"({"format": "codewheel-words", "version": 1})"));
     EXPECT_TRUE(notice().contains(QStringLiteral("not one that can be opened by dropping")));
     drop(write("readme.txt", "encoders"));
     EXPECT_TRUE(notice().contains(QStringLiteral("cannot be dropped here")));
@@ -325,6 +345,39 @@ TEST_F(ProjectFilesTest, ADroppedFileIsKnownByWhatItHolds)
     }
     EXPECT_EQ(station(), QStringLiteral("unsaved")) << "asked, as Open does";
     EXPECT_TRUE(document().file().isEmpty());
+}
+
+TEST_F(ProjectFilesTest, ADroppedFaultPlanIsLoadedAndBeginsOnlyWithRun)
+{
+    drop(faultPlan("lesson.cwfaults", "4.0"));
+    EXPECT_EQ(notice("waitingFaultPlan"), QString());
+    auto &bar = *window().findChild<FaultPlanBar *>();
+    EXPECT_FALSE(bar.visibleRegion().isEmpty());
+    EXPECT_TRUE(saysPlan(bar, QStringLiteral("Lesson 1: 1 step")));
+    advance(50);
+    EXPECT_FALSE(shown->controls().planProgress().isRunning);
+}
+
+TEST_F(ProjectFilesTest, ADroppedFaultPlanWaitsForATrainingRing)
+{
+    ringActions().disconnectBus->trigger();
+    advance(5);
+    drop(faultPlan("lesson.cwfaults", "4.0"));
+    EXPECT_TRUE(notice("waitingFaultPlan").startsWith(QStringLiteral("lesson.cwfaults is a fault plan")));
+    ringActions().connectBus->trigger();
+    advance(50);
+    EXPECT_EQ(notice("waitingFaultPlan"), QString());
+    EXPECT_TRUE(saysPlan(*window().findChild<FaultPlanBar *>(), QStringLiteral("Lesson 1: 1 step")));
+}
+
+TEST_F(ProjectFilesTest, AFaultPlanForAnotherRingSaysSoInThePanel)
+{
+    drop(faultPlan("lesson.cwfaults", "9.0"));
+    auto &bar = *window().findChild<FaultPlanBar *>();
+    const auto *message = bar.findChild<InlineMessage *>();
+    EXPECT_TRUE(message->isVisible());
+    EXPECT_TRUE(message->sentence().contains(QStringLiteral("There is no device at \"9.0\"")))
+        << message->sentence().toStdString();
 }
 
 TEST_F(ProjectFilesTest, DroppedCamsWaitForAnEncoderThatHasSome)

@@ -19,6 +19,8 @@ struct Arguments;
 struct Subcommand;
 struct Terminal;
 
+inline constexpr int patience = 60'000; // ms, for programs that tests start
+
 // The result of a command line call.
 struct CliRun
 {

@@ -37,11 +37,11 @@ protected:
         qputenv("XDG_DATA_DIRS", before);
     }
 
-    QString example(const char *name, const char *as)
+    QString example(const char *name, const char *as, const char *from = "docs/examples/")
     {
         const QString path = folder.filePath(QString::fromLatin1(as));
-        EXPECT_TRUE(
-            QFile::copy(QStringLiteral(CODEWHEEL_ROOT "/docs/examples/") + QString::fromLatin1(name), path));
+        EXPECT_TRUE(QFile::copy(
+            QStringLiteral(CODEWHEEL_ROOT "/") + QLatin1String(from) + QLatin1String(name), path));
         return path;
     }
     std::string typeOf(const QString &path, QMimeDatabase::MatchMode mode = QMimeDatabase::MatchDefault)
@@ -69,6 +69,14 @@ TEST_F(FileTypes, CamsAreKnownByNameAndContent)
               "application/x-codewheel-cams");
 }
 
+TEST_F(FileTypes, AFaultPlanIsKnownByNameAndContent)
+{
+    EXPECT_EQ(typeOf(example("faults.json", "a.cwfaults", "resources/examples/")),
+              "application/x-codewheel-faults");
+    EXPECT_EQ(typeOf(example("faults.json", "faults", "resources/examples/"), QMimeDatabase::MatchContent),
+              "application/x-codewheel-faults");
+}
+
 TEST_F(FileTypes, ARecordingIsKnownByNameAndContent)
 {
     const QString path = folder.filePath(QStringLiteral("shaft.cwrec"));
@@ -92,7 +100,7 @@ TEST_F(FileTypes, TheDesktopEntryOpensAllOfThem)
     const QString text = QString::fromUtf8(file.readAll());
     const QStringList types =
         text.section(QStringLiteral("\nMimeType="), 1).section(u'\n', 0, 0).split(u';', Qt::SkipEmptyParts);
-    EXPECT_EQ(types.size(), 3);
+    EXPECT_EQ(types.size(), 4);
     for (const QString &type : types)
         EXPECT_TRUE(QMimeDatabase().mimeTypeForName(type).isValid()) << type.toStdString();
     EXPECT_TRUE(text.contains(QStringLiteral("\nExec=codewheel %f\n")));

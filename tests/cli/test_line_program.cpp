@@ -21,8 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int patience = 60'000; // ms
-
 // A process that prints the path of a port and serves it.
 class Port
 {

@@ -23,8 +23,6 @@ using testing::HasSubstr;
 using testing::Not;
 using namespace std::chrono_literals;
 
-constexpr int patience = 60'000; // ms
-
 class CliRecord : public testing::Test
 {
 protected:

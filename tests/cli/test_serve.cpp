@@ -56,7 +56,6 @@ protected:
     void send(const char *text) { sendBytes("\x1B" + QByteArray(text) + "\r\n"); }
     QByteArray receive(qsizetype count)
     {
-        constexpr int patience = 60'000; // ms
         QByteArray received;
         pollfd port{m_port, POLLIN, 0};
         while (received.size() < count && ::poll(&port, 1, patience) == 1) {

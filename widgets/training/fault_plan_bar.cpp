@@ -54,7 +54,7 @@ QPushButton *FaultPlanBar::addButton(const QString &text, const QString &toolTip
 void FaultPlanBar::chooseFile()
 {
     const QString path = QFileDialog::getOpenFileName(this, tr("Fault plan"), QFileInfo(m_file).path(),
-                                                      tr("Fault plans (*.json)"));
+                                                      tr("Fault plans (*.cwfaults *.json)"));
     if (!path.isEmpty())
         load(path);
 }

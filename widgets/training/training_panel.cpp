@@ -51,6 +51,12 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *pa
     setDevices(std::move(devices));
 }
 
+void TrainingPanel::loadFaultPlan(const QString &path)
+{
+    m_plan->load(path);
+    ensureWidgetVisible(m_plan);
+}
+
 void TrainingPanel::makeTop(QVBoxLayout *column)
 {
     auto *writes = new QGridLayout;

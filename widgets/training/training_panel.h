@@ -28,6 +28,7 @@ public:
     explicit TrainingPanel(TrainingControls &controls, BusId ring = firstRing, QWidget *parent = nullptr);
 
     void refresh() override;
+    void loadFaultPlan(const QString &path); // the panel says what is wrong with it
 
 Q_SIGNALS:
     void planned(codewheel::Place number, const QString &what); // by the fault plan
