@@ -9611,10 +9611,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>wahrscheinlich</translation>
     </message>
     <message>
-        <source>Modbus/TCP: the host is connected, and the units 1, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
-        <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
-    </message>
-    <message>
         <source>The search was ended.</source>
         <translation>Die Suche wurde beendet.</translation>
     </message>
@@ -9677,6 +9673,14 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register.</source>
         <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+    </message>
+    <message>
+        <source>Modbus/TCP: the host is connected, and the units 1, 247, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
+        <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 247, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+    </message>
+    <message>
+        <source>The Modbus unit %1 answers too: the host does not look at the unit.</source>
+        <translation>Auch die Modbus-Unit %1 antwortet: Der Host achtet nicht auf die Unit.</translation>
     </message>
 </context>
 <context>

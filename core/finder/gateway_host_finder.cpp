@@ -10,8 +10,11 @@
 namespace codewheel {
 namespace {
 
-// The one of nearly every gateway, that of a device which is the host itself, and some more.
-const std::vector<int> usualUnits{1, 255, 0, 2, 3, 4};
+// The one of nearly every gateway, one that nobody gives to a device, that of a device which is the host
+// itself, and some more. A host that answers for the first two does not look at the unit.
+const std::vector<int> usualUnits{1, 247, 255, 0, 2, 3, 4};
+constexpr int nearlyAlways = 1;
+constexpr int nearlyNever = 247;
 
 constexpr int gatewayHasNoPath = 10; // Modbus Application Protocol V1.1b3, 7
 
@@ -38,7 +41,7 @@ GatewayHostFinder::~GatewayHostFinder() = default;
 QString GatewayHostFinder::announcement()
 {
     return FinderTexts::tr(
-        "Modbus/TCP: the host is connected, and the units 1, 255, 0, 2, 3 and 4 are each asked for one "
+        "Modbus/TCP: the host is connected, and the units 1, 247, 255, 0, 2, 3 and 4 are each asked for one "
         "input register, or else for one holding register.");
 }
 
@@ -83,8 +86,8 @@ FinderNews GatewayHostFinder::connect()
 FinderNews GatewayHostFinder::askNext()
 {
     if (m_units.empty())
-        return end(m_found > 0 ? FinderNews::Kind::looking : FinderNews::Kind::nobody,
-                   m_found > 0 ? FinderTexts::tr("All were asked.")
+        return end(m_lastFound ? FinderNews::Kind::looking : FinderNews::Kind::nobody,
+                   m_lastFound ? FinderTexts::tr("All were asked.")
                                : FinderTexts::tr("The host takes the connection, but no unit answers."));
     const int unit = m_units.front();
     m_units.erase(m_units.begin());
@@ -92,7 +95,14 @@ FinderNews GatewayHostFinder::askNext()
     if (!found)
         return {FinderNews::Kind::looking, gatewayAddress(m_where),
                 sentence(FinderTexts::tr("The Modbus unit %1 does not answer."), {QString::number(unit)})};
-    ++m_found;
+    if (unit == nearlyNever && m_lastFound == nearlyAlways) {
+        m_units.clear();
+        return {
+            FinderNews::Kind::looking, gatewayAddress(m_where),
+            sentence(FinderTexts::tr("The Modbus unit %1 answers too: the host does not look at the unit."),
+                     {QString::number(unit)})};
+    }
+    m_lastFound = unit;
     return {FinderNews::Kind::found, found->place, found->sentence, found};
 }
 

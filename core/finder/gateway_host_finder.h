@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace codewheel {
@@ -42,7 +43,7 @@ private:
     std::vector<int> m_units;
     std::mutex m_mutex; // of m_port being there
     std::unique_ptr<RegisterPort> m_port;
-    int m_found = 0;
+    std::optional<int> m_lastFound; // unit
     bool m_isDone = false;
     std::atomic<bool> m_isStopped = false;
 };

@@ -148,10 +148,8 @@ QString LineKind::linkText(const KindData &settings) const
 {
     const auto *plan = settings.as<LinePlan>();
     const LineSettings line = plan != nullptr ? plan->settings : LineSettings();
-    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(line.serial.parity)));
-    const QString form =
-        QStringLiteral("%1%2%3").arg(line.serial.dataBits).arg(parity).arg(line.serial.stopBits);
-    QStringList parts{sentence(tr("%1 Bd"), {QLocale().toString(line.serial.baudRate)}), form};
+    QStringList parts{sentence(tr("%1 Bd"), {QLocale().toString(line.serial.baudRate)}),
+                      line.serial.format()};
     if (!line.port.isEmpty())
         parts.prepend(line.port);
     return parts.join(QStringLiteral(", "));

@@ -2,6 +2,7 @@
 #include "finder/gateway_host_finder.h"
 #include "tests/support/register_bank.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -37,7 +38,7 @@ protected:
         where.host = QStringLiteral("gateway");
         where.tcpPort = 1502;
         GatewayHostFinder finder(where, [this](const GatewaySettings &settings) {
-            const bool isThere = settings.unit == unit;
+            const bool isThere = settings.unit == unit || answersForAny;
             return std::make_unique<UnitPort>(
                 bank, isThere ? std::nullopt : std::optional(RegisterError{otherwise, 11, {}}));
         });
@@ -49,6 +50,7 @@ protected:
 
     std::shared_ptr<test::RegisterBank> bank = std::make_shared<test::RegisterBank>();
     int unit = 2;
+    bool answersForAny = false;
     RegisterError::Kind otherwise = RegisterError::Kind::noAnswer;
 };
 
@@ -64,6 +66,15 @@ TEST_F(GatewayHostFinderTest, FindsTheUnitThatAnswers)
     EXPECT_EQ(found[0].link, QStringLiteral("modbus-tcp:gateway:1502,unit=2"));
     EXPECT_TRUE(found[0].sentence.startsWith(u"The Modbus unit 2 answers."));
     EXPECT_EQ(bank->writes, 0);
+}
+
+TEST_F(GatewayHostFinderTest, AHostThatDoesNotLookAtTheUnitIsFoundOnce)
+{
+    answersForAny = true;
+    const auto news = run();
+    EXPECT_EQ(std::ranges::count_if(news, [](const FinderNews &one) { return one.found.has_value(); }), 1);
+    EXPECT_TRUE(news[1].found->sentence.startsWith(u"The Modbus unit 1 answers."));
+    EXPECT_TRUE(news[2].sentence.contains(u"does not look at the unit"));
 }
 
 TEST_F(GatewayHostFinderTest, AnExceptionOfAGatewayForAMissingUnitIsNobody)
