@@ -268,12 +268,14 @@ TEST(RecordingWriter, WhatHasNoRoomInMemoryIsLostCountedAndAGap)
     EXPECT_FALSE(writer->end().problem);
     const RecordingReader reader = file.reader();
     const auto losses = reader.losses().value();
-    ASSERT_EQ(losses.size(), 1U);
-    EXPECT_EQ(losses[0].count, lost);
+    std::uint64_t told = 0; // in one gap, or in several if some room came in between
+    for (const auto &loss : losses)
+        told += loss.count;
+    EXPECT_EQ(told, lost);
     RecordedChannel channel = file.channel(reader, Channel::position);
     EXPECT_EQ(samplesOf(channel, {noon + 200s, noon + 300s}).size(), 1'000U);
-    EXPECT_EQ(channel.at(noon + 150s).value(), std::nullopt);
-    EXPECT_EQ(channel.at(losses[0].at).value(), std::nullopt) << "from there on";
+    for (const auto &loss : losses)
+        EXPECT_EQ(channel.at(loss.at).value(), std::nullopt) << "from there on";
 }
 
 TEST(RecordingWriter, BeforeTheDiskIsFullForOthersItWaits)
