@@ -54,7 +54,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *pa
 void TrainingPanel::loadFaultPlan(const QString &path)
 {
     m_plan->load(path);
-    ensureWidgetVisible(m_plan);
+    QMetaObject::invokeMethod( // once it has the room for what it says
+        this, [this] { ensureWidgetVisible(m_plan); }, Qt::QueuedConnection);
 }
 
 void TrainingPanel::makeTop(QVBoxLayout *column)
