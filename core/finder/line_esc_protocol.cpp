@@ -141,6 +141,7 @@ public:
     std::vector<SerialSettings> usualSettings() const override
     {
         std::vector<SerialSettings> all;
+        all.reserve(std::size(escRates));
         for (const int rate : escRates)
             all.push_back(escSettings(rate));
         return all;

@@ -2,6 +2,7 @@
 #include "widgets/find/finder_news_model.h"
 
 #include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
 
 #include <QFont>
 
