@@ -6,22 +6,12 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array hindranceKeys{"noPort",
-                                   "portMissing",
-                                   "noRights",
-                                   "rightsAtNextLogin",
-                                   "noRightsForAnyone",
-                                   "portTaken",
-                                   "slowPort",
-                                   "noDriver",
-                                   "brltty",
-                                   "modemManager",
-                                   "canDown",
-                                   "privilegedPort",
-                                   "serverPortTaken",
-                                   "hostUnknown",
-                                   "hostRefuses",
-                                   "hostSilent"};
+constexpr std::array hindranceKeys{"noPort",         "portMissing",       "notAPort",
+                                   "noRights",       "rightsAtNextLogin", "noRightsForAnyone",
+                                   "portTaken",      "slowPort",          "noDriver",
+                                   "brltty",         "modemManager",      "canDown",
+                                   "privilegedPort", "serverPortTaken",   "hostUnknown",
+                                   "hostRefuses",    "hostSilent"};
 constexpr std::array weightKeys{"prevents", "slows", "remark"};
 
 } // namespace

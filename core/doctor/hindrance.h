@@ -10,6 +10,7 @@ namespace codewheel {
 enum class HindranceId : std::uint8_t {
     noPort,            // there is no serial port at all
     portMissing,       // this one is not there
+    notAPort,          // a file, a disk, a device of another kind
     noRights,          // the port's group may use it, the user is not in it
     rightsAtNextLogin, // the user is in it, but was not when logging in
     noRightsForAnyone, // no group may use it

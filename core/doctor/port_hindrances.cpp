@@ -3,15 +3,14 @@
 
 #include "doctor/doctor_texts.h"
 #include "doctor/shell_command.h"
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "links/port_access.h"
 
-#include <QFile>
 
 #include <algorithm>
 #include <array>
 #include <pwd.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace codewheel {
@@ -36,14 +35,6 @@ bool isMember(const QString &group, const Computer &computer)
                 .split(',')
                 .contains(QByteArray(user->pw_name));
     return false;
-}
-
-bool groupMayUse(const QString &path)
-{
-    constexpr mode_t readAndWrite = S_IRGRP | S_IWGRP;
-    struct stat status = {};
-    return ::stat(QFile::encodeName(path).constData(), &status) == 0 && status.st_gid != 0 &&
-           (status.st_mode & readAndWrite) == readAndWrite;
 }
 
 // A daemon is stopped, any other program ended.
@@ -90,13 +81,13 @@ std::optional<Hindrance> latencyHindrance(const QString &path, const Computer &c
 
 Hindrance rightsHindrance(const QString &path, const Computer &computer)
 {
-    if (!groupMayUse(path))
+    if (!isForGroup(path))
         return {noRightsForAnyone, Weight::prevents, path,
                 sentence(DoctorTexts::tr(
                              "You may not use %1, and no group of users may. Let yourself use it until it is "
                              "unplugged."),
                          {path}),
-                shellCommand(QStringLiteral("sudo setfacl -m u:$USER:rw %1"), {path})};
+                rightsCommand(path)};
     const QString group = groupOf(path);
     if (isMember(group, computer))
         return {
@@ -111,7 +102,7 @@ Hindrance rightsHindrance(const QString &path, const Computer &computer)
                          "You may not use %1: you are not in its group %2. Join it, then log out and in "
                          "again."),
                      {path, group}),
-            shellCommand(QStringLiteral("sudo usermod -aG %1 $USER"), {group})};
+            rightsCommand(path)};
 }
 
 std::vector<Hindrance> holderHindrances(const QString &path, const Computer &computer)
@@ -131,6 +122,8 @@ Hindrances portHindrances(const QString &path, const Computer &computer)
                                           "system names it."),
                           {path}),
                  QStringLiteral("ls -l /dev/serial/by-id")}};
+    if (hindrance && hindrance->id == RefusalId::linkFailed)
+        return {{notAPort, Weight::prevents, path, refusalText(*hindrance), {}}};
     Hindrances found = holderHindrances(path, computer);
     if (hindrance && hindrance->id == RefusalId::portNoRights)
         found.insert(found.begin(), rightsHindrance(path, computer));

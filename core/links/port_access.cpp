@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/port_access.h"
 
+#include "doctor/shell_command.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QStringList>
 
 #include <array>
 #include <cerrno>
@@ -16,13 +19,19 @@
 namespace codewheel {
 namespace {
 
-// Nothing with a line behind it: a file, a folder, or one of the system's own devices such as /dev/null.
+// Nothing with a line behind it: a file, a folder, a disk, or a device of another kind such as /dev/null.
 bool isNoPort(const QString &path)
 {
-    constexpr unsigned memoryDevices = 1; // their major number on Linux
     struct stat status = {};
-    return ::stat(QFile::encodeName(path).constData(), &status) == 0 &&
-           (!S_ISCHR(status.st_mode) || major(status.st_rdev) == memoryDevices);
+    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
+        return false;
+    if (!S_ISCHR(status.st_mode))
+        return true;
+    const QString kind = QFileInfo(QStringLiteral("/sys/dev/char/%1:%2/subsystem")
+                                       .arg(major(status.st_rdev))
+                                       .arg(minor(status.st_rdev)))
+                             .canonicalFilePath(); // empty: the system names none, as for a pseudo terminal
+    return !kind.isEmpty() && QFileInfo(kind).fileName() != QStringLiteral("tty");
 }
 
 } // namespace
@@ -42,6 +51,22 @@ QString groupOf(const QString &path)
     std::array<char, 4096> names{};
     ::getgrgid_r(status.st_gid, &entry, names.data(), names.size(), &found);
     return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
+}
+
+bool isForGroup(const QString &path)
+{
+    static const QStringList groupsOfPorts{QStringLiteral("dialout"), QStringLiteral("uucp"),
+                                           QStringLiteral("plugdev")};
+    constexpr mode_t readAndWrite = S_IRGRP | S_IWGRP;
+    struct stat status = {};
+    return ::stat(QFile::encodeName(path).constData(), &status) == 0 &&
+           (status.st_mode & readAndWrite) == readAndWrite && groupsOfPorts.contains(groupOf(path));
+}
+
+QString rightsCommand(const QString &path)
+{
+    return isForGroup(path) ? shellCommand(QStringLiteral("sudo usermod -aG %1 $USER"), {groupOf(path)})
+                            : shellCommand(QStringLiteral("sudo setfacl -m u:$USER:rw %1"), {path});
 }
 
 bool isSamePort(const QString &one, const QString &other)
@@ -74,14 +99,12 @@ RefusalId portRefusalOf(int errorNumber)
 
 Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
 {
-    if (id == RefusalId::portNoRights) {
-        const QString group = groupOf(path);
-        return {RefusalKind::link, id, {path, group, QStringLiteral("sudo usermod -aG %1 $USER").arg(group)}};
-    }
-    if (id == RefusalId::linkFailed && isNoPort(path))
+    if ((id == RefusalId::linkFailed || id == RefusalId::portNoRights) && isNoPort(path))
         return {RefusalKind::link,
-                id,
+                RefusalId::linkFailed,
                 {QCoreApplication::translate("codewheel::PortAccess", "%1 is not a serial port.").arg(path)}};
+    if (id == RefusalId::portNoRights)
+        return {RefusalKind::link, id, {path, groupOf(path), rightsCommand(path)}};
     if (id == RefusalId::linkFailed)
         return {RefusalKind::link, id, {QStringLiteral("%1: %2").arg(path, errorText)}};
     return {RefusalKind::link, id, {path}};
@@ -89,6 +112,8 @@ Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
 
 std::optional<Refusal> portHindrance(const QString &path)
 {
+    if (isNoPort(path))
+        return portRefusal(RefusalId::linkFailed, path, {});
     if (::access(QFile::encodeName(path).constData(), R_OK | W_OK) == 0)
         return std::nullopt;
     const int reason = errno;

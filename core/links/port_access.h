@@ -14,6 +14,13 @@ bool isSamePort(const QString &one, const QString &other);
 // The group whose members may use the port: dialout on Debian. Its number if it has no name.
 QString groupOf(const QString &path);
 
+// Whether one of the groups that are there for serial ports may use it: joining another one, such as that of
+// disks, would give away more than the port.
+bool isForGroup(const QString &path);
+
+// The command that lets the user use it: for good by its group, or else until it is unplugged.
+QString rightsCommand(const QString &path);
+
 // What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
 // for all others.
 RefusalId portRefusalOf(int errorNumber);

@@ -2,6 +2,7 @@
 #include "doctor/doctor.h"
 #include "doctor/network_hindrances.h"
 #include "tests/doctor/made_computer.h"
+#include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"
 
 namespace codewheel {
@@ -22,7 +23,8 @@ TEST(Doctor, WhatPreventsComesBeforeWhatSlows)
     made.adapter(QStringLiteral("1-2"), "0403", "6001", "FT232R USB UART", "ftdi_sio");
     made.file(QStringLiteral("/sys/class/net/can0/type"), "280");
     made.file(QStringLiteral("/sys/class/net/can0/flags"), "0x80");
-    const auto found = examine({{.path = QStringLiteral("/dev/null")}}, made.computer());
+    const PtyPair pty;
+    const auto found = examine({{.path = pty.path()}}, made.computer());
     EXPECT_EQ(idsOf(found), (std::vector{QStringLiteral("canDown"), QStringLiteral("modemManager")}));
 }
 

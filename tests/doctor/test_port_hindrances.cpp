@@ -59,6 +59,17 @@ TEST(PortHindrances, ThatNoGroupMayUseAPortIsNoReasonToJoinRoot)
     EXPECT_EQ(found[0].command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
 }
 
+TEST(PortHindrances, WhatIsNoPortIsSaidAndNeverGivenAway)
+{
+    const WithoutRights without;
+    for (const char *path : {"/etc/shadow", "/dev/null", "/tmp", "/proc/self/mem"}) {
+        const auto found = portHindrances(QString::fromLatin1(path), Computer());
+        ASSERT_EQ(found.size(), 1U) << path;
+        EXPECT_EQ(found[0].id, HindranceId::notAPort);
+        EXPECT_EQ(found[0].command, QString());
+    }
+}
+
 TEST(PortHindrances, RightsGivenSinceTheLoginCountFromTheNextOneOn)
 {
     const PtyPair pty;

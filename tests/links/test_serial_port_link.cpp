@@ -218,7 +218,9 @@ TEST_F(SerialLink, MissingRightsAreToldWithTheGroupAndTheCommand)
     ASSERT_EQ(arguments.size(), 3U);
     const QString group = std::get<QString>(arguments[1]);
     EXPECT_FALSE(group.isEmpty());
-    EXPECT_EQ(std::get<QString>(arguments[2]), QStringLiteral("sudo usermod -aG %1 $USER").arg(group));
+    EXPECT_EQ(std::get<QString>(arguments[2]),
+              QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(m_pty.path()))
+        << "no group may use it";
 }
 
 } // namespace
