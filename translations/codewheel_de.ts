@@ -9562,10 +9562,8 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Verbindet mit den gefundenen Einstellungen und behält sie im Projekt (Alt+V)</translation>
     </message>
     <message>
-        <source>To find out more, %1 would be asked. Only reads are sent.
-%2</source>
-        <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet.
-%2</translation>
+        <source>Ask %1? Only reads are sent.</source>
+        <translation>%1 fragen? Es wird nur gelesen.</translation>
     </message>
 </context>
 <context>

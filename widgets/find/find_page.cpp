@@ -193,8 +193,8 @@ void FindPage::add(const FinderNews &news)
 void FindPage::ask(const QStringList &places, const QStringList &announcements)
 {
     m_message->showMessage(Role::attention,
-                           sentence(tr("To find out more, %1 would be asked. Only reads are sent.\n%2"),
-                                    {places.join(QStringLiteral(", ")), announcements.join(u'\n')}),
+                           sentence(tr("Ask %1? Only reads are sent."), {places.join(QStringLiteral(", "))}) +
+                               u'\n' + announcements.join(u'\n'),
                            tr("&Ask"));
 }
 

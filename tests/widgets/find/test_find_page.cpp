@@ -75,7 +75,7 @@ TEST_F(FindPageTest, AsksOnlyIfThatIsAgreedTo)
     page.ask({QStringLiteral("/dev/ttyUSB0")}, {QStringLiteral("ESC: all addresses.")});
     const auto messages = page.findChildren<InlineMessage *>();
     EXPECT_TRUE(std::ranges::any_of(messages, [](const InlineMessage *message) {
-        return message->sentence().contains(u"/dev/ttyUSB0 would be asked. Only reads are sent.\nESC: all");
+        return message->sentence().contains(u"Ask /dev/ttyUSB0? Only reads are sent.\nESC: all");
     }));
     EXPECT_EQ(agreed.count(), 0);
     QTest::mouseClick(&button(QStringLiteral("Ask")), Qt::LeftButton);
