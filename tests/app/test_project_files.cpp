@@ -352,7 +352,7 @@ TEST_F(ProjectFilesTest, ADroppedFaultPlanIsLoadedAndBeginsOnlyWithRun)
     drop(faultPlan("lesson.cwfaults", "4.0"));
     EXPECT_EQ(notice("waitingFaultPlan"), QString());
     auto &bar = *window().findChild<FaultPlanBar *>();
-    EXPECT_FALSE(bar.visibleRegion().isEmpty());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !bar.visibleRegion().isEmpty(); }));
     EXPECT_TRUE(saysPlan(bar, QStringLiteral("Lesson 1: 1 step")));
     advance(50);
     EXPECT_FALSE(shown->controls().planProgress().isRunning);
