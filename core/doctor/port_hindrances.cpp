@@ -7,7 +7,6 @@
 #include "encoder/sentence.h"
 #include "links/port_access.h"
 
-
 #include <algorithm>
 #include <array>
 #include <pwd.h>
