@@ -99,11 +99,16 @@ void FinderInWindow::listen(const FindWish &wish)
     m_tcpPort = wish.tcpPort;
     m_silent.clear();
     m_isListening = true;
-    m_isCancelled = false;
-    m_page.begin();
     std::vector<std::unique_ptr<PlaceFinder>> finders;
     for (const QString &port : wish.ports)
         finders.push_back(std::make_unique<PortSearch>(port, false));
+    search(std::move(finders));
+}
+
+void FinderInWindow::search(std::vector<std::unique_ptr<PlaceFinder>> finders)
+{
+    m_isCancelled = false;
+    m_page.begin();
     m_search.start(
         std::make_unique<SearchWork>(std::move(finders), [this](const FinderNews &news) { take(news); }));
 }
@@ -132,15 +137,12 @@ void FinderInWindow::endPhase()
 
 void FinderInWindow::askSilent()
 {
-    m_isCancelled = false;
-    m_page.begin();
     std::vector<std::unique_ptr<PlaceFinder>> finders;
     for (const QString &port : m_silent)
         finders.push_back(std::make_unique<PortSearch>(port, true));
     for (HostSearch &host : searchesAt(m_host, m_tcpPort))
         finders.push_back(std::move(host.finder));
-    m_search.start(
-        std::make_unique<SearchWork>(std::move(finders), [this](const FinderNews &news) { take(news); }));
+    search(std::move(finders));
 }
 
 } // namespace codewheel

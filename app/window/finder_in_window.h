@@ -3,8 +3,12 @@
 
 #include "app/window/background_steps.h"
 #include "finder/found.h"
+#include "finder/place_finder.h"
 
 #include <QStringList>
+
+#include <memory>
+#include <vector>
 
 namespace codewheel {
 
@@ -25,6 +29,7 @@ public:
 private:
     void listen(const FindWish &wish);
     void askSilent();
+    void search(std::vector<std::unique_ptr<PlaceFinder>> finders);
     void take(const FinderNews &news);
     void endPhase();
 
