@@ -92,7 +92,7 @@ void RingAtWork::use(std::unique_ptr<ProcessDataLink> link)
 {
     Q_EMIT aboutToChange();
     endAccount();
-    auto before = bus()->useLink(std::move(link));
+    auto before = bus()->useLink(std::move(link), surroundings().clock());
     if (before->isSimulated())
         m_trainingLink = std::move(before);
     keepAccountOfLink();

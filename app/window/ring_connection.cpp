@@ -42,6 +42,10 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
         m_notice.showMessage(Role::fault, refusalText(why));
         Q_EMIT changed();
     });
+    connect(&m_bus, &RingSession::nodesChanged, this, [this] {
+        if (m_bus.isOpen() && std::exchange(m_isConnecting, false))
+            ringConnected();
+    });
     connect(&m_bus, &RingSession::structureChanged, this, &RingConnection::ringChanged);
 }
 
@@ -49,8 +53,7 @@ void RingConnection::connectRing()
 {
     if (m_bus.state() != BusState::closed)
         return;
-    connect(&m_bus, &RingSession::nodesChanged, this, &RingConnection::ringConnected,
-            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
+    m_isConnecting = true;
     // What the bus refuses, it reports by itself.
     if (const auto opened = m_ring.open(); !opened && opened.error().kind == RefusalKind::badInput)
         Q_EMIT refused(opened.error());

@@ -52,6 +52,7 @@ private:
     ProjectDocument &m_project;
     Leaving &m_leaving;
     InlineMessage &m_notice;
+    bool m_isConnecting = false;
     bool m_isRefused = false; // the notice is a refusal
     // What the user entered for each device, with the make it was then.
     struct Told

@@ -138,6 +138,8 @@ Q_SIGNALS:
 protected:
     // What name() may be refused for on every bus; null: the make is no longer known.
     Result<void> mayName(Place place, const DeviceDescription *device) const;
+    // Another clock from now on, on which it is `time` at `at`. What was shown by the one before is gone.
+    void setClock(const QDateTime &time, Instant at) { m_wallTime.beginAnew(time, at); }
     void tell(Message message);           // from a device, or from the bus: its place need not name the bus
     void tellTraffic(TrafficRow row);     // adds its time
     void linkRefused(const Refusal &why); // it is closed, and reported

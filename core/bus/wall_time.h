@@ -32,6 +32,13 @@ public:
             slept(missed, at);
     }
 
+    // Another clock from now on, on which it is `now` at `at`.
+    void beginAnew(const QDateTime &now, Instant at)
+    {
+        m_begin = now.addMSecs(-std::chrono::floor<std::chrono::milliseconds>(at).count());
+        m_sleeps.clear();
+    }
+
     QDateTime dateTime(Instant at) const
     {
         using std::chrono::milliseconds;

@@ -28,10 +28,23 @@ void GatewayCounter::transaction(const RegisterPort::Done &done, Instant begun, 
         ++m_figures.wrongAnswers;
     else
         ++m_figures.closed;
-    if (!done || now - m_toldAt >= betweenFigures) {
-        m_told = std::make_shared<const LinkFigures>(m_figures);
-        m_toldAt = now;
-    }
+    if (!done || now - m_toldAt >= betweenFigures)
+        show(now);
+}
+
+void GatewayCounter::show(Instant now)
+{
+    m_told = std::make_shared<const LinkFigures>(m_figures);
+    m_toldAt = now;
+}
+
+void GatewayCounter::closed(Instant now)
+{
+    m_figures.exchangesPerSecond = 0;
+    m_figures.status.reset();
+    m_countedSince = now;
+    m_countedFrom = m_figures.exchanges;
+    show(now);
 }
 
 void GatewayCounter::exchanged(Instant now)

@@ -17,12 +17,15 @@ public:
     void connected() { ++m_figures.connections; }
     void torn(std::size_t words) { m_figures.tornWords += words; }
     void exchanged(Instant now);
+    void closed(Instant now); // nothing is exchanged until it is open again
     void status(Register word) { m_figures.status = word; }
 
     // Newly made every now and then, as the window looks at them.
     std::shared_ptr<const LinkFigures> figures() const { return m_told; }
 
 private:
+    void show(Instant now);
+
     LinkFigures m_figures;
     AnswerTimes m_roundTrips;
     std::shared_ptr<const LinkFigures> m_told = std::make_shared<const LinkFigures>();

@@ -61,6 +61,7 @@ Result<RingStructure> GatewayLink::open()
 void GatewayLink::close()
 {
     m_port->close();
+    m_counter.closed(m_port->now());
     m_map.reset();
     for (Device &device : m_devices) {
         device.in.forget();

@@ -454,10 +454,10 @@ void RingRunner::close()
         d->work();
     d->endJobs(RefusalId::busStopped);
     d->lookAtMaster();
-    d->publish();
     if (d->guests)
         d->guests->leave();
     d->link.close();
+    d->publish();
 }
 
 Instant RingRunner::now() const

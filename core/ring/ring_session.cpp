@@ -16,8 +16,7 @@ constexpr Instant cycleByHand = std::chrono::milliseconds(1);
 
 command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingFound &found)
 {
-    retireAll();
-    endRetired();
+    forgetDevices();
     structure = found.structure;
     sessions.resize(structure.size());
     renamings.assign(structure.size(), 0);
@@ -98,10 +97,20 @@ void RingSession::offerTo(std::shared_ptr<RingGuests> guests)
     post(command::OfferTo{d->guests});
 }
 
-std::unique_ptr<ProcessDataLink> RingSession::useLink(std::unique_ptr<ProcessDataLink> link)
+std::unique_ptr<ProcessDataLink> RingSession::useLink(std::unique_ptr<ProcessDataLink> link,
+                                                      const QDateTime &time)
 {
     close(); // an open that was refused leaves its runner behind
-    return std::exchange(d->link, std::move(link));
+    const QDateTime last = dateTime(now());
+    auto nothing = std::make_shared<Snapshot>();
+    nothing->at = link->now();
+    setClock(std::max(last, time), nothing->at);
+    d->forgetDevices();
+    d->engine.setLatest(std::move(nothing));
+    auto before = std::exchange(d->link, std::move(link));
+    showLatest();
+    Q_EMIT nodesChanged();
+    return before;
 }
 
 void RingSession::close()
@@ -143,6 +152,14 @@ void RingSession::Private::retireAll()
     std::ranges::move(std::exchange(sessions, {}), std::back_inserter(retired));
     std::ranges::move(std::exchange(channels, {}), std::back_inserter(retiredChannels));
     retiredDescriptions.push_back(std::exchange(descriptions, {}));
+}
+
+void RingSession::Private::forgetDevices()
+{
+    retireAll();
+    endRetired();
+    structure.clear();
+    renamings.clear();
 }
 
 void RingSession::Private::endRetired()

@@ -47,8 +47,9 @@ public:
     // bus is `opening` until pump() reports the end; without one it is done at once, and the first cycle
     // comes with startThread() or advance().
     Result<void> open(Start start, std::optional<Pacing> pacing = {});
-    // Closes the bus, which has this link from its next open() on; returns the one it had.
-    std::unique_ptr<ProcessDataLink> useLink(std::unique_ptr<ProcessDataLink> link);
+    // Closes the bus, which has this link, on whose clock it is `time` now, from its next open() on. What was
+    // on the bus is gone. Returns the link it had.
+    std::unique_ptr<ProcessDataLink> useLink(std::unique_ptr<ProcessDataLink> link, const QDateTime &time);
     void close() override;
 
     // Cycles driven by a thread of its own, on absolute deadlines ...

@@ -39,6 +39,7 @@ struct RingSession::Private
     const Snapshot &latest() const { return *engine.latest(); }
     bool isStale(std::size_t place) const { return renamings[place] > 0; }
     void retireAll();
+    void forgetDevices();
     void endRetired(); // unless handlers may still be looking at them
     void keepEepromWrites(const RingEvent &event);
     // Another ring replaces this one (ring_session_ring.cpp).

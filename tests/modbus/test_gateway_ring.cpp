@@ -242,6 +242,24 @@ TEST_F(GatewayRing, ALostLinkMakesEveryValueOldAndComesBackInWatch)
     EXPECT_TRUE(ring->encoder(writtenPlace).freshness().isLive());
 }
 
+TEST_F(GatewayRing, ALostOrClosedLinkExchangesNothing)
+{
+    open(EncoderBus::Start::watching);
+    ring->bus->advance(3s);
+    EXPECT_GT(ring->bus->latest().figures->exchangesPerSecond, 0);
+    const Instant lastSeen = ring->encoder(writtenPlace).freshness().seen();
+    loseLink();
+    ring->bus->advance(3s);
+    EXPECT_EQ(ring->bus->latest().figures->exchangesPerSecond, 0);
+    EXPECT_LE(ring->encoder(writtenPlace).freshness().seen() - lastSeen, 100ms);
+    EXPECT_GE(ring->encoder(writtenPlace).freshness().seen(), lastSeen) << "of the last reception";
+    giveLinkBack();
+    ring->bus->advance(3s);
+    EXPECT_GT(ring->bus->latest().figures->exchangesPerSecond, 0);
+    ring->bus->close();
+    EXPECT_EQ(ring->bus->latest().figures->exchangesPerSecond, 0);
+}
+
 TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilSomethingIsSent)
 {
     open(EncoderBus::Start::watching, {.settings = {.readsBack = false}});

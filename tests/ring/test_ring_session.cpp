@@ -91,6 +91,32 @@ TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
     EXPECT_EQ(m_bus->dateTime(m_bus->latest().at), QDateTime(QDate(2026, 3, 1), QTime(14, 2, 0, 3), Qt::UTC));
 }
 
+// Its clock starts at 0 again, and nothing of the ring before is shown with the times of the new one.
+TEST_F(BusSessionTest, AnotherLinkHasAnotherClockAndAnotherRing)
+{
+    const QDateTime later(QDate(2026, 3, 1), QTime(14, 10), Qt::UTC);
+    open(RingSession::Start::watching);
+    m_bus->advance(60'000);
+    const auto before = m_bus->useLink(std::make_unique<ScriptedLink>(mixedRing()), later);
+    EXPECT_EQ(before.get(), m_link);
+    EXPECT_EQ(encoder(), nullptr);
+    EXPECT_THAT(m_bus->places(), IsEmpty());
+    EXPECT_EQ(m_bus->dateTime(m_bus->now()), later);
+    open(RingSession::Start::watching);
+    m_bus->advance(20);
+    EXPECT_EQ(m_bus->dateTime(m_bus->now()), later.addMSecs(20));
+    EXPECT_EQ(m_bus->dateTime(encoder()->freshness().seen()), later.addMSecs(20));
+}
+
+TEST_F(BusSessionTest, TimesNeverGoBackWithAnotherLink)
+{
+    open(RingSession::Start::watching);
+    m_bus->advance(5'000);
+    const QDateTime last = m_bus->dateTime(m_bus->now());
+    m_bus->useLink(std::make_unique<ScriptedLink>(mixedRing()), last.addSecs(-60));
+    EXPECT_EQ(m_bus->dateTime(m_bus->now()), last);
+}
+
 TEST_F(BusSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
 {
     m_link->lose();

@@ -116,11 +116,21 @@ void TrafficModel::setHeld(bool held)
     showWaiting();
 }
 
+// The clock of the bus may have stood still between them, or another one begun: then their dates tell.
+std::optional<Instant> TrafficModel::between(const Moment &last, const Moment &now)
+{
+    using std::chrono::milliseconds;
+    const Instant byClock = now.at - last.at;
+    const Instant byDate = milliseconds(last.time.msecsTo(now.time));
+    const bool isOneClock = !now.time.isValid() || std::chrono::abs(byClock - byDate) <= milliseconds(1);
+    const Instant passed = isOneClock ? byClock : byDate;
+    return passed >= Instant{} ? std::optional(passed) : std::nullopt;
+}
+
 void TrafficModel::add(TrafficRow row)
 {
-    const auto last = std::exchange(m_last, row.at);
-    const bool isLater = last && row.at >= *last;
-    const auto sinceLast = isLater ? std::optional(row.at - *last) : std::nullopt;
+    const auto last = std::exchange(m_last, Moment{row.at, row.time});
+    const auto sinceLast = last ? between(*last, *m_last) : std::nullopt;
     m_waiting.push_back({std::move(row), sinceLast});
     if (waiting() <= m_most)
         return;

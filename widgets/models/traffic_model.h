@@ -71,13 +71,19 @@ protected:
     QVariant cell(const ShownTraffic &row, int column, int role) const override;
 
 private:
+    struct Moment
+    {
+        Instant at{};
+        QDateTime time{};
+    };
+    static std::optional<Instant> between(const Moment &last, const Moment &now);
     void dropOldest();
 
     const std::span<const TrafficColumn> m_columns;
     int m_most;
     int m_droppedAtOnce; // so that dropping is rare
     std::vector<ShownTraffic> m_waiting;
-    std::optional<Instant> m_last;
+    std::optional<Moment> m_last;
     bool m_held = false;
     quint64 m_dropped = 0;
     quint64 m_droppedBefore = 0; // before it was cleared

@@ -4,6 +4,8 @@
 #include "tests/widgets/line/line_bench.h"
 #include "widgets/line/line_row_table.h"
 
+#include <array>
+
 namespace codewheel {
 namespace {
 
@@ -55,6 +57,30 @@ TEST_F(LineRowModelTest, ARowSaysTimeDirectionTextBytesAndMeaning)
     EXPECT_EQ(cell(1, TrafficColumn::direction), QStringLiteral("answer"));
     EXPECT_TRUE(cell(1, TrafficColumn::meaning).startsWith(QLatin1String("4000h: ")));
     EXPECT_FALSE(filter.index(0, model.columnOf(TrafficColumn::direction)).data(Qt::DecorationRole).isNull());
+}
+
+// As after a bus was closed and opened again: its clock stood still, or starts at 0 again.
+TEST_F(LineRowModelTest, TheTimeSinceTheLastRowIsTrueWhateverTheClockOfTheBusDid)
+{
+    static constexpr std::array columns{TrafficColumn::sinceLast};
+    TrafficModel rows(columns, mostRows);
+    const QDateTime noon(QDate(2026, 11, 21), QTime(12, 0));
+    const auto addAt = [&](Instant clock, int millisecondsPastNoon) {
+        TrafficRow row = traffic.row({clock, Kind::sent, wire("05A")});
+        row.time = noon.addMSecs(millisecondsPastNoon);
+        rows.add(std::move(row));
+    };
+    addAt(100ms, 100);
+    addAt(102'500us, 102);
+    addAt(104ms, 3'000);   // it stood still
+    addAt(1ms, 4'000);     // another one
+    addAt(2'000ms, 5'500); // and another one
+    rows.showWaiting();
+    const auto since = [&](int row) { return rows.index(row, 0).data().toString(); };
+    EXPECT_EQ(since(1), QStringLiteral("2.5"));
+    EXPECT_EQ(since(2), QLocale().toString(2'898.0, 'f', 1));
+    EXPECT_EQ(since(3), QLocale().toString(1'000.0, 'f', 1));
+    EXPECT_EQ(since(4), QLocale().toString(1'500.0, 'f', 1));
 }
 
 TEST_F(LineRowModelTest, WhatIsNoAnswerIsMarked)
