@@ -216,9 +216,15 @@ void LineViews::act(const Fault &, FaultAction)
 
 QAction *LineViews::actionFor(DataCheck::Action action) const
 {
-    const bool isConnection =
-        action == DataCheck::Action::connectBus || action == DataCheck::Action::connection;
-    return isConnection ? m_actions.settings : nullptr;
+    switch (action) {
+    case DataCheck::Action::connectBus:
+    case DataCheck::Action::connection:
+        return m_actions.settings;
+    case DataCheck::Action::search:
+        return m_actions.search;
+    default:
+        return nullptr;
+    }
 }
 
 void LineViews::open()

@@ -280,6 +280,8 @@ QAction *RingViews::actionFor(DataCheck::Action action) const
         return m_actions.connection;
     case DataCheck::Action::registers:
         return m_actions.registers;
+    case DataCheck::Action::confirm:
+        return m_actions.confirmDiagnostics;
     default:
         return nullptr;
     }

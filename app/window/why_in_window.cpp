@@ -96,6 +96,8 @@ QAction *WhyInWindow::actionFor(DataCheck::Action action) const
     case DataCheck::Action::connectBus:
     case DataCheck::Action::connection:
     case DataCheck::Action::registers:
+    case DataCheck::Action::confirm:
+    case DataCheck::Action::search:
         break;
     }
     return views != nullptr ? views->actionFor(action) : nullptr;

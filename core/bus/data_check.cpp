@@ -300,6 +300,12 @@ DataCheck writingCheck(const EncoderBus &bus)
 DataCheck devicesCheck(const EncoderBus &bus)
 {
     const QString what = DataCheckText::tr("Devices");
+    if (bus.places().empty())
+        return failedCheck(
+            DataCheck::Id::devices, what, DataCheckText::tr("at least one"), DataCheckText::tr("none"),
+            DataCheckText::tr("No device is planned on this bus, so nothing is asked. Search for "
+                              "what is there, or enter it in the bus structure."),
+            DataCheck::Action::search);
     const QString expected = DataCheckText::tr("no fault");
     const auto faults = bus.outline().faults();
     const auto worst = std::ranges::find_if(faults, [](const Fault &fault) {

@@ -49,6 +49,8 @@ struct DataCheck
         operate,
         compare,
         registers, // of a gateway
+        confirm,   // the diagnostics
+        search,    // for encoders on the bus
         monitor,
     };
 
@@ -85,7 +87,7 @@ DataCheck upToDateCheck(const EncoderBus &bus, NodeId node);
 DataCheck stateCheck(const EncoderBus &bus, NodeId node);
 DataCheck positionCheck(const EncoderBus &bus, NodeId node);
 DataCheck writingCheck(const EncoderBus &bus);
-// Those of its devices that report a fault.
+// Those of its devices that report a fault. Without a device, no data comes.
 DataCheck devicesCheck(const EncoderBus &bus);
 
 } // namespace codewheel

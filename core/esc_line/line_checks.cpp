@@ -190,7 +190,8 @@ DataChecks lineChecks(const LineSession &line, NodeId node, const std::vector<Pa
     if (!node.isEmpty()) {
         addOfEncoder(checks, line, line.placeOf(node), planned);
     } else {
-        addBytes(checks, line, line.places());
+        if (const auto asked = line.places(); !asked.empty())
+            addBytes(checks, line, asked);
         checks.push_back(devicesCheck(line));
     }
     checks.push_back(writingCheck(line));

@@ -37,6 +37,12 @@ std::optional<Fault> standstillOf(const RingSession &bus)
     return faultWhere(bus, [](const Fault &fault) { return fault.extent == Fault::Extent::standstill; });
 }
 
+// Which devices there are: by its master.
+bool isTold(const RingSession &bus)
+{
+    return bus.master() != nullptr;
+}
+
 std::size_t indexIn(const RingSession &bus, NodeId node)
 {
     const auto found = std::ranges::find(bus.structure(), node, &Participant::number);
@@ -129,7 +135,18 @@ DataCheck reachedCheck(const RingSession &bus, NodeId node)
     const auto &devices = bus.latest().devices;
     if (index < devices.size() && !devices[index].inRing)
         return goneCheck(bus, node, what, bus.outline().state(index).shown.word);
-    return passedCheck(DataCheck::Id::reached, what, node.toString(), RingCheckText::tr("there"));
+    return passedCheck(DataCheck::Id::reached, what, node.toString(),
+                       isTold(bus) ? RingCheckText::tr("there")
+                                   : RingCheckText::tr("its registers are read"));
+}
+
+// No link without a master says which devices there are: that is the project's word.
+DataCheck ringKindCheck(const RingSession &bus, NodeId node, const std::vector<Participant> &planned)
+{
+    DataCheck check = kindCheck(bus, node, planned);
+    if (!isTold(bus) && check.outcome == DataCheck::Outcome::asExpected)
+        check.came = RingCheckText::tr("the gateway does not say");
+    return check;
 }
 
 // Of a device, or, without a node, of the bus.
@@ -146,6 +163,7 @@ DataCheck masterCheck(const RingSession &bus, NodeId node)
         failedCheck(DataCheck::Id::master, what, expected,
                     QStringLiteral("%1: %2").arg(fault->node.toString(), fault->shown.word), fault->text);
     check.outcome = DataCheck::Outcome::remark; // the ring runs on
+    check.action = DataCheck::Action::confirm;
     return check;
 }
 
@@ -173,7 +191,7 @@ void addOfDevice(DataChecks &checks, const RingSession &bus, const ProcessDataLi
         return;
     if (bus.master() != nullptr)
         checks.push_back(masterCheck(bus, node));
-    checks.push_back(kindCheck(bus, node, planned));
+    checks.push_back(ringKindCheck(bus, node, planned));
     checks.push_back(upToDateCheck(bus, node));
     const EncoderSession *encoder = bus.encoder(node);
     if (auto order = encoder != nullptr ? link.checkWord(index, bus.latest().devices[index].in, *encoder)

@@ -230,6 +230,19 @@ TEST_F(WhyInWindowTest, OfAPortThatWasRefusedItSaysWhy)
     EXPECT_TRUE(came(0).contains(QStringLiteral("not connected")));
 }
 
+TEST_F(WhyInWindowTest, OfALineWithoutEncodersItLeadsToTheSearch)
+{
+    while (!shown->line().session()->places().empty()) {
+        structure().choose(shown->line().session()->places().front());
+        lineActions().remove->trigger();
+        advance(50);
+    }
+    ask(Place{firstLine});
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: Devices"));
+    press(plainLabel(lineActions().search->text()));
+    EXPECT_NE(page(), &why());
+}
+
 TEST_F(WhyInWindowTest, HasAnEntryWithAKeyAndItsPageOfTheManual)
 {
     EXPECT_EQ(plainLabel(actions().whyNoData->text()), QStringLiteral("Why is there no data?"));
@@ -248,7 +261,7 @@ TEST_F(WhyInWindowTest, SpeaksGerman)
     EXPECT_EQ(plainLabel(actions().whyNoData->text()), QStringLiteral("Warum kommen keine Daten?"));
     doubleClick(Place{firstRing});
     ASSERT_TRUE(isOpen());
-    EXPECT_EQ(outcome(), QStringLiteral("Die erste Abweichung: Ring"));
+    EXPECT_EQ(outcome(), QStringLiteral("Erste Abweichung: Ring"));
     EXPECT_TRUE(told().contains(QStringLiteral("zwischen 3.0 und 4.0"))) << told().toStdString();
     ASSERT_NE(button(), nullptr);
     EXPECT_EQ(button()->text(), plainLabel(actions().start->text()));

@@ -71,6 +71,14 @@ TEST_F(LineChecks, AnAdapterThatWasUnpluggedIsTold)
     EXPECT_EQ(firstDifference(checks)->why->id, RefusalId::portLost);
 }
 
+TEST_F(LineChecks, WhereNoEncoderIsPlannedNoneIsAsked)
+{
+    EXPECT_TRUE(session.open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    session.advance(2s);
+    expectFirst({}, DataCheck::Id::devices, "No device is planned on this bus", DataCheck::Action::search);
+    EXPECT_EQ(findCheck(of({}), DataCheck::Id::bytes), nullptr) << "nobody knows";
+}
+
 TEST_F(LineChecks, PositionsThatNobodyAsksForAreTold)
 {
     open();

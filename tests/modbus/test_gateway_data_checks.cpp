@@ -25,6 +25,17 @@ TEST(GatewayDataChecks, AWordInTheOrderThatIsSetIsAsExpected)
     EXPECT_EQ(orderOf(checks)->expected, QStringLiteral("high word first"));
 }
 
+// What the project says of a device is nothing that came.
+TEST(GatewayDataChecks, WhichDeviceIsThereIsNotSaidByAGateway)
+{
+    GatewaySession gateway;
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, gateway.bus->structure());
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::kind)->came, QStringLiteral("the gateway does not say"));
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::reached)->came, QStringLiteral("its registers are read"));
+}
+
 TEST(GatewayDataChecks, AWrongWordOrderIsToldWithTheOneThatWouldFit)
 {
     GatewaySession gateway({.settings = {.highWordFirst = false}});

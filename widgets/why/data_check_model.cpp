@@ -64,6 +64,14 @@ void DataCheckModel::show(const DataChecks &checks)
             replace(row, check);
 }
 
+int DataCheckModel::rowOf(DataCheck::Id id) const
+{
+    for (int row = 0; row < rowCount(); ++row)
+        if (rowAt(row).id == id)
+            return row;
+    return -1;
+}
+
 QVariant DataCheckModel::headerCell(int column, int role) const
 {
     const QStringList heads{tr("Step"), tr("Expected"), tr("Came")};

@@ -17,6 +17,7 @@ public:
     using TableModelBase::TableModelBase;
 
     void show(const DataChecks &checks); // changes nothing but what differs
+    int rowOf(DataCheck::Id id) const;   // -1: there is none
 
 protected:
     int columns() const override { return cameColumn + 1; }

@@ -130,6 +130,8 @@ void WhyPage::showHelp(const DataCheck *check)
         m_helped.remedy = check->remedy;
         return;
     }
+    if (check->id != m_helped.id || m_helped.what.isEmpty())
+        m_table->selectRow(m_model->rowOf(check->id));
     m_helped = *check;
     m_button = button;
     m_help->showTrouble(check->outcome == DataCheck::Outcome::differs ? Role::fault : Role::attention,

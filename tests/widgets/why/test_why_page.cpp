@@ -196,5 +196,18 @@ TEST_F(WhyPageTest, WithoutAChosenRowSaysWhatToDo)
     EXPECT_FALSE(help().isVisible());
 }
 
+TEST_F(WhyPageTest, TheStepThatDiffersFirstIsSelectedUntilTheUserChoosesAnother)
+{
+    const auto selected = [this] {
+        const auto rows = table().selectionModel()->selectedRows();
+        return rows.isEmpty() ? -1 : rows.front().row();
+    };
+    page.showChecks(QStringLiteral("Ring"), {linkStep(), stoppedStep(), positionStep(QString())});
+    EXPECT_EQ(selected(), 1);
+    table().selectRow(0);
+    page.showChecks(QStringLiteral("Ring"), {linkStep(), stoppedStep(), positionStep(QString())});
+    EXPECT_EQ(selected(), 0);
+}
+
 } // namespace
 } // namespace codewheel
