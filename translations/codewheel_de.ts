@@ -4822,6 +4822,10 @@
         <source>Steps of the test</source>
         <translation>Schritte des Tests</translation>
     </message>
+    <message>
+        <source>Further steps</source>
+        <translation>Weitere Schritte</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CodeDisc</name>
@@ -7818,6 +7822,22 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>Disconnect first: a serial port has one user, and a gateway may have room for one client only</source>
         <translation>Zuerst trennen: Ein serieller Anschluss hat nur einen Benutzer, und ein Gateway hat vielleicht nur Platz für einen Client</translation>
     </message>
+    <message>
+        <source>Connected. Close this page (Esc) to see the encoders.</source>
+        <translation>Verbunden. Diese Seite schließen (Esc), um die Geber zu sehen.</translation>
+    </message>
+    <message>
+        <source>The training bus is connected. It is disconnected first. What the project plans for its encoders then counts for the real ones.</source>
+        <translation>Der Übungsbus ist verbunden. Er wird zuerst getrennt. Was das Projekt für seine Geber plant, gilt dann für die echten.</translation>
+    </message>
+    <message>
+        <source>This bus is connected. It is disconnected first.</source>
+        <translation>Dieser Bus ist verbunden. Er wird zuerst getrennt.</translation>
+    </message>
+    <message>
+        <source>Disconnect and connect</source>
+        <translation>Trennen und verbinden</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CopyMenu</name>
@@ -8139,6 +8159,14 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>no position</source>
         <translation>keine Position</translation>
     </message>
+    <message>
+        <source>at least one</source>
+        <translation>mindestens eines</translation>
+    </message>
+    <message>
+        <source>No device is planned on this bus, so nothing is asked. Search for what is there, or enter it in the bus structure.</source>
+        <translation>An diesem Bus ist kein Gerät geplant, deshalb wird nichts abgefragt. Suchen, was da ist, oder es im Busaufbau eintragen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DataCheckModel</name>
@@ -8168,7 +8196,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Came</source>
-        <translation>Gekommen</translation>
+        <translation>Tatsächlich</translation>
     </message>
 </context>
 <context>
@@ -9467,7 +9495,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Space ticks a port or leaves it out</source>
-        <translation>Die Leertaste hakt einen Anschluss an oder lässt ihn aus</translation>
+        <translation>Leertaste: Anschluss an- oder abwählen</translation>
     </message>
     <message>
         <source>Host</source>
@@ -9487,7 +9515,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>&amp;Refresh</source>
-        <translation>Neu su&amp;chen</translation>
+        <translation>A&amp;ktualisieren</translation>
     </message>
     <message>
         <source>&amp;Search</source>
@@ -9499,7 +9527,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Looks for serial ports again (Alt+R)</source>
-        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+C)</translation>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+K)</translation>
     </message>
     <message>
         <source>&amp;Ports</source>
@@ -9515,7 +9543,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Return connects where the chosen one was found</source>
-        <translation>Die Eingabetaste verbindet dort, wo der gewählte gefunden wurde</translation>
+        <translation>Eingabe verbindet mit dem gewählten Fund</translation>
     </message>
     <message>
         <source>&amp;Ask</source>
@@ -9523,11 +9551,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Listens at the ticked ports, and then says what it would ask (Alt+S)</source>
-        <translation>Horcht an den angehakten Anschlüssen und sagt dann, was gefragt würde (Alt+U)</translation>
+        <translation>Horcht an den gewählten Anschlüssen und sagt dann, was gefragt würde (Alt+U)</translation>
     </message>
     <message>
         <source>Tick a port, or enter a host</source>
-        <translation>Haken Sie einen Anschluss an, oder geben Sie einen Host ein</translation>
+        <translation>Einen Anschluss wählen oder einen Host eingeben</translation>
     </message>
     <message>
         <source>Once the search has ended</source>
@@ -9535,7 +9563,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Choose somebody who was found. Where a master works, it has to go first</source>
-        <translation>Wählen Sie jemanden, der gefunden wurde. Wo ein Master arbeitet, muss er zuerst gehen</translation>
+        <translation>Einen Fund wählen. Arbeitet dort ein Master, diesen zuerst abschalten</translation>
     </message>
     <message>
         <source>Who is there?</source>
@@ -9543,7 +9571,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Listens first. What would be sent after that is asked before. Nothing is written.</source>
-        <translation>Horcht zuerst. Was danach gesendet würde, wird vorher gefragt. Nichts wird geschrieben.</translation>
+        <translation>Horcht zuerst. Bevor etwas gesendet wird, wird gefragt. Nichts wird geschrieben.</translation>
     </message>
     <message>
         <source>Co&amp;nnect</source>
@@ -9610,7 +9638,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>The search was ended.</source>
-        <translation>Die Suche wurde beendet.</translation>
+        <translation>Suche abgebrochen.</translation>
     </message>
     <message>
         <source>The host takes the connection.</source>
@@ -9630,7 +9658,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>The Modbus unit %1 answers. Whether it shows a ring, its register map says: test it.</source>
-        <translation>Die Modbus-Unit %1 antwortet. Ob sie einen Ring zeigt, sagt ihr Registerplan: Testen Sie sie.</translation>
+        <translation>Die Modbus-Unit %1 antwortet. Ob dahinter ein Ring liegt, zeigt Testen.</translation>
     </message>
     <message>
         <source>Bytes come, but none that make sense at %1. Nothing is sent; it is listened to with other settings.</source>
@@ -9638,11 +9666,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>The line is silent. Asking may find out more.</source>
-        <translation>Die Leitung ist still. Fragen kann mehr herausfinden.</translation>
+        <translation>Niemand sendet. Mehr zeigt eine Abfrage.</translation>
     </message>
     <message>
         <source>The line is silent: it is asked.</source>
-        <translation>Die Leitung ist still: Sie wird gefragt.</translation>
+        <translation>Niemand sendet: Die Leitung wird abgefragt.</translation>
     </message>
     <message>
         <source>Somebody talks on this line, but it makes sense with no usual setting. Nothing was sent.</source>
@@ -9685,7 +9713,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <name>codewheel::FinderNewsModel</name>
     <message>
         <source>Where</source>
-        <translation>Wo</translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -9693,11 +9721,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>How sure</source>
-        <translation>Wie sicher</translation>
+        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Was</translation>
+        <translation>Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -11329,7 +11357,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>they come</source>
-        <translation>sie kommen</translation>
+        <translation>kommen an</translation>
     </message>
     <message>
         <source>Rate and format</source>
@@ -11344,11 +11372,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>the bytes make sense</source>
-        <translation>die Bytes ergeben einen Sinn</translation>
+        <translation>lesbar</translation>
     </message>
     <message>
         <source>More than the echo</source>
-        <translation>Mehr als das Echo</translation>
+        <translation>Nicht nur Echo</translation>
     </message>
     <message>
         <source>answers</source>
@@ -11356,7 +11384,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>only the request came back</source>
-        <translation>nur die Anfrage kam zurück</translation>
+        <translation>nur das Echo der Anfrage</translation>
     </message>
     <message>
         <source>Answer of the encoder</source>
@@ -16517,11 +16545,11 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>The ring was stopped from here. Start it.</source>
-        <translation>Der Ring wurde von hier angehalten. Starten.</translation>
+        <translation>Der Ring wurde in diesem Programm angehalten. Starten.</translation>
     </message>
     <message>
         <source>The ring does not run, and was not stopped from here. Look at its master, then start it.</source>
-        <translation>Der Ring läuft nicht und wurde nicht von hier angehalten. Nach seinem Master sehen, dann starten.</translation>
+        <translation>Der Ring läuft nicht und wurde nicht in diesem Programm angehalten. Nach seinem Master sehen, dann starten.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -16550,7 +16578,7 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>there</source>
-        <translation>da</translation>
+        <translation>vorhanden</translation>
     </message>
     <message>
         <source>Reports of the master</source>
@@ -16567,6 +16595,14 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin.</source>
         <translation>Die Lesungen von %1 stimmen nicht überein, daher wird seinem Wort nicht geglaubt. Wortreihenfolge und Beginn seiner Register prüfen.</translation>
+    </message>
+    <message>
+        <source>its registers are read</source>
+        <translation>seine Register werden gelesen</translation>
+    </message>
+    <message>
+        <source>the gateway does not say</source>
+        <translation>das Gateway sagt es nicht</translation>
     </message>
 </context>
 <context>
@@ -18662,11 +18698,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Nothing is connected or sent until you ask for it.</source>
-        <translation>Nichts wird ungefragt verbunden oder gesendet.</translation>
+        <translation>Ohne Ihr Zutun wird nichts verbunden oder gesendet.</translation>
     </message>
     <message>
         <source>The project %1 is open. Nothing is connected or sent until you ask for it.</source>
-        <translation>Das Projekt %1 ist geöffnet. Nichts wird ungefragt verbunden oder gesendet.</translation>
+        <translation>Das Projekt %1 ist geöffnet. Ohne Ihr Zutun wird nichts verbunden oder gesendet.</translation>
     </message>
     <message>
         <source>Reopen %1</source>
@@ -18686,7 +18722,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Gives a new encoder the values and the position of the previous one, from the project.</source>
-        <translation>Gibt einem neuen Geber Werte und Position des vorigen, aus dem Projekt.</translation>
+        <translation>Überträgt Werte und Position des alten Gebers aus dem Projekt auf den neuen.</translation>
     </message>
     <message>
         <source>Who is there?</source>
@@ -20717,11 +20753,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Expected and came, step by step</source>
-        <translation>Erwartet und gekommen, Schritt für Schritt</translation>
+        <translation>Erwartet und tatsächlich, Schritt für Schritt</translation>
     </message>
     <message>
         <source>What is expected on the way of the data, and what came.</source>
-        <translation>Was auf dem Weg der Daten erwartet wird und was gekommen ist.</translation>
+        <translation>Was auf dem Weg der Daten erwartet wird, und was tatsächlich ist.</translation>
     </message>
     <message>
         <source>Nothing is chosen</source>
@@ -20733,11 +20769,11 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>Only looks at what is known. Nothing is sent here.</source>
-        <translation>Sieht nur nach, was bekannt ist. Hier wird nichts gesendet.</translation>
+        <translation>Zeigt nur Bekanntes. Hier wird nichts gesendet.</translation>
     </message>
     <message>
         <source>What differs first: %1</source>
-        <translation>Die erste Abweichung: %1</translation>
+        <translation>Erste Abweichung: %1</translation>
     </message>
     <message>
         <source>Why is there no data?</source>

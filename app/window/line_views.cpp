@@ -470,8 +470,7 @@ void LineViews::explainTerminal()
 void LineViews::connectFound(const KindData &plan)
 {
     showSettings();
-    m_connection->showPlan(plan);
-    connectAs(m_connection->plan());
+    m_connection->connectBy(plan);
 }
 
 void LineViews::connectTraining()

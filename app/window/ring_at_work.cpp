@@ -105,6 +105,7 @@ void RingAtWork::useTraining()
     if (!m_trainingLink)
         return;
     m_gateway.reset();
+    m_planIsTold = false;
     use(std::move(m_trainingLink));
 }
 
@@ -130,6 +131,7 @@ Result<void> RingAtWork::openLink()
 void RingAtWork::openTraining()
 {
     useTraining();
+    m_planIsTold = false; // nobody remembers what was told before
     bus()->setTime(surroundings().clock());
     if (!bus()->open(RingSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();

@@ -4,6 +4,7 @@
 #include "app/window/leaving.h"
 #include "app/window/ring_at_work.h"
 #include "encoder/refusal_text.h"
+#include "modbus/gateway_settings.h"
 #include "project/project_take_over.h"
 #include "ring/comparison.h"
 #include "ring/ring_session.h"
@@ -64,6 +65,10 @@ void RingConnection::ringConnected()
     m_notice.withdraw();
     tellAgain();
     Q_EMIT changed();
+    if (m_ring.gateway())
+        Q_EMIT told({.severity = Severity::information,
+                     .id = MessageId::connected,
+                     .arguments = {gatewayText(*m_ring.gateway())}});
     tellComparison();
 }
 

@@ -120,8 +120,7 @@ void RingLinks::connectAs(const KindData &plan)
 
 void RingLinks::connectFound(const KindData &plan)
 {
-    m_parts.page.showPlan(plan);
-    connectAs(plan);
+    m_parts.page.connectBy(plan);
 }
 
 // A connected ring is left first, after asking what that ends.
@@ -186,8 +185,7 @@ void RingLinks::take(const GatewayFinding &finding)
             m_parts.registers.tell(finding.sentence);
         return;
     }
-    const NodeId place = finding.shown ? finding.shown->place : NodeId();
-    m_parts.page.addStep(finding.outcome, gatewayStepText(finding.step, m_tested.transport, place),
+    m_parts.page.addStep(finding.outcome, gatewayStepText(finding.step, m_tested.transport, finding.place),
                          finding.sentence);
     if (finding.why)
         tellCommand(m_parts.page, *finding.why);

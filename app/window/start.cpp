@@ -116,17 +116,27 @@ void Start::showFiles()
 
 void Start::openTraining()
 {
-    if (!m_parts.project.file().isEmpty() && !m_parts.files.makeNew())
-        return;
-    if (m_parts.project.project().devices.empty() &&
-        m_parts.project.isSaved()) { // nothing that could be lost
-        m_parts.plant.openTraining();
-        m_parts.plant.start();
+    if (isTrainingPlan()) {
+        for (const BusAtWork *bus : m_parts.plant.all())
+            if (bus->isTraining() && !bus->isOpen())
+                Q_EMIT trainingRequested(bus->id());
         return;
     }
-    for (BusAtWork *bus : m_parts.plant.all())
-        if (bus->isTraining() && !bus->isOpen() && plansTraining(m_parts.project.project(), bus->id()))
-            Q_EMIT trainingRequested(bus->id());
+    if (!m_parts.files.makeNew())
+        return;
+    m_parts.plant.openTraining();
+    m_parts.plant.start();
+}
+
+// A project in no file that plans the training buses as such: that of the training plant, or one made on it.
+bool Start::isTrainingPlan() const
+{
+    const Project &project = m_parts.project.project();
+    if (!m_parts.project.file().isEmpty() || (project.devices.empty() && m_parts.project.isSaved()))
+        return false;
+    return std::ranges::all_of(m_parts.plant.all(), [&project](const BusAtWork *bus) {
+        return !bus->isTraining() || plansTraining(project, bus->id());
+    });
 }
 
 std::vector<BusAtWork *> Start::closedBuses() const

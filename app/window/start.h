@@ -46,7 +46,7 @@ public:
     QWidget *pageInsteadOf(QWidget *monitors) const;
     QWidget *page() const;
 
-    // First closes an opened project; one without a file, such as the training plant itself, stays.
+    // First closes the project, unless it is that of the training plant itself, changed or not.
     void openTraining();
 
 Q_SIGNALS:
@@ -55,6 +55,7 @@ Q_SIGNALS:
 
 private:
     bool isAnyOpen() const;
+    bool isTrainingPlan() const;
     void showProject();
     void showFiles();
     void lookAtFiles();

@@ -75,29 +75,41 @@ GatewayCheck::~GatewayCheck()
     m_port.close();
 }
 
-QString GatewayCheck::text(const Step &step) const
+NodeId GatewayCheck::placeOf(const Step &step) const
 {
-    const bool isWord = step.step == GatewayStep::word;
-    return gatewayStepText(step.step, m_settings.transport,
-                           isWord ? m_devices[step.device].participant.number : NodeId());
+    return step.step == GatewayStep::word ? m_devices[step.device].participant.number : NodeId();
+}
+
+QString GatewayCheck::nextText() const
+{
+    const Step &step = m_steps[m_next];
+    return gatewayStepText(step.step, m_settings.transport, placeOf(step));
+}
+
+GatewayFinding GatewayCheck::withOutcome(CheckOutcome outcome, const QString &sentence) const
+{
+    const Step &step = m_steps[m_next];
+    return {step.step, outcome, sentence, placeOf(step)};
 }
 
 GatewayFinding GatewayCheck::passed(const QString &sentence) const
 {
-    return {m_steps[m_next].step, CheckOutcome::passed, sentence};
+    return withOutcome(CheckOutcome::passed, sentence);
 }
 
 GatewayFinding GatewayCheck::failed(const Refusal &why, const QString &more)
 {
     m_isOver |= why.kind == RefusalKind::stopped || why.id == RefusalId::connectionClosed;
     const QString sentence = refusalText(why);
-    return {m_steps[m_next].step, CheckOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more,
-            why};
+    GatewayFinding failed =
+        withOutcome(CheckOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more);
+    failed.why = why;
+    return failed;
 }
 
 GatewayFinding GatewayCheck::skipped(const QString &sentence) const
 {
-    return {m_steps[m_next].step, CheckOutcome::skipped, sentence};
+    return withOutcome(CheckOutcome::skipped, sentence);
 }
 
 GatewayFinding GatewayCheck::next()
@@ -270,9 +282,9 @@ GatewayFinding GatewayCheck::checkWord(std::size_t device)
 GatewayFinding GatewayCheck::judged(DeviceRegisters shown, const SendingEncoder &sender) const
 {
     shown.readings = wordReadings(shown.inNow, sender);
-    GatewayFinding finding{m_steps[m_next].step, wordOutcome(shown, m_settings), wordText(shown, m_settings)};
-    finding.shown = std::move(shown);
-    return finding;
+    GatewayFinding judged = withOutcome(wordOutcome(shown, m_settings), wordText(shown, m_settings));
+    judged.shown = std::move(shown);
+    return judged;
 }
 
 } // namespace codewheel

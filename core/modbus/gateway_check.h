@@ -40,6 +40,7 @@ struct GatewayFinding
     GatewayStep step = GatewayStep::found;
     CheckOutcome outcome = CheckOutcome::skipped;
     QString sentence{};
+    NodeId place{};                         // of a word
     std::optional<Refusal> why{};           // of a failed one, if it has a refusal
     std::optional<DeviceRegisters> shown{}; // of a word
 
@@ -70,7 +71,7 @@ public:
     bool isDone() const { return m_next == m_steps.size(); }
     std::size_t steps() const { return m_steps.size(); }
     // What next() will do, for showing progress: "Address", "Word of 3.0". Not done yet.
-    QString nextText() const { return text(m_steps[m_next]); }
+    QString nextText() const;
     GatewayFinding next();
     void interrupt() { m_port.interrupt(); } // ends a step that waits. Any thread
 
@@ -81,7 +82,7 @@ private:
         std::size_t device = 0; // of a word
     };
 
-    QString text(const Step &step) const;
+    NodeId placeOf(const Step &step) const;
     GatewayFinding find();
     GatewayFinding connect();
     GatewayFinding ask();
@@ -90,6 +91,7 @@ private:
     GatewayFinding readStatus();
     GatewayFinding checkWord(std::size_t device);
 
+    GatewayFinding withOutcome(CheckOutcome outcome, const QString &sentence) const;
     GatewayFinding passed(const QString &sentence) const;
     GatewayFinding failed(const Refusal &why, const QString &more = {});
     GatewayFinding skipped(const QString &sentence) const;

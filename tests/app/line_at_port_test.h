@@ -3,6 +3,7 @@
 
 #include "app/window/line_at_work.h"
 #include "tests/app/planned_encoder.h"
+#include "tests/app/press_connect.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "widgets/connect/connect_page.h"
@@ -95,7 +96,7 @@ protected:
     }
     void connectNow()
     {
-        click(connection(), QStringLiteral("Connect"));
+        pressConnect(connection());
         EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     }
     void connectPort(const QString &port)

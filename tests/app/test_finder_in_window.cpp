@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
+#include "tests/app/press_connect.h"
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
 
@@ -30,6 +31,8 @@ TEST_F(FinderInWindowTest, AnEncoderIsFoundAndConnectedWithItsSettings)
     EXPECT_TRUE(page().isSearching());
     ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
     click(page(), QStringLiteral("Connect"));
+    EXPECT_NE(shown->line().training(), nullptr) << "only after asking";
+    test::agreeToReplace(connection());
     ASSERT_TRUE(
         comes([&] { return shown->line().training() == nullptr && shown->line().session() != nullptr; }));
     EXPECT_EQ(line().linkName(), port);

@@ -28,6 +28,16 @@ using test::fraba;
 using test::RegisterBank;
 using test::RegisterBankPort;
 
+class UnreachablePort : public RegisterBankPort
+{
+public:
+    using RegisterBankPort::RegisterBankPort;
+    Result<void> open() override
+    {
+        return refuse(RefusalKind::link, RefusalId::hostNotFound, {QStringLiteral("gateway.hall")});
+    }
+};
+
 class GatewayInWindowTest : public test::WindowTest
 {
 protected:
@@ -302,6 +312,41 @@ TEST_F(GatewayInWindowTest, ARealRingHasNoTrainingPanel)
         isSaid |= label->text() == QStringLiteral("This ring is real");
     EXPECT_TRUE(isSaid);
     EXPECT_FALSE(ring().turning());
+}
+
+// Simulated devices stand for real ones from then on, so nobody does it by one click.
+TEST_F(GatewayInWindowTest, ATrainingRingThatRunsIsReplacedOnlyAfterAsking)
+{
+    ringActions().connectBus->trigger();
+    advance(50);
+    ASSERT_TRUE(bus().isSimulated() && bus().isOperating());
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Connect")));
+    advance(50);
+    EXPECT_TRUE(bus().isSimulated() && bus().isOperating());
+    EXPECT_TRUE(told(connection()).startsWith(QStringLiteral("The training bus is connected.")))
+        << told(connection()).toStdString();
+    EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("training"));
+    click(button(connection(), QStringLiteral("Disconnect and connect")));
+    advance(50);
+    EXPECT_FALSE(bus().isSimulated());
+    EXPECT_EQ(told(connection()), QStringLiteral("Connected. Close this page (Esc) to see the encoders."));
+}
+
+TEST_F(GatewayInWindowTest, WhatATestFoundIsForgottenWithOtherSettings)
+{
+    ring().setPorts([this](const GatewaySettings &) { return std::make_unique<UnreachablePort>(bank); });
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Test")));
+    EXPECT_FALSE(connection().findChild<QLineEdit *>(QStringLiteral("host"))->isEnabled());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !connection().isTesting(); }));
+    EXPECT_TRUE(connection().steps().text().contains(QStringLiteral("Further steps: Not tested")))
+        << connection().steps().text().toStdString();
+    EXPECT_FALSE(connection().steps().text().contains(QStringLiteral("Word of :")));
+    auto *host = connection().findChild<QLineEdit *>(QStringLiteral("host"));
+    host->setFocus();
+    QTest::keyClicks(host, QStringLiteral("2"));
+    EXPECT_EQ(connection().steps().count(), 0);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // Which adapter is opened and kept, with a list of ports given by the test: pseudo terminals that stand in
 // for adapters.
 #include "tests/app/line_at_port_test.h"
+#include "tests/app/press_connect.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/look/inline_message.h"
@@ -106,7 +107,7 @@ TEST_F(LineAdapterTest, TheWindowDoesNotWaitForThePort)
     const auto buttons = connection().findChildren<QPushButton *>();
     const auto button = std::ranges::find(buttons, QStringLiteral("&Connect"), &QPushButton::text);
     ASSERT_NE(button, buttons.end());
-    (*button)->click(); // no events are processed meanwhile
+    test::pressConnect(connection()); // no events are processed meanwhile
     EXPECT_TRUE(shown->line().isOpening());
     EXPECT_EQ(shown->line().session(), before);
     EXPECT_EQ((*button)->text(), QStringLiteral("Connecting…"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/simulated_line.h"
 #include "tests/app/planned_encoder.h"
+#include "tests/app/press_connect.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
@@ -80,7 +81,7 @@ protected:
         settings.port = port;
         settings.pollInterval = std::chrono::milliseconds(500);
         form.setSettings(settings);
-        QTest::mouseClick(button(connection(), QStringLiteral("Connect")), Qt::LeftButton);
+        test::pressConnect(connection());
         EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
         advance(50);
     }
@@ -276,7 +277,7 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
     LineSettings settings = form.settings();
     settings.port = QStringLiteral("/dev/there-is-none");
     form.setSettings(settings);
-    QTest::mouseClick(button(connection(), QStringLiteral("Connect")), Qt::LeftButton);
+    test::pressConnect(connection());
     EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     bool isTold = false;
     for (const auto *message : connection().findChildren<InlineMessage *>())

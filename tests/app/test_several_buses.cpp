@@ -8,6 +8,7 @@
 #include "project/bus_plans.h"
 #include "project/line_plan.h"
 #include "tests/app/planned_encoder.h"
+#include "tests/app/press_connect.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
@@ -103,9 +104,7 @@ protected:
         for (auto *page : window().findChildren<ConnectPage *>())
             if (page->isVisible()) {
                 page->findChild<LineSettingsForm *>()->setSettings(settings);
-                for (auto *button : page->findChildren<QPushButton *>())
-                    if (plainLabel(button->text()) == QStringLiteral("Connect"))
-                        button->click();
+                test::pressConnect(*page);
             }
         const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !its->isOpening(); }));
@@ -634,10 +633,7 @@ TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
     choose(firstRing);
     ringActions().connectBus->trigger(); // nothing is planned: on its page
     advance(50);
-    for (auto *button :
-         window().findChild<ConnectPage *>(QStringLiteral("ringConnection"))->findChildren<QPushButton *>())
-        if (plainLabel(button->text()) == QStringLiteral("Connect"))
-            QTest::mouseClick(button, Qt::LeftButton);
+    test::pressConnect(*window().findChild<ConnectPage *>(QStringLiteral("ringConnection")));
     advance(50);
     EXPECT_TRUE(bus().isOpen());
 }

@@ -6,8 +6,10 @@
 #include "app/window/project_files.h"
 #include "app/window/start.h"
 #include "cams/cam_file.h"
+#include "modbus/gateway_settings.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
+#include "project/ring_plan.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"
@@ -164,6 +166,30 @@ TEST_F(StartPageTest, TheTrainingBusLeavesAProjectThatWasOpened)
     EXPECT_TRUE(shown->project().file().isEmpty());
     EXPECT_FALSE(shown->project().project().devices.empty()) << "it is that of the plant";
     EXPECT_EQ(shown->buses().open().size(), 2u);
+}
+
+// As after a gateway was connected without saving.
+TEST_F(StartPageTest, TheTrainingBusAsksBeforeItReplacesWhatIsPlannedForAGateway)
+{
+    disconnectAll();
+    Project planned = shown->project().project();
+    RingPlan ring = ringPlan(planned, firstRing);
+    ring.link = {QString::fromLatin1(modbusTcpLink),
+                 {{QStringLiteral("host"), QStringLiteral("gateway.hall")}}};
+    setRingPlan(planned, firstRing, ring);
+    shown->project().edit(planned, QStringLiteral("Connection"));
+    {
+        const auto question = Question::answeredBy(QStringLiteral("Cancel"));
+        entry("startTraining").click();
+        EXPECT_TRUE(question.wasAsked());
+    }
+    EXPECT_TRUE(shown->buses().open().empty());
+    const auto question = Question::answeredBy(QStringLiteral("Discard"));
+    entry("startTraining").click();
+    advance(50);
+    EXPECT_EQ(shown->buses().open().size(), 2u);
+    EXPECT_TRUE(bus().isSimulated());
+    EXPECT_EQ(bus().encoder(test::fraba)->known(Parameter::startUpMode)->value, 1) << "as its plan tells";
 }
 
 TEST_F(StartPageTest, ConnectOffersTheBusesOfAPlanOrAll)

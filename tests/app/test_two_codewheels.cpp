@@ -3,6 +3,7 @@
 // that offers one while its window is made anew.
 #include "app/window/program.h"
 #include "tests/app/offer_test.h"
+#include "tests/app/press_connect.h"
 #include "tests/app/screen_reader.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -51,9 +52,7 @@ protected:
         host.setFocus();
         QTest::keyClicks(&host, QStringLiteral("127.0.0.1"));
         partOf<QSpinBox>(connection, "tcpPort").setValue(port());
-        for (auto *button : connection.findChildren<QPushButton *>())
-            if (button->text() == QStringLiteral("&Connect"))
-                QTest::mouseClick(button, Qt::LeftButton);
+        test::pressConnect(connection);
         pass(20);
         ASSERT_TRUE(other->bus().isOpen());
         ASSERT_FALSE(other->bus().isSimulated());

@@ -27,28 +27,38 @@ void CheckList::clear()
         delete item->widget();
         delete item;
     }
-    m_rows = 0;
-    m_lines.clear();
+    m_rows.clear();
 }
 
 void CheckList::add(Role role, const QString &what, const QString &sentence)
 {
-    auto *step = new RoleLabel(this);
-    step->setState(role, what);
-    auto *told = wrappedLabel(this, "checkSentence");
-    told->setTextFormat(Qt::PlainText);
-    told->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    told->setText(sentence);
-    told->setAccessibleName(QStringLiteral("%1: %2").arg(what, sentence));
-    m_grid->addWidget(step, m_rows, 0, Qt::AlignTop | Qt::AlignLeft);
-    m_grid->addWidget(told, m_rows, 1, Qt::AlignTop);
-    ++m_rows;
-    m_lines << told->accessibleName();
+    const bool isFurther = !m_rows.empty() && role == Role::inactive && m_rows.back().step->role() == role &&
+                           m_rows.back().told->text() == sentence;
+    if (!isFurther)
+        addRow();
+    const Row &row = m_rows.back();
+    const QString title = isFurther ? tr("Further steps") : what;
+    row.step->setState(role, title);
+    row.told->setText(sentence);
+    row.told->setAccessibleName(QStringLiteral("%1: %2").arg(title, sentence));
+}
+
+void CheckList::addRow()
+{
+    const Row row{new RoleLabel(this), wrappedLabel(this, "checkSentence")};
+    row.told->setTextFormat(Qt::PlainText);
+    row.told->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_grid->addWidget(row.step, count(), 0, Qt::AlignTop | Qt::AlignLeft);
+    m_grid->addWidget(row.told, count(), 1, Qt::AlignTop);
+    m_rows.push_back(row);
 }
 
 QString CheckList::text() const
 {
-    return m_lines.join(u'\n');
+    QStringList lines;
+    for (const Row &row : m_rows)
+        lines << row.told->accessibleName();
+    return lines.join(u'\n');
 }
 
 } // namespace codewheel

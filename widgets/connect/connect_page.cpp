@@ -20,6 +20,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -74,7 +76,6 @@ ConnectPage::ConnectPage(QWidget *parent)
     layOutColumn(this, {{m_area, 1}, foot}, {.margins = QMargins()});
     setFocusProxy(m_link);
     connect(m_link, &QComboBox::currentIndexChanged, this, &ConnectPage::choose);
-    connect(m_link, &QComboBox::activated, m_problem, &InlineMessage::withdraw);
     connect(m_problem, &InlineMessage::actionTriggered, this, &ConnectPage::agree);
     connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &ConnectPage::scrollToSteps);
     showButtons();
@@ -102,7 +103,7 @@ void ConnectPage::addForm(LinkForm *form)
 {
     m_forms->addWidget(form);
     m_link->addItem(form->title());
-    connect(form, &LinkForm::edited, m_problem, &InlineMessage::withdraw);
+    connect(form, &LinkForm::edited, this, &ConnectPage::forgetTest);
     connect(form, &LinkForm::portsWanted, this, &ConnectPage::portsWanted);
     choose(m_link->currentIndex());
 }
@@ -120,7 +121,15 @@ void ConnectPage::choose(int chosen)
                                           i == chosen ? QSizePolicy::Preferred : QSizePolicy::Ignored);
     m_forms->setCurrentIndex(chosen);
     m_sentence->setText(form()->sentence());
+    forgetTest();
     showButtons();
+}
+
+// What was said is about other settings.
+void ConnectPage::forgetTest()
+{
+    m_problem->withdraw();
+    m_steps->clear();
 }
 
 void ConnectPage::setAbout(const QString &bus)
@@ -137,10 +146,12 @@ void ConnectPage::setPorts(const std::vector<PortRow> &ports, const Trouble &tro
 
 void ConnectPage::showPlan(const KindData &plan)
 {
+    const KindData before = this->plan();
     for (int i = 0; i < m_forms->count(); ++i)
         if (static_cast<LinkForm *>(m_forms->widget(i))->showPlan(plan))
             m_link->setCurrentIndex(i);
-    m_problem->withdraw();
+    if (this->plan() != before)
+        forgetTest();
 }
 
 KindData ConnectPage::plan() const
@@ -156,12 +167,15 @@ void ConnectPage::setConnecting(bool on)
 
 void ConnectPage::setConnected(Connected connected)
 {
-    m_connected = connected;
+    const Connected before = std::exchange(m_connected, connected);
     showButtons();
+    if (before == Connected::no && connected != before && isVisible())
+        tell(tr("Connected. Close this page (Esc) to see the encoders."));
 }
 
 void ConnectPage::setProblem(const Trouble &trouble)
 {
+    m_asksToReplace = false;
     m_problem->showTrouble(Role::fault, trouble);
 }
 
@@ -172,7 +186,18 @@ void ConnectPage::tell(const QString &sentence)
 
 void ConnectPage::ask(const QString &sentence, const QString &answer)
 {
+    m_asksToReplace = false;
     m_problem->showMessage(Role::attention, sentence, answer);
+}
+
+void ConnectPage::askToReplace()
+{
+    ask(m_connected == Connected::simulated && form()->canBeTested()
+            ? tr("The training bus is connected. It is disconnected first. What the project plans for its "
+                 "encoders then counts for the real ones.")
+            : tr("This bus is connected. It is disconnected first."),
+        tr("Disconnect and connect"));
+    m_asksToReplace = true;
 }
 
 void ConnectPage::setTesting(bool on)
@@ -207,6 +232,8 @@ void ConnectPage::showButtons()
                            "one client only")
                       : tr("Tries these settings step by step, and says what answers and what does "
                            "not. Only reads (Alt+T)"));
+    m_link->setEnabled(!m_isTesting);
+    m_forms->setEnabled(!m_isTesting);
     m_test->setEnabled(!m_isConnecting && m_connected != Connected::real);
     m_connect->setEnabled(!m_isConnecting && !m_isTesting);
     m_connect->setText(m_isConnecting ? tr("Connecting…") : tr("&Connect"));
@@ -244,14 +271,28 @@ void ConnectPage::connectNow()
 {
     if (!isComplete())
         return;
-    m_problem->withdraw();
-    m_steps->clear(); // they tell of the time before
+    if (m_connected != Connected::no) {
+        askToReplace();
+        return;
+    }
+    forgetTest();
     Q_EMIT connectWanted(plan());
+}
+
+void ConnectPage::connectBy(const KindData &plan)
+{
+    showPlan(plan);
+    connectNow();
 }
 
 void ConnectPage::agree()
 {
-    if (isComplete())
+    const bool isReplacing = std::exchange(m_asksToReplace, false);
+    if (!isComplete())
+        return;
+    if (isReplacing)
+        Q_EMIT connectWanted(plan());
+    else
         Q_EMIT agreed(plan());
 }
 

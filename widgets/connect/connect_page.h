@@ -40,9 +40,11 @@ public:
     // Chooses the form of its link and shows it there.
     void showPlan(const KindData &plan);
     KindData plan() const; // as entered
+    // As if the user had chosen this link and pressed Connect.
+    void connectBy(const KindData &plan);
     void setConnecting(bool on);
-    // A bus that is connected has its settings in the project; it can be connected anew. Beside a simulated
-    // one a real link can be tested.
+    // A bus that is connected has its settings in the project; it can be connected anew, after asking. Beside
+    // a simulated one a real link can be tested.
     enum class Connected : std::uint8_t { no, simulated, real };
     void setConnected(Connected connected);
     void setProblem(const Trouble &trouble); // empty: none
@@ -71,6 +73,8 @@ private:
     void choose(int form);
     void connectNow();
     void agree();
+    void askToReplace();
+    void forgetTest();
     void keep();
     void test();
     void showButtons();
@@ -87,6 +91,7 @@ private:
     QPushButton *m_test;
     QPushButton *m_keep;
     QPushButton *m_connect;
+    bool m_asksToReplace = false; // what m_problem asks
     bool m_isTesting = false;
     bool m_isConnecting = false;
     Connected m_connected = Connected::no;

@@ -87,6 +87,7 @@ QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, 
 {
     auto *box = describe(new QComboBox(this), plainLabel(label), toolTip);
     addSettingRow(form, label, box, box, toolTip);
+    connect(box, &QComboBox::currentTextChanged, this, &LineSettingsForm::edited);
     return box;
 }
 
@@ -96,6 +97,7 @@ QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, c
     auto *field = describe(new IntegerField(this), plainLabel(label), toolTip);
     field->setRange(limits.least, limits.most);
     addSettingRow(form, label, field, field, toolTip);
+    connect(field, &QSpinBox::valueChanged, this, &LineSettingsForm::edited);
     return field;
 }
 
