@@ -9593,6 +9593,26 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>Ask %1? Only reads are sent.</source>
         <translation>%1 fragen? Es wird nur gelesen.</translation>
     </message>
+    <message>
+        <source>Port by name</source>
+        <translation>Anschluss nach Name</translation>
+    </message>
+    <message>
+        <source>A port that is not in the list, such as a pseudo terminal; empty: none</source>
+        <translation>Ein Anschluss, der nicht in der Liste steht, etwa ein Pseudoterminal; leer: keiner</translation>
+    </message>
+    <message>
+        <source>Port by na&amp;me</source>
+        <translation>&amp;Weiterer Anschluss</translation>
+    </message>
+    <message>
+        <source>Nobody was looked for yet</source>
+        <translation>Noch nichts gesucht</translation>
+    </message>
+    <message>
+        <source>Tick the ports to listen at, or enter a host. Then press Search.</source>
+        <translation>Die Anschlüsse wählen, an denen gehorcht wird, oder einen Host eingeben. Dann Suchen drücken.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Finder</name>

@@ -37,6 +37,7 @@ void BottomFold::foldPanel(QDockWidget &panel)
     const bool hasTab =
         std::ranges::any_of(beside, [](const QDockWidget *other) { return !other->isHidden(); });
     panel.widget()->setVisible(hasTab);
+    panel.widget()->setEnabled(false); // nor does a key reach it
     panel.setMaximumHeight(hasTab ? 0 : panel.style()->pixelMetric(QStyle::PM_TitleBarHeight));
     panel.installEventFilter(this);
 }
@@ -54,6 +55,7 @@ void BottomFold::unfold()
             continue;
         panel->removeEventFilter(this);
         panel->setMaximumHeight(QWIDGETSIZE_MAX);
+        panel->widget()->setEnabled(true);
         panel->widget()->show();
         if (*height > 0 && !panel->isFloating()) {
             panels << panel;

@@ -11,9 +11,9 @@ class QTabBar;
 
 namespace codewheel {
 
-// Folds the panels at the bottom of the window to their tabs, so that a page gets their height, and brings
-// them back as they were, as does clicking a tab or anything that shows one of them. Floating panels, and
-// those elsewhere, are left alone.
+// Folds the panels at the bottom of the window to their tabs, so that a page gets their height and no key
+// reaches them, and brings them back as they were, as does clicking a tab or anything that shows one of them.
+// Floating panels, and those elsewhere, are left alone.
 class BottomFold : public QObject
 {
     Q_OBJECT

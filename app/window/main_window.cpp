@@ -7,6 +7,7 @@
 #include "app/window/context_help.h"
 #include "app/window/device_choice.h"
 #include "app/window/fault_notice.h"
+#include "app/window/focus_rules.h"
 #include "app/window/leaving.h"
 #include "app/window/page_head.h"
 #include "app/window/page_stack.h"
@@ -123,6 +124,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
     m_why = new WhyInWindow(
         {plant, m_actions, *m_structure, *m_pages, [this](BusId bus) { return viewsOf(bus); }}, this);
+    new FocusRules(*m_pages, this);
     connectViews();
     connectProject();
     connectBuses();

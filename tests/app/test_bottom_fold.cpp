@@ -94,6 +94,17 @@ TEST_F(BottomFoldTest, WhatTheUserFoldedStaysSoAfterAPage)
     EXPECT_GT(height(), 100);
 }
 
+TEST_F(BottomFoldTest, NoKeyReachesAFoldedPanel)
+{
+    actions().cams->trigger();
+    ASSERT_TRUE(isFolded());
+    for (const char *name : {"messagesDock", "traceDock", "sequenceDock"})
+        EXPECT_FALSE(panel(name).widget()->isEnabled()) << name;
+    actions().closePage->trigger();
+    for (const char *name : {"messagesDock", "traceDock", "sequenceDock"})
+        EXPECT_TRUE(panel(name).widget()->isEnabled()) << name;
+}
+
 TEST_F(BottomFoldTest, ATabElsewhereUnfoldsNothing)
 {
     actions().cams->trigger();

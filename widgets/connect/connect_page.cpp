@@ -86,7 +86,7 @@ QWidget *ConnectPage::makeButtons()
     auto *buttons = new QWidget(this);
     buttons->setMaximumWidth(widestPage);
     for (QPushButton *button : {m_test, m_keep, m_connect})
-        button->setAutoDefault(false);
+        button->setAutoDefault(true); // Return presses it, as Space does
     connect(m_test, &QPushButton::clicked, this, &ConnectPage::test);
     connect(m_keep, &QPushButton::clicked, this, &ConnectPage::keep);
     connect(m_connect, &QPushButton::clicked, this, &ConnectPage::connectNow);
@@ -105,7 +105,20 @@ void ConnectPage::addForm(LinkForm *form)
     m_link->addItem(form->title());
     connect(form, &LinkForm::edited, this, &ConnectPage::forgetTest);
     connect(form, &LinkForm::portsWanted, this, &ConnectPage::portsWanted);
+    orderTabs();
     choose(m_link->currentIndex());
+}
+
+// The buttons come after the fields, which are younger.
+void ConnectPage::orderTabs()
+{
+    QWidget *last = m_link;
+    for (QWidget *field : m_forms->findChildren<QWidget *>())
+        if (field->focusPolicy() != Qt::NoFocus && field->focusProxy() == nullptr &&
+            field->window() == window()) // not the list of a combo box
+            setTabOrder(std::exchange(last, field), field);
+    for (QPushButton *next : {m_test, m_keep, m_connect})
+        setTabOrder(std::exchange(last, next), next);
 }
 
 LinkForm *ConnectPage::form() const

@@ -67,6 +67,7 @@ Q_SIGNALS:
 
 private:
     QWidget *makeButtons();
+    void orderTabs();
     LinkForm *form() const; // the chosen one
     bool takeTyped();
     bool isComplete();

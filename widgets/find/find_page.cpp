@@ -7,6 +7,7 @@
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/empty_state.h"
 #include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -17,13 +18,16 @@
 
 #include <QFormLayout>
 #include <QItemSelectionModel>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include <set>
+#include <initializer_list>
+#include <map>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -44,20 +48,20 @@ FindPage::FindPage(QWidget *parent)
     : Page(parent)
     , m_ports(describe(new QListWidget(this), "findPorts", tr("Ports"),
                        tr("Space ticks a port or leaves it out")))
+    , m_refresh(new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), this))
+    , m_otherPort(describe(new TextField(this), "findOtherPort", tr("Port by name"),
+                           tr("A port that is not in the list, such as a pseudo terminal; empty: none")))
     , m_host(
           describe(new TextField(this), "findHost", tr("Host"),
                    tr("The name or address of a gateway in the network, such as 192.168.0.5; empty: none")))
     , m_tcpPort(describe(new IntegerField(this), "findTcpPort", tr("Port of the host"),
                          tr("502 with nearly every gateway")))
-    , m_refresh(new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), this))
     , m_search(new QPushButton(lineIcon(Icon::search), tr("&Search"), this))
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
-    , m_connect(new QPushButton(lineIcon(Icon::start), tr("Co&nnect"), this))
     , m_doing(wrappedLabel(this, "findDoing"))
     , m_trouble(new InlineMessage(this))
     , m_message(new InlineMessage(this))
     , m_news(new FinderNewsModel(this))
-    , m_table(new QTableView(this))
 {
     setAccessibleName(title());
     m_doing->setTextFormat(Qt::PlainText);
@@ -69,8 +73,10 @@ FindPage::FindPage(QWidget *parent)
          {places, static_cast<QWidget *>(m_trouble), buttons, static_cast<QWidget *>(m_message)})
         rows->addWidget(row);
     rows->addWidget(m_table, 1);
+    rows->addWidget(m_empty, 1);
     rows->addWidget(m_connect, 0, Qt::AlignRight);
-    setFocusProxy(m_search);
+    setFocusProxy(m_ports);
+    orderTabs();
     connect(m_message, &InlineMessage::actionTriggered, this, [this] {
         m_message->withdraw();
         Q_EMIT askAgreed();
@@ -83,6 +89,24 @@ FindPage::~FindPage()
     m_table->setModel(nullptr);
 }
 
+void FindPage::orderTabs()
+{
+    QWidget *last = m_ports;
+    for (QWidget *next : std::initializer_list<QWidget *>{m_refresh, m_otherPort, m_host, m_tcpPort, m_search,
+                                                          m_cancel, m_table, m_connect})
+        setTabOrder(std::exchange(last, next), next);
+}
+
+// Return in a field searches.
+void FindPage::keyPressEvent(QKeyEvent *event)
+{
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isReturn && m_search->isEnabled())
+        search();
+    else
+        Page::keyPressEvent(event);
+}
+
 QWidget *FindPage::makePlaces()
 {
     auto *places = new QWidget(this);
@@ -91,11 +115,12 @@ QWidget *FindPage::makePlaces()
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
     m_ports->setMaximumHeight(portsInSight * (m_ports->fontMetrics().height() + grid::unit) + grid::margin);
-    m_refresh->setAutoDefault(false);
     m_refresh->setToolTip(tr("Looks for serial ports again (Alt+R)"));
     connect(m_refresh, &QPushButton::clicked, this, &FindPage::portsWanted);
     form->addRow(tr("&Ports"),
                  layOutRow({{m_ports, 1}, {m_refresh, 0, Qt::AlignTop}}, {.spacing = grid::unit}));
+    m_otherPort->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
+    form->addRow(tr("Port by na&me"), m_otherPort);
     m_host->setMaxLength(longestHostName);
     m_host->setPlaceholderText(QStringLiteral("192.168.0.5"));
     m_tcpPort->setRange(1, lastTcpPort);
@@ -105,29 +130,34 @@ QWidget *FindPage::makePlaces()
     port->setBuddy(m_tcpPort);
     auto *host = layOutRow({{m_host, 1}, port, m_tcpPort}, {.spacing = grid::margin});
     form->addRow(tr("H&ost"), host);
-    for (const auto &[row, field] : {std::pair<QLayout *, QWidget *>(host, m_host)})
-        qobject_cast<QLabel *>(form->labelForField(row))->setBuddy(field);
+    qobject_cast<QLabel *>(form->labelForField(host))->setBuddy(m_host);
     qobject_cast<QLabel *>(form->itemAt(0, QFormLayout::LabelRole)->widget())->setBuddy(m_ports);
     connect(m_ports, &QListWidget::itemChanged, this, &FindPage::showWhatIsPossible);
-    connect(m_host, &QLineEdit::textChanged, this, &FindPage::showWhatIsPossible);
+    for (const QLineEdit *field : {m_otherPort, m_host})
+        connect(field, &QLineEdit::textChanged, this, &FindPage::showWhatIsPossible);
     return places;
 }
 
 QWidget *FindPage::makeButtons()
 {
     auto *buttons = new QWidget(this);
-    for (QPushButton *button : {m_search, m_cancel, m_connect})
-        button->setAutoDefault(false);
+    for (QPushButton *button : {m_refresh, m_search, m_cancel})
+        button->setAutoDefault(true); // Return presses it, as Space does
     m_cancel->setToolTip(tr("Ends the search after its present step (Alt+C)"));
     layOutRow(buttons, {m_search, m_cancel, {m_doing, 1}}, {.spacing = grid::margin, .margins = QMargins()});
     connect(m_search, &QPushButton::clicked, this, &FindPage::search);
     connect(m_cancel, &QPushButton::clicked, this, &FindPage::cancelled);
-    connect(m_connect, &QPushButton::clicked, this, &FindPage::connectChosen);
     return buttons;
 }
 
 void FindPage::makeTable()
 {
+    m_table = new QTableView(this);
+    m_empty = new EmptyState(Icon::search, tr("Nobody was looked for yet"),
+                             tr("Tick the ports to listen at, or enter a host. Then press Search."), this);
+    m_connect = new QPushButton(lineIcon(Icon::start), tr("Co&nnect"), this);
+    m_connect->setAutoDefault(true);
+    connect(m_connect, &QPushButton::clicked, this, &FindPage::connectChosen);
     setUpQuietTable(*m_table, *m_news, tr("What was heard and found"));
     m_table->setToolTip(tr("Return connects where the chosen one was found"));
     FittedColumns::useIn(*m_table, FinderNewsModel::what);
@@ -136,17 +166,19 @@ void FindPage::makeTable()
     connect(m_table, &QTableView::activated, this, &FindPage::connectChosen);
 }
 
+// Of several ports nobody knows which one is meant, until one is plugged in.
 void FindPage::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
-    std::set<QString> left;
+    std::map<QString, Qt::CheckState> before;
     for (int i = 0; i < m_ports->count(); ++i)
-        if (m_ports->item(i)->checkState() == Qt::Unchecked)
-            left.insert(m_ports->item(i)->data(Qt::UserRole).toString());
+        before[m_ports->item(i)->data(Qt::UserRole).toString()] = m_ports->item(i)->checkState();
+    const bool isMeant = std::exchange(m_hasListedPorts, true) || ports.size() == 1;
     m_ports->clear();
     for (const PortRow &port : ports) {
         auto *item = new QListWidgetItem(wholeName(port), m_ports);
         item->setData(Qt::UserRole, port.name);
-        item->setCheckState(left.contains(port.name) ? Qt::Unchecked : Qt::Checked);
+        const auto known = before.find(port.name);
+        item->setCheckState(known != before.end() ? known->second : isMeant ? Qt::Checked : Qt::Unchecked);
     }
     m_trouble->showTrouble(Role::attention, trouble);
     showWhatIsPossible();
@@ -158,6 +190,8 @@ FindWish FindPage::wish() const
     for (int i = 0; i < m_ports->count(); ++i)
         if (m_ports->item(i)->checkState() == Qt::Checked)
             wish.ports << m_ports->item(i)->data(Qt::UserRole).toString();
+    if (const QString other = m_otherPort->text().trimmed(); !other.isEmpty() && !wish.ports.contains(other))
+        wish.ports << other;
     return wish;
 }
 
@@ -172,6 +206,7 @@ void FindPage::search()
 void FindPage::begin()
 {
     m_isSearching = true;
+    m_hasSearched = true;
     m_news->setRows({});
     m_message->withdraw();
     m_doing->clear();
@@ -229,10 +264,11 @@ void FindPage::showWhatIsPossible()
 {
     const FindWish places = wish();
     const bool hasPlaces = !places.ports.isEmpty() || !places.host.isEmpty();
-    m_ports->setEnabled(!m_isSearching);
-    m_host->setEnabled(!m_isSearching);
-    m_tcpPort->setEnabled(!m_isSearching);
-    m_refresh->setEnabled(!m_isSearching);
+    for (QWidget *place :
+         std::initializer_list<QWidget *>{m_ports, m_otherPort, m_host, m_tcpPort, m_refresh})
+        place->setEnabled(!m_isSearching);
+    m_table->setVisible(m_hasSearched);
+    m_empty->setVisible(!m_hasSearched);
     m_search->setEnabled(!m_isSearching && hasPlaces);
     m_search->setToolTip(hasPlaces
                              ? tr("Listens at the ticked ports, and then says what it would ask (Alt+S)")

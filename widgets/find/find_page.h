@@ -10,7 +10,6 @@
 
 #include <vector>
 
-class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -20,6 +19,7 @@ class QTableView;
 
 namespace codewheel {
 
+class EmptyState;
 class FinderNewsModel;
 class InlineMessage;
 
@@ -49,7 +49,7 @@ public:
         return tr("Listens first. What would be sent after that is asked before. Nothing is written.");
     }
 
-    // All of them are ticked, those that stay as they were.
+    // One on its own is ticked, and one that has been plugged in since; the others stay as they are.
     void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble);
     FindWish wish() const; // fields must have been taken
 
@@ -69,7 +69,11 @@ Q_SIGNALS:
     void cancelled();
     void connectWanted(const codewheel::Found &found);
 
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
 private:
+    void orderTabs();
     QWidget *makePlaces();
     QWidget *makeButtons();
     void makeTable();
@@ -78,19 +82,23 @@ private:
     const Found *chosen() const; // null: none, or nobody
     void showWhatIsPossible();
 
+    bool m_hasListedPorts = false;
     bool m_isSearching = false;
+    bool m_hasSearched = false;
     QListWidget *m_ports;
+    QPushButton *m_refresh;
+    QLineEdit *m_otherPort;
     QLineEdit *m_host;
     QSpinBox *m_tcpPort;
-    QPushButton *m_refresh;
     QPushButton *m_search;
     QPushButton *m_cancel;
-    QPushButton *m_connect;
     QLabel *m_doing;
     InlineMessage *m_trouble;
     InlineMessage *m_message;
     FinderNewsModel *m_news;
-    QTableView *m_table;
+    QTableView *m_table = nullptr;
+    EmptyState *m_empty = nullptr; // in its place until a search begins
+    QPushButton *m_connect = nullptr;
 };
 
 } // namespace codewheel

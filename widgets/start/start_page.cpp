@@ -46,15 +46,15 @@ StartPage::StartPage(QWidget *parent)
     , open(entry(*this, Icon::open, tr("Open a project"),
                  tr("The planned encoders, with the values they should have."), Qt::Key_3))
     , recent(entry(*this, Icon::down, tr("Recent projects"), tr("Goes to the projects that were open last"),
-                   Qt::Key_4))
+                   Qt::Key_6))
     , replace(
           entry(*this, Icon::encoder, tr("Replace an encoder"),
                 tr("Gives a new encoder the values and the position of the previous one, from the project."),
-                Qt::Key_5))
+                Qt::Key_4))
     , find(entry(
           *this, Icon::search, tr("Who is there?"),
           tr("Listens at ports and hosts for encoders and gateways, and connects with the settings found."),
-          Qt::Key_6))
+          Qt::Key_5))
     , m_content(new QWidget(this))
     , m_heading(wrappedLabel(m_content, "startHeading"))
     , m_project(wrappedLabel(m_content, "startProject"))
@@ -120,7 +120,7 @@ void StartPage::makeRecent(QBoxLayout &column)
     connect(m_list, &RecentList::removeRequested, this, &StartPage::removeRequested);
     connect(m_remove, &QToolButton::clicked, m_list, &RecentList::removeCurrent);
     connect(m_list, &RecentList::currentRowChanged, this, [this](int row) {
-        if (row >= 0)
+        if (row >= 0 && m_list->hasFocus())
             ensureVisible(
                 0, m_list->mapTo(m_content, m_list->visualItemRect(m_list->item(row)).bottomLeft()).y());
     });
@@ -149,6 +149,7 @@ void StartPage::setRecent(const std::vector<RecentFile> &files)
 {
     m_list->setFiles(files);
     m_recent->setVisible(!files.empty());
+    m_columns->setStretch(1, files.empty() ? 0 : 1);
     recent->setEnabled(!files.empty());
 }
 
@@ -159,7 +160,10 @@ QWidget *StartPage::connectEntry() const
 
 void StartPage::resizeEvent(QResizeEvent *event)
 {
-    const bool isWide = event->size().width() >= twoColumnsFrom * fontMetrics().averageCharWidth();
+    const int enough = twoColumnsFrom * fontMetrics().averageCharWidth();
+    for (QWidget *entry : m_entries)
+        entry->setMaximumWidth(enough);
+    const bool isWide = event->size().width() >= enough;
     m_columns->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     QScrollArea::resizeEvent(event);
 }

@@ -4,6 +4,8 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 
+#include <QApplication>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -48,7 +50,7 @@ protected:
 TEST_F(FindPageTest, LooksAtTheTickedPortsAndTheHost)
 {
     auto &ports = *page.findChild<QListWidget *>();
-    ports.item(0)->setCheckState(Qt::Unchecked);
+    ports.item(1)->setCheckState(Qt::Checked);
     QTest::keyClicks(page.findChild<QLineEdit *>(QStringLiteral("findHost")), QStringLiteral(" gateway "));
     FindWish wanted;
     QObject::connect(&page, &FindPage::searchWanted, &page, [&](const FindWish &wish) { wanted = wish; });
@@ -57,6 +59,63 @@ TEST_F(FindPageTest, LooksAtTheTickedPortsAndTheHost)
     page.setPorts({{QStringLiteral("/dev/ttyUSB0"), {}, {}}}, {});
     EXPECT_EQ(ports.item(0)->checkState(), Qt::Unchecked) << "a new list leaves it out, too";
     EXPECT_TRUE(page.wish().ports.isEmpty());
+}
+
+// Of several nobody knows which one is meant.
+TEST_F(FindPageTest, OnlyAPortOnItsOwnIsTickedOrOneThatWasPluggedInSince)
+{
+    EXPECT_TRUE(page.wish().ports.isEmpty());
+    page.setPorts({{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R"), {}},
+                   {QStringLiteral("/dev/ttyUSB1"), {}, {}},
+                   {QStringLiteral("/dev/ttyUSB2"), {}, {}}},
+                  {});
+    EXPECT_EQ(page.wish().ports, QStringList{QStringLiteral("/dev/ttyUSB2")});
+    FindPage other;
+    other.setPorts({{QStringLiteral("/dev/ttyS0"), {}, {}}}, {});
+    EXPECT_EQ(other.wish().ports, QStringList{QStringLiteral("/dev/ttyS0")});
+}
+
+TEST_F(FindPageTest, ReturnSearchesAtAPortThatWasTyped)
+{
+    auto &field = *page.findChild<QLineEdit *>(QStringLiteral("findOtherPort"));
+    std::vector<FindWish> wanted;
+    QObject::connect(&page, &FindPage::searchWanted, &page,
+                     [&](const FindWish &wish) { wanted.push_back(wish); });
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_TRUE(wanted.empty()) << "there is no place yet";
+    QTest::keyClicks(&field, QStringLiteral("/dev/pts/7"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    ASSERT_EQ(wanted.size(), 1u);
+    EXPECT_EQ(wanted[0].ports, QStringList{QStringLiteral("/dev/pts/7")});
+}
+
+TEST_F(FindPageTest, TabGoesFromThePlacesOverTheSearchToWhatWasFound)
+{
+    QWidget window;
+    auto *before = new QPushButton(&window);
+    page.setParent(&window);
+    page.show();
+    before->show();
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    page.begin();
+    page.add(found(false));
+    page.end();
+    page.findChild<QListWidget *>()->item(0)->setCheckState(Qt::Checked);
+    page.findChild<QListWidget *>()->setFocus();
+    QStringList order;
+    for (int i = 0; i < 7; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        const auto *button = qobject_cast<QPushButton *>(QApplication::focusWidget());
+        order << (button != nullptr ? plainLabel(button->text()) : QApplication::focusWidget()->objectName());
+    }
+    EXPECT_EQ(order, (QStringList{QStringLiteral("Refresh"), QStringLiteral("findOtherPort"),
+                                  QStringLiteral("findHost"), QStringLiteral("findTcpPort"),
+                                  QStringLiteral("Search"), QString(), QStringLiteral("Connect")}))
+        << "the table has no name";
+    page.setParent(nullptr);
 }
 
 TEST_F(FindPageTest, WithoutAPlaceThereIsNothingToSearch)
