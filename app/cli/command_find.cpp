@@ -8,8 +8,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
-#include "finder/port_finder.h"
-#include "links/serial_port_link.h"
+#include "links/port_search.h"
 
 #include <QJsonArray>
 
@@ -44,6 +43,20 @@ public:
             take(finder.next());
         }
         m_call.terminal.showProgress({});
+    }
+    // One port after the other. Those that are silent.
+    QStringList runAt(const QStringList &ports, bool mayAsk)
+    {
+        QStringList silent;
+        for (const QString &port : ports) {
+            if (isStopped())
+                break;
+            PortSearch finder(port, mayAsk);
+            run(finder);
+            if (finder.isSilent())
+                silent << port;
+        }
+        return silent;
     }
     bool isStopped() { return m_isStopped = m_isStopped || m_stop.came(); }
     Answer answer() const;
@@ -141,16 +154,7 @@ Checked<Answer> runFind(const Call &call)
     if (!places)
         return tl::unexpected(places.error());
     Search search(call);
-    QStringList silent;
-    for (const QString &port : places->ports) {
-        if (search.isStopped())
-            break;
-        SerialPortLink link(port);
-        PortFinder finder(link, false);
-        search.run(finder);
-        if (finder.isSilent())
-            silent << port;
-    }
+    const QStringList silent = search.runAt(places->ports, false);
     const bool hasMore = !silent.isEmpty() || !places->hosts.empty();
     if (search.isStopped() || call.arguments.has("--listen") || !hasMore)
         return search.answer();
@@ -159,13 +163,7 @@ Checked<Answer> runFind(const Call &call)
         answer.complaint = agreed.error();
         return answer;
     }
-    for (const QString &port : silent) {
-        if (search.isStopped())
-            break;
-        SerialPortLink link(port);
-        PortFinder finder(link, true);
-        search.run(finder);
-    }
+    search.runAt(silent, true);
     for (const HostSearch &host : places->hosts)
         if (!search.isStopped())
             search.run(*host.finder);

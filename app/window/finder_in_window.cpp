@@ -3,8 +3,7 @@
 
 #include "app/window/port_rows.h"
 #include "app/window/window_kinds.h"
-#include "finder/port_finder.h"
-#include "links/serial_port_link.h"
+#include "links/port_search.h"
 #include "widgets/find/find_page.h"
 
 #include <mutex>
@@ -14,24 +13,6 @@ namespace codewheel {
 namespace {
 
 using Take = std::function<void(const FinderNews &)>;
-
-// One place, with the link it needs; made when its turn comes.
-class PortSearch final : public PlaceFinder
-{
-public:
-    PortSearch(const QString &port, bool mayAsk)
-        : m_link(port)
-        , m_finder(m_link, mayAsk)
-    {}
-
-    bool isDone() const override { return m_finder.isDone(); }
-    FinderNews next() override { return m_finder.next(); }
-    void interrupt() override { m_finder.interrupt(); }
-
-private:
-    SerialPortLink m_link;
-    PortFinder m_finder;
-};
 
 // One place after the other.
 class SearchWork final : public BackgroundSteps::Work
