@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "esc_line/exchange_over_link.h"
 
+#include <algorithm>
+
 namespace codewheel {
 
-Result<esc::ExchangeResult> exchangeOver(ByteLink &link, const esc::Request &request,
-                                         const esc::Timing &timing, const std::atomic<bool> &isStopped)
+Result<LineExchange> exchangeOver(ByteLink &link, const esc::Request &request, const esc::Timing &timing,
+                                  const std::atomic<bool> &isStopped)
 {
     esc::Exchange exchange(request, timing);
     for (;;) {
@@ -16,13 +18,14 @@ Result<esc::ExchangeResult> exchangeOver(ByteLink &link, const esc::Request &req
                 return tl::unexpected(written.error());
             continue;
         }
-        const auto bytes = link.read(std::get<esc::Exchange::Wait>(action).until);
+        const Instant until = std::get<esc::Exchange::Wait>(action).until;
+        const auto bytes = link.read(until);
         if (!bytes)
             return tl::unexpected(bytes.error());
         if (!bytes->isEmpty())
-            exchange.received(*bytes, link.now());
+            exchange.received(*bytes, std::min(link.now(), until)); // a computer that is busy reads late
     }
-    return exchange.result();
+    return LineExchange{exchange.result(), exchange.takeRows()};
 }
 
 } // namespace codewheel

@@ -166,20 +166,21 @@ LineFinding LineCheck::ask(LineAddress address)
 {
     esc::Timing timing = m_settings.timing;
     timing.character = m_settings.serial.timeOf(1);
-    const auto result = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
-    if (!result)
-        return refused(result.error());
+    const auto exchanged = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
+    if (!exchanged)
+        return refused(exchanged.error());
     if (m_isStopped)
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
-    const auto &answer = result->answer;
+    const esc::ExchangeResult &result = exchanged->result;
+    const auto &answer = result.answer;
     if (!answer)
         return told(CheckOutcome::failed,
-                    silenceText(result->garbageBytes + result->lateBytes, result->isEchoed));
+                    silenceText(result.garbageBytes + result.lateBytes, result.isEchoed));
     if (answer->kind != esc::Answer::Kind::value)
         return told(CheckOutcome::failed, sentence(tr("It answers, but not with a position: %1."),
                                                    {QString::fromLatin1(answer->text.simplified())}));
     return told(CheckOutcome::passed, sentence(tr("It answers after %1 ms: position %2 (%3h)."),
-                                               {inMilliseconds(result->answerTime),
+                                               {inMilliseconds(result.answerTime),
                                                 QLocale().toString(answer->value), hexWord(answer->value)}));
 }
 

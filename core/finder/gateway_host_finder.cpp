@@ -68,9 +68,12 @@ FinderNews GatewayHostFinder::end(FinderNews::Kind kind, const QString &sentence
 
 FinderNews GatewayHostFinder::next()
 {
-    if (m_isStopped)
-        return end(FinderNews::Kind::nobody, FinderTexts::tr("The search was ended."));
-    return m_port ? askNext() : connect();
+    FinderNews its;
+    if (!m_isStopped)
+        its = m_port ? askNext() : connect();
+    if (m_isStopped && its.kind != FinderNews::Kind::found)
+        return end(FinderNews::Kind::nobody, FinderTexts::tr("The search was cancelled."));
+    return its;
 }
 
 // A unit is part of the port's settings, so each has a port of its own.

@@ -67,17 +67,18 @@ int rtuFramesIn(const QByteArray &bytes)
 
 std::optional<RtuAnswer> rtuAnswerIn(const QByteArray &bytes, int unit, int function)
 {
-    constexpr std::size_t wholeAnswer = 7; // unit, function, count, one register, CRC
+    constexpr std::size_t wholeAnswer = longestRtuAnswer;
     constexpr std::size_t wholeException = 5;
     for (Octets rest = octetsOf(bytes); rest.size() >= wholeException; rest = rest.subspan(1)) {
         if (rest[0] != unit)
             continue;
+        const qsizetype begin = bytes.size() - static_cast<qsizetype>(rest.size());
         if (rest.size() >= wholeAnswer && rest[1] == function && rest[2] == 2 &&
             modbusCrc(rest.first(wholeAnswer)) == 0)
-            return RtuAnswer{0, static_cast<Register>(rest[3] << 8U | rest[4])};
+            return RtuAnswer{0, static_cast<Register>(rest[3] << 8U | rest[4]), begin, wholeAnswer};
         if (rest[1] == (static_cast<unsigned>(function) | exceptionBit) &&
             modbusCrc(rest.first(wholeException)) == 0)
-            return RtuAnswer{rest[2], 0};
+            return RtuAnswer{rest[2], 0, begin, wholeException};
     }
     return std::nullopt;
 }

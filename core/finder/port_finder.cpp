@@ -4,11 +4,15 @@
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "finder/finder_texts.h"
+#include "finder/listening.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
+
+constexpr int silentCharacters = 4; // before each request: more than the 3.5 between frames of Modbus RTU
 
 // Those of all protocols, in turns: the most usual ones of each come first.
 std::deque<SerialSettings> listeningSettings()
@@ -78,8 +82,17 @@ FinderNews PortFinder::foundBy(const Found &found)
     return its;
 }
 
+FinderNews PortFinder::cancelled()
+{
+    m_isSilent = false;
+    return end(FinderNews::Kind::nobody, FinderTexts::tr("The search was cancelled."));
+}
+
+// A step that was cut short says nothing about the line, unless somebody was heard.
 FinderNews PortFinder::next()
 {
+    if (m_isStopped)
+        return cancelled();
     FinderNews its;
     switch (m_phase) {
     case Phase::listen:
@@ -92,9 +105,9 @@ FinderNews PortFinder::next()
         its = ask();
         break;
     }
-    if (m_isStopped && !m_isDone)
-        return end(FinderNews::Kind::nobody, FinderTexts::tr("The search was ended."));
-    return its;
+    const bool isKnown =
+        its.kind == FinderNews::Kind::found || (its.kind == FinderNews::Kind::heard && m_isDone);
+    return m_isStopped && !isKnown ? cancelled() : its;
 }
 
 Result<void> PortFinder::open(const SerialSettings &settings)
@@ -111,15 +124,36 @@ Result<void> PortFinder::open(const SerialSettings &settings)
 
 Result<QByteArray> PortFinder::hear(Instant duration)
 {
-    QByteArray heard;
-    const Instant until = m_link.now() + duration;
-    while (m_link.now() < until && !m_isStopped) {
-        const auto bytes = m_link.read(until);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        heard += *bytes;
-    }
-    return heard;
+    return hearUntil(m_link, m_link.now() + duration, m_isStopped);
+}
+
+// Empty: nobody sends, as far as some bytes more or less tell.
+Result<QByteArray> PortFinder::hearStrangers(Instant duration)
+{
+    auto heard = hear(duration);
+    if (!heard || heard->isEmpty())
+        return heard;
+    const auto more = hear(listeningAgain);
+    if (!more)
+        return more;
+    *heard += *more;
+    if (heard->size() > glitches)
+        return heard;
+    noteSenseless(*heard);
+    return QByteArray();
+}
+
+// What is still unread belongs to the settings of the request before.
+Result<QByteArray> PortFinder::hearBefore(const SerialSettings &settings)
+{
+    const bool isOther = m_opened != settings;
+    const bool listensAgain = std::exchange(m_listensAgain, false) && !isOther;
+    auto heard = hearStrangers(listensAgain ? listeningAgain : m_opened->timeOf(silentCharacters));
+    if (!isOther || !heard || !heard->isEmpty())
+        return heard;
+    if (auto opened = open(settings); !opened)
+        return tl::unexpected(opened.error());
+    return hearStrangers(listeningAgain);
 }
 
 std::optional<Found> PortFinder::sense(const QByteArray &bytes) const
@@ -194,34 +228,96 @@ void PortFinder::startAsking()
 {
     m_phase = Phase::ask;
     for (const SpokenProtocol *protocol : spokenProtocols())
-        m_askings.push_back(protocol->ask(m_link.name()));
+        m_turns.push_back({protocol, protocol->ask(m_link.name())});
 }
 
 // Where one protocol is spoken, no other is.
+void PortFinder::dropAsked()
+{
+    while (!m_turns.empty() && m_turns.front().asking->isDone()) {
+        if (m_found > 0)
+            m_turns.clear();
+        else
+            m_turns.pop_front();
+    }
+}
+
 FinderNews PortFinder::ask()
 {
-    while (!m_askings.empty() && m_askings.front()->isDone()) {
-        if (m_found > 0)
-            m_askings.clear();
-        else
-            m_askings.pop_front();
-    }
-    if (m_askings.empty())
-        return end(m_found > 0 ? FinderNews::Kind::looking : FinderNews::Kind::nobody,
-                   m_found > 0
-                       ? FinderTexts::tr("All were asked.")
-                       : FinderTexts::tr("Nobody answers. Check wires (A and B may be swapped) and supply."));
-    Asking &asking = *m_askings.front();
+    dropAsked();
+    if (m_turns.empty())
+        return endOfAsking();
+    Asking &asking = *m_turns.front().asking;
     const SerialSettings settings = asking.settings();
+    const auto strangers = hearBefore(settings);
+    if (!strangers)
+        return refused(strangers.error());
+    if (!strangers->isEmpty())
+        return masterCame(*strangers);
+    if (m_isStopped)
+        return cancelled();
     const QString doing = asking.doing();
-    if (auto opened = open(settings); !opened)
-        return refused(opened.error());
-    const auto found = asking.step(m_link, m_isStopped);
-    if (!found)
-        return refused(found.error());
-    if (*found)
-        return foundBy(**found);
-    return news(FinderNews::Kind::looking, QStringLiteral("%1 (%2)").arg(doing, formatText(settings)));
+    const auto asked = asking.step(m_link, m_isStopped);
+    if (!asked)
+        return refused(asked.error());
+    if (asked->others.areStrangers || isOfOther(asked->others.all))
+        return masterCame(asked->others.all);
+    noteSenseless(asked->others.all);
+    return asked->found
+               ? confirm(*asked->found)
+               : news(FinderNews::Kind::looking, QStringLiteral("%1 (%2)").arg(doing, formatText(settings)));
+}
+
+// A find counts if the line is quiet after it.
+FinderNews PortFinder::confirm(const Found &found)
+{
+    const auto strangers = hearStrangers(quietAfterFind);
+    if (!strangers)
+        return refused(strangers.error());
+    return strangers->isEmpty() ? foundBy(found) : masterCame(*strangers);
+}
+
+FinderNews PortFinder::endOfAsking()
+{
+    if (m_found > 0)
+        return end(FinderNews::Kind::looking, FinderTexts::tr("All were asked."));
+    if (!m_senseless.isEmpty())
+        return end(FinderNews::Kind::nobody,
+                   sentence(FinderTexts::tr("Bytes came at %1, but none that make sense. Check format, wires "
+                                            "(A and B may be swapped) and termination, and whether two "
+                                            "encoders have the same address."),
+                            {m_senseless.join(QStringLiteral("; "))}));
+    return end(FinderNews::Kind::nobody,
+               FinderTexts::tr("Nobody answers. Check wires (A and B may be swapped) and supply."));
+}
+
+// Who it is, its next bytes may tell.
+FinderNews PortFinder::masterCame(const QByteArray &bytes)
+{
+    const auto more = hear(nextListening);
+    const auto found = sense(bytes + more.value_or(QByteArray()));
+    FinderNews its = end(found ? FinderNews::Kind::found : FinderNews::Kind::heard,
+                         FinderTexts::tr("A master began to send while we asked: stopped. Nothing more is "
+                                         "sent on this port."));
+    its.found = found;
+    return its;
+}
+
+// Another protocol than the one asked with.
+bool PortFinder::isOfOther(const QByteArray &bytes) const
+{
+    return std::ranges::any_of(spokenProtocols(), [&](const SpokenProtocol *protocol) {
+        return protocol != m_turns.front().protocol && protocol->heard(m_link.name(), *m_opened, bytes);
+    });
+}
+
+void PortFinder::noteSenseless(const QByteArray &bytes)
+{
+    const QString here = formatText(*m_opened);
+    if (bytes.isEmpty() || m_senseless.contains(here))
+        return;
+    m_senseless << here;
+    m_listensAgain = true;
 }
 
 } // namespace codewheel

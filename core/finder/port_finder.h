@@ -10,13 +10,18 @@ namespace codewheel {
 
 // Looks for whoever is on the line of a serial port, in an order that disturbs nobody: it listens first, and
 // where somebody talks it sends nothing, but finds out with which settings the talk makes sense. Only a line
-// that is silent is asked, and only if that is agreed to. Each next() does one step. Time is that of the
-// link.
+// that is silent is asked, and only if that is agreed to. As soon as anything comes that is not the answer to
+// the request just sent, a master talks, and nothing more is sent. Each next() does one step. Time is that of
+// the link.
 class PortFinder final : public PlaceFinder
 {
 public:
     static constexpr Instant firstListening{1'500'000}; // a master polls in that time
     static constexpr Instant nextListening{700'000};    // with other settings, where somebody talks
+    // Before other settings are asked with, and after bytes that make no sense: nine times in all, so that
+    // asking takes a quarter longer at most.
+    static constexpr Instant listeningAgain{400'000};
+    static constexpr Instant quietAfterFind{20'000};
 
     // `link` must outlive this and is used by nobody else meanwhile.
     PortFinder(ByteLink &link, bool mayAsk);
@@ -35,12 +40,21 @@ private:
     FinderNews listen();
     FinderNews tune();
     FinderNews ask();
+    FinderNews confirm(const Found &found);
+    FinderNews endOfAsking();
+    FinderNews masterCame(const QByteArray &bytes);
+    FinderNews cancelled();
     FinderNews news(FinderNews::Kind kind, const QString &sentence) const;
     FinderNews refused(const Refusal &why);
     FinderNews end(FinderNews::Kind kind, const QString &sentence);
     FinderNews foundBy(const Found &found);
     Result<void> open(const SerialSettings &settings);
     Result<QByteArray> hear(Instant duration);
+    Result<QByteArray> hearStrangers(Instant duration);
+    Result<QByteArray> hearBefore(const SerialSettings &settings);
+    bool isOfOther(const QByteArray &bytes) const;
+    void noteSenseless(const QByteArray &bytes);
+    void dropAsked();
     std::optional<Found> sense(const QByteArray &bytes) const;
     void startAsking();
 
@@ -49,7 +63,14 @@ private:
     Phase m_phase = Phase::listen;
     std::optional<SerialSettings> m_opened;
     std::deque<SerialSettings> m_settings; // to listen with
-    std::deque<std::unique_ptr<Asking>> m_askings;
+    struct Turn
+    {
+        const SpokenProtocol *protocol = nullptr;
+        std::unique_ptr<Asking> asking{};
+    };
+    std::deque<Turn> m_turns;
+    QStringList m_senseless;     // the settings with which bytes came that make no sense
+    bool m_listensAgain = false; // before the next request
     int m_found = 0;
     bool m_isSilent = false;
     bool m_isDone = false;

@@ -11,8 +11,27 @@
 
 namespace codewheel {
 
+// What came with a request besides its echo and its answer.
+struct OtherBytes
+{
+    QByteArray all{};
+    // Somebody else sends; otherwise it may be a damaged answer, or what a converter makes of a change of
+    // direction.
+    bool areStrangers = false;
+};
+
+// What one request brought.
+struct Asked
+{
+    std::optional<Found> found{}; // who answered, once that is sure
+    OtherBytes others{};
+};
+
+// So many bytes that make no sense may come whenever somebody begins or ends to send on RS-485.
+inline constexpr qsizetype glitches = 2;
+
 // Asks whoever may be on a line, one request per step; only reads. Each step has its settings, with which the
-// link is opened before it. Used by one thread.
+// link is opened before it, and the line was silent before it. Used by one thread.
 class Asking
 {
 public:
@@ -21,8 +40,8 @@ public:
     virtual bool isDone() const = 0;
     virtual SerialSettings settings() const = 0; // of the next step
     virtual QString doing() const = 0;           // what it will do: "asks address 05"
-    // Refused as the link refuses. Who answered, once it is known.
-    virtual Result<std::optional<Found>> step(ByteLink &link, const std::atomic<bool> &isStopped) = 0;
+    // Refused as the link refuses.
+    virtual Result<Asked> step(ByteLink &link, const std::atomic<bool> &isStopped) = 0;
 };
 
 // What may be spoken on a serial line, as the finder knows it. A kind of bus that is on serial lines adds its

@@ -3,6 +3,7 @@
 #include "tests/support/register_bank.h"
 
 #include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -38,10 +39,13 @@ protected:
         where.host = QStringLiteral("gateway");
         where.tcpPort = 1502;
         GatewayHostFinder finder(where, [this](const GatewaySettings &settings) {
+            if (isInterrupted)
+                interrupt();
             const bool isThere = settings.unit == unit || answersForAny;
             return std::make_unique<UnitPort>(
                 bank, isThere ? std::nullopt : std::optional(RegisterError{otherwise, 11, {}}));
         });
+        interrupt = [&finder] { finder.interrupt(); };
         std::vector<FinderNews> all;
         while (!finder.isDone() && all.size() < 100)
             all.push_back(finder.next());
@@ -52,6 +56,8 @@ protected:
     int unit = 2;
     bool answersForAny = false;
     RegisterError::Kind otherwise = RegisterError::Kind::noAnswer;
+    std::function<void()> interrupt;
+    bool isInterrupted = false; // while it connects
 };
 
 TEST_F(GatewayHostFinderTest, FindsTheUnitThatAnswers)
@@ -93,6 +99,14 @@ TEST_F(GatewayHostFinderTest, TakesHoldingRegistersWhereThereAreNoOthers)
     const auto news = run();
     ASSERT_TRUE(news[1].found);
     EXPECT_TRUE(news[1].found->link.contains(u"in-area=holding")) << news[1].found->link.toStdString();
+}
+
+TEST_F(GatewayHostFinderTest, ACancelledSearchSaysNothingAboutTheHost)
+{
+    isInterrupted = true;
+    const auto news = run();
+    ASSERT_EQ(news.size(), 1U);
+    EXPECT_EQ(news[0].sentence, u"The search was cancelled.");
 }
 
 } // namespace

@@ -20,7 +20,18 @@ Result<void> ScriptedLink::open(const SerialSettings &settings)
     ++opened;
     m_baudRate = settings.baudRate;
     m_coming.clear();
+    while (talk && talk->at < m_now)
+        takeTalk();
     return {};
+}
+
+QByteArray ScriptedLink::takeTalk()
+{
+    QByteArray bytes = talk->bytes;
+    talk->at += talk->every;
+    if (talk->every == Instant{})
+        talk.reset();
+    return bytes;
 }
 
 Result<void> ScriptedLink::setBaudRate(int baudRate)
@@ -34,6 +45,8 @@ Result<void> ScriptedLink::write(const QByteArray &bytes)
     if (unplugged)
         return refuse(RefusalKind::link, RefusalId::portLost, {name()});
     sent.push_back({m_now, m_baudRate, bytes});
+    if (echoes)
+        m_coming.push_back({m_now, bytes});
     const auto found = answers.find(bytes);
     if (found != answers.end() && m_baudRate == answersAt.value_or(m_baudRate))
         m_coming.push_back({m_now + delay, found->second});
@@ -50,13 +63,17 @@ Result<QByteArray> ScriptedLink::read(Instant until)
         m_now = std::min(until, m_now + betweenChatter);
         return chatter;
     }
+    if (talk && talk->at <= until && (m_coming.empty() || talk->at <= m_coming.front().at)) {
+        m_now = std::max(m_now, talk->at);
+        return takeTalk();
+    }
     if (m_coming.empty() || m_coming.front().at > until) {
         m_now = std::max(m_now, until);
         return QByteArray();
     }
     const Coming first = m_coming.front();
     m_coming.pop_front();
-    m_now = std::max(m_now, first.at);
+    m_now = std::max(m_now, first.at) + readsLate;
     return first.bytes;
 }
 

@@ -23,12 +23,22 @@ public:
         QByteArray bytes;
     };
 
+    struct Talk
+    {
+        Instant at;
+        QByteArray bytes;
+        Instant every{}; // 0: it comes once
+    };
+
     // The delay of answers after the request was handed over.
     Instant delay{5'000};
+    Instant readsLate{}; // so long after the bytes came, as on a busy computer
     // By the bytes sent, at any baud rate or only at one.
     std::map<QByteArray, QByteArray> answers;
     std::optional<int> answersAt; // baud rate
     QByteArray chatter;           // comes by itself, again and again
+    std::optional<Talk> talk;     // comes by itself at its times
+    bool echoes = false;          // what is sent, as a half-duplex adapter
     bool unplugged = false;
     bool isOther = false; // the adapter
     LowLatency latency = LowLatency::granted;
@@ -58,6 +68,8 @@ private:
         Instant at;
         QByteArray bytes;
     };
+
+    QByteArray takeTalk();
 
     Instant m_now{};
     int m_baudRate = 0;
