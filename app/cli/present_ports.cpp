@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-const QString devices = QStringLiteral("/dev/");
+const QString deviceFolder = QStringLiteral("/dev/");
 
 } // namespace
 
@@ -16,7 +16,7 @@ QStringList presentPortNames()
 {
     QStringList names;
     for (const PortInfo &port : serialPorts())
-        names << (port.path.startsWith(devices) ? port.path.sliced(devices.size()) : port.path);
+        names << (port.path.startsWith(deviceFolder) ? port.path.sliced(deviceFolder.size()) : port.path);
     return names;
 }
 

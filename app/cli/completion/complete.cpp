@@ -22,10 +22,10 @@ const QString filesMark = QStringLiteral(":files");
 using Candidates = std::vector<Candidate>;
 
 // The call as far as it is typed, and the word that is being typed.
-class TypedCall
+class CallSoFar
 {
 public:
-    explicit TypedCall(QStringList words);
+    explicit CallSoFar(QStringList words);
 
     Candidates candidates() const;
 
@@ -50,7 +50,7 @@ private:
     const Option *m_open = nullptr; // its value is being typed
 };
 
-TypedCall::TypedCall(QStringList words)
+CallSoFar::CallSoFar(QStringList words)
     : m_current(words.isEmpty() ? QString() : words.takeLast())
     , m_options(commonOptions().begin(), commonOptions().end())
 {
@@ -58,7 +58,7 @@ TypedCall::TypedCall(QStringList words)
         take(word);
 }
 
-void TypedCall::take(const QString &word)
+void CallSoFar::take(const QString &word)
 {
     if (m_open != nullptr) {
         m_given[QString::fromLatin1(std::exchange(m_open, nullptr)->name)] = word;
@@ -79,14 +79,14 @@ void TypedCall::take(const QString &word)
     m_options = m_command != nullptr ? optionsOf(*m_command) : std::vector<Option>();
 }
 
-const Option *TypedCall::option(const QString &name) const
+const Option *CallSoFar::option(const QString &name) const
 {
     const auto found =
         std::ranges::find_if(m_options, [&](const Option &each) { return name == QLatin1String(each.name); });
     return found == m_options.end() ? nullptr : &*found;
 }
 
-KnownDevices TypedCall::known() const
+KnownDevices CallSoFar::known() const
 {
     const auto given = [this](const char *name) {
         const auto found = m_given.find(QString::fromLatin1(name));
@@ -98,7 +98,7 @@ KnownDevices TypedCall::known() const
             isNamed ? m_rest.value(0) : given("--project")};
 }
 
-Candidates TypedCall::candidates() const
+Candidates CallSoFar::candidates() const
 {
     if (m_open != nullptr)
         return valuesOf(QString::fromLatin1(m_open->value), m_current);
@@ -123,7 +123,7 @@ Candidates TypedCall::candidates() const
     return all;
 }
 
-Candidates TypedCall::commandNames() const
+Candidates CallSoFar::commandNames() const
 {
     Candidates all;
     for (const Subcommand *command : allCommands())
@@ -131,7 +131,7 @@ Candidates TypedCall::commandNames() const
     return all;
 }
 
-Candidates TypedCall::optionNames() const
+Candidates CallSoFar::optionNames() const
 {
     Candidates all;
     for (const Option &each : m_options)
@@ -165,7 +165,7 @@ Candidates units()
 }
 
 // `what`: as a usage calls it.
-Candidates TypedCall::valuesOf(const QString &what, const QString &typed) const
+Candidates CallSoFar::valuesOf(const QString &what, const QString &typed) const
 {
     if (UsageWords::isLiteral(what))
         return listOf(what.split(u'|'));
@@ -194,7 +194,7 @@ Candidates TypedCall::valuesOf(const QString &what, const QString &typed) const
     return files(what);
 }
 
-Candidates TypedCall::places() const
+Candidates CallSoFar::places() const
 {
     Candidates all;
     const KnownDevices its = known();
@@ -206,7 +206,7 @@ Candidates TypedCall::places() const
 }
 
 // The names, or behind a name and its = the values it can have.
-Candidates TypedCall::parameters(bool isAssignment, const QString &typed) const
+Candidates CallSoFar::parameters(bool isAssignment, const QString &typed) const
 {
     Candidates all;
     const KnownDevices its = known();
@@ -224,7 +224,7 @@ Candidates TypedCall::parameters(bool isAssignment, const QString &typed) const
     return all;
 }
 
-Candidates TypedCall::links(const QString &typed) const
+Candidates CallSoFar::links(const QString &typed) const
 {
     const QString project = QStringLiteral("project");
     Candidates all{{QStringLiteral("training")}, {project}};
@@ -247,7 +247,7 @@ Candidates TypedCall::links(const QString &typed) const
     return all;
 }
 
-Candidates TypedCall::settings(const LinkKind &kind, const QString &typed) const
+Candidates CallSoFar::settings(const LinkKind &kind, const QString &typed) const
 {
     Candidates all;
     const QString before = typed.first(typed.lastIndexOf(u',') + 1);
@@ -257,7 +257,7 @@ Candidates TypedCall::settings(const LinkKind &kind, const QString &typed) const
     return all;
 }
 
-Candidates TypedCall::files(const QString &what) const
+Candidates CallSoFar::files(const QString &what) const
 {
     const bool isRecording = what == QStringLiteral("FILE") && m_command == &exportCommand;
     const bool isProject = what == QStringLiteral("PROJECT") ||
@@ -286,7 +286,7 @@ Candidates fitting(Candidates all, const QString &typed)
 
 std::vector<Candidate> candidates(const QStringList &words)
 {
-    return fitting(TypedCall(words).candidates(), words.isEmpty() ? QString() : words.last());
+    return fitting(CallSoFar(words).candidates(), words.isEmpty() ? QString() : words.last());
 }
 
 bool isCompletion(const QStringList &words)

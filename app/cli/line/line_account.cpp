@@ -6,6 +6,7 @@
 #include "cli/parameter_text.h"
 #include "cli/texts.h"
 #include "drivers/esc_fate.h"
+#include "encoder/line_address.h"
 #include "encoder/sentence.h"
 
 namespace codewheel {
