@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/finder_places.h"
 
+#include "cli/texts.h"
 #include "links/port_access.h"
 #include "links/serial_ports.h"
 
 #include <QFileInfo>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -13,6 +16,24 @@ bool isPort(const QString &typed)
 {
     return typed.contains(u'/') || typed.startsWith(QStringLiteral("tty")) ||
            QFileInfo::exists(portPath(typed));
+}
+
+Checked<void> checkIsNoLink(const QString &typed)
+{
+    const auto link = LinkText::parse(typed);
+    const auto has = [&](const LinkKind *kind) { return kind->schemes().contains(link->scheme); };
+    if (!link || std::ranges::none_of(linkKinds(), has))
+        return {};
+    const QStringList noPlaces{QString(), QStringLiteral("training"), QStringLiteral("project")};
+    if (noPlaces.contains(link->where))
+        return badInput(QStringLiteral("findTakesNoLink"),
+                        CommandLine::tr("\"%1\" is a link. The search takes serial ports and hosts, such as "
+                                        "ttyUSB0 or 192.168.0.5, and says which links lead there."),
+                        {typed});
+    return badInput(
+        QStringLiteral("findTakesNoLink"),
+        CommandLine::tr("\"%1\" is a link. The search says which links lead to a place: type only %2."),
+        {typed, link->where});
 }
 
 } // namespace
@@ -24,6 +45,8 @@ Checked<FinderPlaces> finderPlaces(const QStringList &typed)
         for (const PortInfo &port : serialPorts())
             places.ports << port.path;
     for (const QString &one : typed) {
+        if (const auto checked = checkIsNoLink(one); !checked)
+            return tl::unexpected(checked.error());
         if (isPort(one)) {
             places.ports << portPath(one);
             continue;

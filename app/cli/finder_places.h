@@ -15,7 +15,7 @@ struct FinderPlaces
 };
 
 // As typed: a port is a path, or a name below /dev; everything else is a host, for every kind of bus that may
-// be at one. Nothing typed: every serial port there is.
+// be at one. Nothing typed: every serial port there is. A link is refused: its kind is what is looked for.
 Checked<FinderPlaces> finderPlaces(const QStringList &typed);
 
 } // namespace codewheel

@@ -101,6 +101,15 @@ TEST(FindCommand, LeavesALineAloneOnWhichAMasterWorks)
     EXPECT_FALSE(wasSentAnything(pty));
 }
 
+TEST(FindCommand, SaysWhatToTypeInsteadOfALink)
+{
+    const CliRun port = runLine(QStringLiteral("find esc:/dev/pts/99,baud=9600"));
+    EXPECT_EQ(port.exit, 2);
+    EXPECT_THAT(port.err, HasSubstr("type only /dev/pts/99."));
+    EXPECT_THAT(runLine(QStringLiteral("find modbus-tcp:[::1]:502")).err, HasSubstr("type only [::1]:502."));
+    EXPECT_THAT(runLine(QStringLiteral("find esc:training")).err, HasSubstr("takes serial ports and hosts"));
+}
+
 TEST(FindCommand, FindsAGatewayAtAHost)
 {
     GatewayPeer peer;
