@@ -29,7 +29,7 @@ public:
     {
         return FinderTexts::tr(
             "Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked "
-            "for one input register, or else for one holding register.");
+            "for one input register, or else for one holding register; whoever answers is asked once more.");
     }
     std::unique_ptr<Asking> ask(const QString &place) const override { return askForUnits(place); }
 };
