@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Against tests/line/esc_peer.py and a pymodbus server, which know nothing of this program.
+#include "cli/command_line.h"
+#include "cli/stop_signals.h"
+#include "encoder/shown_text.h"
 #include "tests/cli/cli_run.h"
 #include "tests/cli/gateway_peer.h"
 #include "tests/support/pty_pair.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QProcess>
+#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +21,7 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class EscPeerOnLine
 {
@@ -101,6 +107,61 @@ TEST(FindCommand, LeavesALineAloneOnWhichAMasterWorks)
     EXPECT_FALSE(wasSentAnything(pty));
 }
 
+// Sends, at a port whose path is a symbolic link of this name.
+class MasterAtLink
+{
+public:
+    explicit MasterAtLink(const QString &name)
+        : m_path(m_folder.filePath(name))
+    {
+        QFile::link(m_pty.path(), m_path);
+    }
+    QString path() const { return m_path; }
+
+private:
+    QTemporaryDir m_folder;
+    QString m_path;
+    PtyPair m_pty;
+    std::jthread m_master{[this](const std::stop_token &stop) {
+        while (!stop.stop_requested()) {
+            m_pty.send("\x1B"
+                       "05P\r\n\r\n00001235\r\n");
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+    }};
+};
+
+TEST(FindCommand, SaysThatALinkCannotNameAPortWithAComma)
+{
+    const MasterAtLink master(QStringLiteral("left,right"));
+    const CliRun run = runLine(QStringLiteral("find --listen ") + master.path());
+    EXPECT_THAT(run.out, HasSubstr("--link cannot name " + master.path().toStdString() + ", since"));
+    EXPECT_THAT(run.out, Not(HasSubstr("esc:" + master.path().toStdString())));
+    const QJsonArray found =
+        runLine(QStringLiteral("find --listen --json ") + master.path()).json()[u"found"].toArray();
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0][u"place"].toString(), master.path());
+    EXPECT_TRUE(found[0][u"link"].isNull());
+}
+
+TEST(FindCommand, TheNameOfAPortStaysInItsLine)
+{
+    const QString port = QStringLiteral("/dev/tty\nlooks: like another line");
+    const CliRun run = runWith({}, [&](const Terminal &terminal) {
+        return runCommandLine({QStringLiteral("find"), QStringLiteral("--listen"), port}, terminal);
+    });
+    EXPECT_THAT(run.out, testing::StartsWith(shownInLine(port).toStdString() + ": "));
+    EXPECT_THAT(run.out, Not(HasSubstr("\nlooks")));
+    const PtyPair pty;
+    const QTemporaryDir folder;
+    const QString link = folder.filePath(QStringLiteral("tty\nlike another"));
+    QFile::link(pty.path(), link);
+    const CliRun asked = runWith({}, [&](const Terminal &terminal) {
+        return runCommandLine({QStringLiteral("find"), link}, terminal);
+    });
+    EXPECT_THAT(asked.out, HasSubstr(shownInLine(link).toStdString() + " would be asked"));
+}
+
 TEST(FindCommand, SaysWhatToTypeInsteadOfALink)
 {
     const CliRun port = runLine(QStringLiteral("find esc:/dev/pts/99,baud=9600"));
@@ -108,6 +169,47 @@ TEST(FindCommand, SaysWhatToTypeInsteadOfALink)
     EXPECT_THAT(port.err, HasSubstr("type only /dev/pts/99."));
     EXPECT_THAT(runLine(QStringLiteral("find modbus-tcp:[::1]:502")).err, HasSubstr("type only [::1]:502."));
     EXPECT_THAT(runLine(QStringLiteral("find esc:training")).err, HasSubstr("takes serial ports and hosts"));
+}
+
+// Ctrl+C after this time.
+std::jthread interruptAfter(std::chrono::milliseconds time)
+{
+    return std::jthread([time] {
+        std::this_thread::sleep_for(time);
+        ::kill(::getpid(), SIGINT);
+    });
+}
+
+TEST(FindCommand, CtrlCEndsTheLastStepAndSaysSo)
+{
+    StopSignals held; // so that only the command gets Ctrl+C
+    const PtyPair pty;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::jthread interrupt = interruptAfter(std::chrono::milliseconds(200));
+    const CliRun run = runLine(QStringLiteral("find --listen ") + pty.path());
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(1'300)) << "at once";
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr(": The search was cancelled.\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("silent")));
+    EXPECT_THAT(run.err, HasSubstr("cancelled"));
+    while (held.came()) {
+    }
+}
+
+TEST(FindCommand, CtrlCLeavesWhatWasFound)
+{
+    StopSignals held;
+    const MasterAtLink master(QStringLiteral("port"));
+    const PtyPair pty;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::jthread interrupt = interruptAfter(std::chrono::milliseconds(1'900));
+    const CliRun run = runLine(QStringLiteral("find --listen --json %1 %2").arg(master.path(), pty.path()));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(2'900)) << "at once";
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "cancelled");
+    EXPECT_EQ(run.json()[u"found"].toArray().size(), 1);
+    while (held.came()) {
+    }
 }
 
 TEST(FindCommand, FindsAGatewayAtAHost)
