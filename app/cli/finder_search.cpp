@@ -149,8 +149,8 @@ Answer FinderSearch::answer()
     if (isStopped())
         answer.complaint = aboutCancelling();
     else if (m_found.empty())
-        answer.complaint =
-            Complaint{ExitCode::refused, QStringLiteral("nobodyFound"), CommandLine::tr("Nobody was found.")};
+        answer.complaint = Complaint{ExitCode::refused, QStringLiteral("nobodyFound"),
+                                     CommandLine::tr("No encoder or gateway was found.")};
     return answer;
 }
 
