@@ -316,8 +316,8 @@ void PortFinder::noteSenseless(const QByteArray &bytes)
     const QString here = formatText(*m_opened);
     if (bytes.isEmpty() || m_senseless.contains(here))
         return;
+    m_listensAgain = m_senseless.isEmpty(); // once: it takes time
     m_senseless << here;
-    m_listensAgain = true;
 }
 
 } // namespace codewheel

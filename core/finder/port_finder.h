@@ -18,8 +18,8 @@ class PortFinder final : public PlaceFinder
 public:
     static constexpr Instant firstListening{1'500'000}; // a master polls in that time
     static constexpr Instant nextListening{700'000};    // with other settings, where somebody talks
-    // Before other settings are asked with, and after bytes that make no sense: nine times in all, so that
-    // asking takes a quarter longer at most.
+    // Before other settings are asked with, and after the first bytes that make no sense: ten times at most,
+    // so that asking takes a quarter longer than without.
     static constexpr Instant listeningAgain{400'000};
     static constexpr Instant quietAfterFind{20'000};
 

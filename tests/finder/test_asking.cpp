@@ -207,6 +207,7 @@ TEST_F(AskingTest, SaysWhereBytesCameThatMakeNoSense)
     EXPECT_TRUE(news.back().sentence.startsWith(
         u"Bytes came at 9600 Bd, 8E1; 9600 Bd, 8N1, but none that make sense."))
         << lastSentence();
+    EXPECT_LT(link.now(), 18'600ms) << "after the first of them it listens again, not after each";
 }
 
 TEST_F(AskingTest, HalfAnAnswerMakesNoSense)
