@@ -7497,10 +7497,6 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
         <translation>wer</translation>
     </message>
     <message>
-        <source>Nobody was found.</source>
-        <translation>Niemand wurde gefunden.</translation>
-    </message>
-    <message>
         <source>To find out more, %1 would be asked. Only reads are sent:</source>
         <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet:</translation>
     </message>
@@ -7526,6 +7522,22 @@ Rechners. Zuerst wird gehorcht: Wo jemand spricht, arbeitet ein Master, und nich
 wird gesagt, was an stille Leitungen und an Hosts gesendet würde, und gefragt, ob es darf. Nur Lesen
 wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dorthin führt. Endet mit
 1, wenn niemand gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a link. The search takes serial ports and hosts, such as ttyUSB0 or 192.168.0.5, and says which links lead there.</source>
+        <translation>„%1“ ist eine Verbindung. Die Suche nimmt serielle Anschlüsse und Hosts, etwa ttyUSB0 oder 192.168.0.5, und sagt, welche Verbindungen dorthin führen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a link. The search says which links lead to a place: type only %2.</source>
+        <translation>„%1“ ist eine Verbindung. Welche Verbindungen zu einem Ort führen, sagt die Suche: Nur %2 eingeben.</translation>
+    </message>
+    <message>
+        <source>--link cannot name %1, since there is a comma or a control character in it. Make a symbolic link without them, and name that.</source>
+        <translation>--link kann %1 nicht nennen, da ein Komma oder ein Steuerzeichen darin ist. Legen Sie einen symbolischen Link ohne sie an, und nennen Sie diesen.</translation>
+    </message>
+    <message>
+        <source>No encoder or gateway was found.</source>
+        <translation>Kein Geber und kein Gateway gefunden.</translation>
     </message>
 </context>
 <context>
@@ -9657,10 +9669,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>wahrscheinlich</translation>
     </message>
     <message>
-        <source>The search was ended.</source>
-        <translation>Suche abgebrochen.</translation>
-    </message>
-    <message>
         <source>The host takes the connection.</source>
         <translation>Der Host nimmt die Verbindung an.</translation>
     </message>
@@ -9717,16 +9725,28 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>An dieser Leitung arbeitet ein Modbus-RTU-Master.</translation>
     </message>
     <message>
-        <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register.</source>
-        <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
-    </message>
-    <message>
         <source>Modbus/TCP: the host is connected, and the units 1, 247, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
         <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 247, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
     </message>
     <message>
         <source>The Modbus unit %1 answers too: the host does not look at the unit.</source>
         <translation>Auch die Modbus-Unit %1 antwortet: Der Host achtet nicht auf die Unit.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Suche abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Modbus RTU: at 9600 to 115200 Bd with even or no parity, the units 1 to 8 are each asked for one input register, or else for one holding register; whoever answers is asked once more.</source>
+        <translation>Modbus RTU: Mit 9600 bis 115200 Bd, gerader oder keiner Parität, werden die Units 1 bis 8 je nach einem Input-Register gefragt, sonst nach einem Holding-Register; wer antwortet, wird noch einmal gefragt.</translation>
+    </message>
+    <message>
+        <source>Bytes came at %1, but none that make sense. Check format, wires (A and B may be swapped) and termination, and whether two encoders have the same address.</source>
+        <translation>Bei %1 kamen Bytes, aber keine, die einen Sinn ergeben. Prüfen Sie Format, Adern (A und B können vertauscht sein) und Abschluss, und ob zwei Geber dieselbe Adresse haben.</translation>
+    </message>
+    <message>
+        <source>A master began to send while we asked: stopped. Nothing more is sent on this port.</source>
+        <translation>Während der Abfrage begann ein Master zu senden: abgebrochen. An diesem Anschluss wird nichts mehr gesendet.</translation>
     </message>
 </context>
 <context>
@@ -12223,7 +12243,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>The search was cancelled.</source>
-        <translation>Die Suche wurde abgebrochen.</translation>
+        <translation>Suche abgebrochen.</translation>
     </message>
     <message>
         <source>The search was cancelled</source>
