@@ -11288,6 +11288,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>How the line is connected: port and settings. Nothing is written</source>
         <translation>Wie die Leitung verbunden wird: Anschluss und Einstellungen. Es wird nichts geschrieben</translation>
     </message>
+    <message>
+        <source>serial port, adapter, baud rate</source>
+        <translation>serieller Anschluss, Adapter, Baudrate</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineCheck</name>
@@ -13964,6 +13968,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Command line</source>
         <translation>Befehlszeile, Kommandozeile</translation>
     </message>
+    <message>
+        <source>Port doctor, rights, no port</source>
+        <translation>Anschluss-Doktor, Zugriffsrechte, kein Anschluss</translation>
+    </message>
+    <message>
+        <source>Who is there?, find encoders</source>
+        <translation>Wer ist da?, Geber finden, suchen</translation>
+    </message>
+    <message>
+        <source>Why is there no data?, no answer, silent</source>
+        <translation>Warum kommen keine Daten?, keine Antwort, stumm</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::PaletteModel</name>
@@ -16559,6 +16575,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>Any Modbus client can work on this simulated ring; who does is shown there</source>
         <translation>Jeder Modbus-Client kann an diesem simulierten Ring arbeiten; wer es tut, steht dort</translation>
+    </message>
+    <message>
+        <source>Modbus, TCP, RTU, gateway</source>
+        <translation>Modbus, TCP, RTU, Gateway, Kopplung</translation>
     </message>
 </context>
 <context>
@@ -21352,6 +21372,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Shows what is expected of the chosen device or bus beside what came, and what to do; sends nothing</source>
         <translation>Zeigt, was vom gewählten Gerät oder Bus erwartet wird, neben dem, was kam, und was zu tun ist; sendet nichts</translation>
+    </message>
+    <message>
+        <source>search, scan, baud rate, address</source>
+        <translation>suchen, Scan, Baudrate, Adresse</translation>
+    </message>
+    <message>
+        <source>no answer, silent, no position, error</source>
+        <translation>keine Antwort, stumm, keine Position, Fehler</translation>
     </message>
 </context>
 <context>

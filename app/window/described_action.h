@@ -32,6 +32,14 @@ inline void tellBus(QAction *action, const QString &bus)
     described(action, action->shortcut(), bus.isEmpty() ? tip : QStringLiteral("%1: %2").arg(bus, tip));
 }
 
+// Words by which the command palette finds it, too.
+inline constexpr const char *alsoFoundBy = "alsoFoundBy";
+inline QAction *foundBy(QAction *action, const QString &words)
+{
+    action->setProperty(alsoFoundBy, words);
+    return action;
+}
+
 inline QAction *checkable(QAction *action)
 {
     action->setCheckable(true);

@@ -27,6 +27,7 @@ LineActions::LineActions(WindowActions &window)
                    tr("Shows the traffic on the line, and sends what you type"));
     figures = add(Icon::information, tr("Line st&atistics"), Qt::CTRL | Qt::Key_F6,
                   tr("Port, state, answers and time-outs of the line"));
+    foundBy(settings, tr("serial port, adapter, baud rate"));
     settings->setObjectName(QStringLiteral("lineSettings"));
     search->setObjectName(QStringLiteral("lineSearch"));
     terminal->setObjectName(QStringLiteral("lineTerminal"));

@@ -130,7 +130,7 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connectBuses();
     connectRecordings();
     new PaletteInWindow({*this, m_actions, plant, m_project, *m_choice, *m_structure, *m_parameters, messages,
-                         *m_messages, m_panels, *m_help, m_settings, [this] { showMonitors(); }});
+                         *m_messages, m_panels, *m_pages, *m_help, m_settings, [this] { showMonitors(); }});
     if (const auto state = m_settings.monitors())
         m_monitors->restoreState(*state);
     m_dial->restore(m_settings.pinnedDial());

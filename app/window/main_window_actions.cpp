@@ -153,15 +153,16 @@ void MainWindow::showBusState()
         action->setEnabled(isAttached);
     const EncoderBus *chosen = chosenBus();
     const bool isOpen = chosen != nullptr && chosen->isOpen();
+    const bool isThere = chosen != nullptr && chosen->state() == BusState::open; // its link is not lost
     const bool isOperating = isOpen && chosen->isOperating();
     const bool isReplay = isOpen && chosen->isReplay();
     m_actions.watch->setEnabled(isOpen && !isReplay);
-    m_actions.operate->setEnabled(isOpen && !isReplay);
+    m_actions.operate->setEnabled(isThere && !isReplay);
     m_actions.openRecording->setEnabled(isAttached);
     m_actions.closeRecording->setEnabled(isReplay);
     m_actions.watch->setChecked(!isOperating);
     m_actions.operate->setChecked(isOperating);
-    m_actions.start->setEnabled(isOpen && !isReplay && !chosen->isRunning());
+    m_actions.start->setEnabled(isThere && !isReplay && !chosen->isRunning());
     m_actions.stop->setEnabled(isOpen && !isReplay && chosen->isRunning());
     const BusViews *views = viewsOf(m_chosenBus);
     const bool tellsState = views == nullptr || views->tellsState();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/palette_actions.h"
 
+#include "app/window/described_action.h"
 #include "app/window/menu_list.h"
 #include "widgets/look/label_text.h"
 
@@ -26,6 +27,13 @@ QString tipOf(const QAction &action)
 {
     const QString tip = action.statusTip().isEmpty() ? action.toolTip() : action.statusTip();
     return tip == plainLabel(action.text()) ? QString() : tip;
+}
+
+QString wordsOf(const QAction &action)
+{
+    const QString more = action.property(alsoFoundBy).toString();
+    const QString tip = tipOf(action);
+    return tip.isEmpty() || more.isEmpty() ? tip + more : QStringLiteral("%1; %2").arg(tip, more);
 }
 
 // One that can be checked says whether it is.
@@ -67,7 +75,7 @@ PaletteEntry PaletteActions::entryOf(QAction &action, const QString &menu) const
             .title = plainLabel(action.text()),
             .context = placeOf(action, menu),
             .key = action.shortcut().toString(QKeySequence::NativeText),
-            .words = tipOf(action),
+            .words = wordsOf(action),
             .icon = action.icon(),
             .isUsual = m_usual.contains(&action),
             .run =

@@ -3,6 +3,7 @@
 
 #include "app/window/context_help.h"
 #include "app/window/palette_actions.h"
+#include "app/window/palette_buttons.h"
 #include "app/window/palette_devices.h"
 #include "app/window/palette_manual.h"
 #include "app/window/palette_messages.h"
@@ -42,6 +43,8 @@ PaletteInWindow::PaletteInWindow(const Parts &parts)
     auto *palette = new CommandPalette(parts.window);
     setHelpTopic(*palette, "palette.md");
     palette->addSource(std::make_unique<PaletteActions>(parts.window, usualActions(parts.actions)));
+    palette->addSource(std::make_unique<PaletteButtons>(
+        parts.window, parts.pages, [this](const QDockWidget &panel) { m_parts.panels.show(panel); }));
     palette->addSource(
         std::make_unique<PaletteParameters>(parts.choice, [this](Parameter each) { showParameter(each); }));
     palette->addSource(std::make_unique<PaletteDevices>(parts.structure, parts.plant.buses(), parts.project,

@@ -9,6 +9,7 @@
 #include <functional>
 
 class QMainWindow;
+class QStackedWidget;
 
 namespace codewheel {
 
@@ -43,6 +44,7 @@ public:
         const MessageModel &messageModel;
         MessagesView &messages;
         Panels &panels;
+        const QStackedWidget &pages;
         ContextHelp &help;
         WindowSettings &settings;
         std::function<void()> showMonitors;

@@ -25,7 +25,9 @@ QString PaletteManual::titleOf(const QString &page)
         {"cams.md", QT_TR_NOOP("Cams")},
         {"device.md", QT_TR_NOOP("Device panel")},
         {"dial.md", QT_TR_NOOP("Dial")},
+        {"doctor.md", QT_TR_NOOP("Port doctor, rights, no port")},
         {"eeprom.md", QT_TR_NOOP("EEPROM writes")},
+        {"find.md", QT_TR_NOOP("Who is there?, find encoders")},
         {"gateway.md", QT_TR_NOOP("Gateway, registers")},
         {"help.md", QT_TR_NOOP("Help, keys, support")},
         {"manufacturer-functions.md", QT_TR_NOOP("Modes, preset, reset, factory settings")},
@@ -47,6 +49,7 @@ QString PaletteManual::titleOf(const QString &page)
         {"training.md", QT_TR_NOOP("Training, turn shafts, cause faults")},
         {"transfer.md", QT_TR_NOOP("Transfer, replace encoder")},
         {"trend.md", QT_TR_NOOP("Trend, curves")},
+        {"why.md", QT_TR_NOOP("Why is there no data?, no answer, silent")},
         {"wizard.md", QT_TR_NOOP("Parameter wizard")},
         {"command-line.md", QT_TR_NOOP("Command line")},
     };

@@ -106,6 +106,13 @@ void Panels::setUnseen(const Panel &panel, int count)
 }
 
 // A panel that is already higher stays so.
+void Panels::show(const QDockWidget &dock)
+{
+    for (const Dock &each : m_docks)
+        if (each.dock == &dock)
+            show(*each.panel);
+}
+
 void Panels::show(const Panel &panel)
 {
     QDockWidget *its = dock(panel);

@@ -71,6 +71,7 @@ public:
     // The number of unseen items, in its title; 0: none.
     void setUnseen(const Panel &panel, int count);
     void show(const Panel &panel); // in front, with some of its rows in sight
+    void show(const QDockWidget &dock);
     BottomFold &fold() { return m_fold; }
     // The initial arrangement in a window of this size.
     void arrange(WindowSize size);

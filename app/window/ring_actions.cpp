@@ -15,6 +15,7 @@ RingActions::RingActions(WindowActions &window)
     const auto action = [](Icon icon, const QString &text) { return new QAction(lineIcon(icon), text); };
     connection = described(action(Icon::parameters, tr("Connec&tion…")), Qt::ALT | Qt::SHIFT | Qt::Key_C,
                            tr("How this ring is reached: training bus, or a gateway; with a test"));
+    foundBy(connection, tr("Modbus, TCP, RTU, gateway"));
     registers = action(Icon::list, tr("Re&gisters…"));
     connectBus = described(action(Icon::ring, tr("&Connect")), Qt::CTRL | Qt::Key_F5,
                            tr("Connects to the ring; nothing is sent"));

@@ -133,6 +133,7 @@ void WindowActions::makeBusMenu()
     findEncoders = described(
         menu->addAction(lineIcon(Icon::search), tr("Wh&o is there?")), Qt::CTRL | Qt::Key_F3,
         tr("Looks for encoders and gateways at the ports of this computer and at a host; listens first"));
+    foundBy(findEncoders, tr("search, scan, baud rate, address"));
     section(Section::connections);
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_F11,
@@ -205,6 +206,7 @@ void WindowActions::makeDeviceMenu()
         open(Icon::question, tr("W&hy is there no data?"), Qt::Key_F12,
              tr("Shows what is expected of the chosen device or bus beside what came, and what to do; sends "
                 "nothing"));
+    foundBy(whyNoData, tr("no answer, silent, no position, error"));
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);

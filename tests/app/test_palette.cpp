@@ -127,6 +127,30 @@ TEST_F(PaletteTest, AnActionAsksTheSameAsFromItsMenu)
     EXPECT_TRUE(bus().isRunning());
 }
 
+TEST_F(PaletteTest, ButtonsOfThePanelsArePressedWhereTheyAre)
+{
+    window().findChild<StructureView *>()->choose(test::fraba);
+    const Word before = out(test::fraba);
+    EXPECT_TRUE(found(QStringLiteral("write")).contains(QStringLiteral("Write\u2026")));
+    type(QStringLiteral("write parameters"));
+    EXPECT_EQ(list().currentIndex().data().toString(), QStringLiteral("Write\u2026"));
+    press(Qt::Key_Return);
+    advance(50);
+    EXPECT_TRUE(window().findChild<QWidget *>(QStringLiteral("parametersDock"))->isVisible());
+    EXPECT_EQ(out(test::fraba), before) << "it asks first, as ever";
+}
+
+TEST_F(PaletteTest, WordsOfTheFieldLeadToTheirActions)
+{
+    const std::pair<QString, QString> all[] = {
+        {QStringLiteral("modbus"), QStringLiteral("Connection\u2026")},
+        {QStringLiteral("no answer"), QStringLiteral("Why is there no data?")},
+        {QStringLiteral("baud rate"), QStringLiteral("Who is there?")},
+        {QStringLiteral("rights no port"), QStringLiteral("When a link does not work")}};
+    for (const auto &[word, title] : all)
+        EXPECT_FALSE(found(word).filter(title).isEmpty()) << word.toStdString();
+}
+
 TEST_F(PaletteTest, ADeviceIsChosenInTheBusStructure)
 {
     actions().trend->trigger();
