@@ -304,6 +304,7 @@ void LineViews::showName()
 
 void LineViews::showSettings()
 {
+    m_isFound = false;
     listPorts();
     m_parts.pages.setCurrentWidget(m_connection);
     m_connection->setFocus();
@@ -378,7 +379,11 @@ void LineViews::showOpened()
     m_connection->setProblem({});
     m_form->tellBaudRate({});
     keepPort(m_opened);
-    if (isCurrent())
+    if (!isCurrent())
+        return;
+    if (std::exchange(m_isFound, false)) // its encoders are taken over there
+        showSearch();
+    else
         open();
 }
 
@@ -470,6 +475,7 @@ void LineViews::explainTerminal()
 void LineViews::connectFound(const KindData &plan)
 {
     showSettings();
+    m_isFound = true;
     m_connection->connectBy(plan);
 }
 

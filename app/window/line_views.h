@@ -112,7 +112,8 @@ private:
     LineSearch *m_search;
     LineTrainingPanel *m_training;
     BackgroundSteps m_test;
-    LinePlan m_opened; // when a port was last to be opened
+    bool m_isFound = false; // its port, by the finder
+    LinePlan m_opened;      // when a port was last to be opened
     ComparisonPage *m_comparison;
 };
 

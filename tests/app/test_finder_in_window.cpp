@@ -3,6 +3,7 @@
 #include "tests/app/press_connect.h"
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
+#include "widgets/line/line_search.h"
 
 namespace codewheel {
 namespace {
@@ -37,6 +38,7 @@ TEST_F(FinderInWindowTest, AnEncoderIsFoundAndConnectedWithItsSettings)
         comes([&] { return shown->line().training() == nullptr && shown->line().session() != nullptr; }));
     EXPECT_EQ(line().linkName(), port);
     EXPECT_FALSE(line().isOperating());
+    EXPECT_TRUE(window().findChild<LineSearch *>()->isVisible()) << "its encoders are taken over there";
 }
 
 TEST_F(FinderInWindowTest, ASearchCanBeCancelled)
