@@ -39,7 +39,7 @@ void LineStatus::show(const LineSession *session)
     const bool allAnswer = answering == std::ssize(numbers);
     m_label->setState(allAnswer ? Role::running : Role::fault,
                       tr("%1, %2 Bd, %3 of %4 answer", "serial port, baud rate, encoders")
-                          .arg(port, QLocale().toString(session->settings().baudRate))
+                          .arg(port, QString::number(session->settings().baudRate))
                           .arg(answering)
                           .arg(numbers.size()));
     const QString figures = tr("Serial line: %1 answers, %2 time-outs, %3 garbage bytes")

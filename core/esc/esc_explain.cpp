@@ -73,7 +73,7 @@ QString Explain::choice(Command command, std::uint32_t value)
     if (command == Command::writeScaling && value <= 1)
         return value == 1 ? tr("on") : tr("off");
     if (command == Command::writeBaudRate && value <= 2)
-        return sentence(tr("%1 Bd"), {QLocale().toString(baudRates[value])});
+        return sentence(tr("%1 Bd"), {QString::number(baudRates[value])});
     return {};
 }
 

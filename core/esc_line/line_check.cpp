@@ -120,7 +120,7 @@ LineFinding LineCheck::open()
 {
     if (!m_opened)
         return refused(m_opened.error());
-    const QString opened = sentence(tr("Opened at %1 Bd."), {QLocale().toString(m_settings.serial.baudRate)});
+    const QString opened = sentence(tr("Opened at %1 Bd."), {QString::number(m_settings.serial.baudRate)});
     if (m_link.lowLatency() != LowLatency::refused)
         return told(CheckOutcome::passed, opened);
     return told(CheckOutcome::passed, opened + u' ' +

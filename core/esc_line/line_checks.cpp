@@ -177,7 +177,7 @@ void addOfEncoder(DataChecks &checks, const LineSession &line, Place place,
 QString lineText(const QString &port, const SerialSettings &settings)
 {
     const QString rate =
-        QStringLiteral("%1 Bd, %2").arg(QLocale().toString(settings.baudRate), settings.format());
+        QStringLiteral("%1 Bd, %2").arg(QString::number(settings.baudRate), settings.format());
     return port.isEmpty() ? rate : QStringLiteral("%1, %2").arg(port, rate);
 }
 

@@ -9,7 +9,6 @@
 #include "esc_line/line_session.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -68,7 +67,7 @@ Fault allSilent(const LineSession &line)
             .text = sentence(
                 LineFaultText::tr("No encoder answers on %1 at %2 Bd. Check the wires (A and B may be "
                                   "swapped), the supply of the encoders, and the baud rate."),
-                {line.linkName(), QLocale().toString(line.settings().baudRate)})};
+                {line.linkName(), QString::number(line.settings().baudRate)})};
 }
 
 std::optional<Fault> faultOf(const LineSession &line, Place place)

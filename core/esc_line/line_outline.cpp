@@ -62,7 +62,7 @@ QString LineOutline::title() const
 QString LineOutline::toolTip() const
 {
     return sentence(tr("%1, %2 Bd\nState: %3\nAnswers: %4, time-outs: %5"),
-                    {title(), QLocale().toString(m_line.settings().baudRate), state().word,
+                    {title(), QString::number(m_line.settings().baudRate), state().word,
                      QLocale().toString(qulonglong{m_line.latest().figures.answers}),
                      QLocale().toString(qulonglong{m_line.latest().figures.timeOuts})});
 }

@@ -13,8 +13,6 @@
 #include "project/project_reader.h"
 #include "project/project_writer.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <set>
 
@@ -148,8 +146,7 @@ QString LineKind::linkText(const KindData &settings) const
 {
     const auto *plan = settings.as<LinePlan>();
     const LineSettings line = plan != nullptr ? plan->settings : LineSettings();
-    QStringList parts{sentence(tr("%1 Bd"), {QLocale().toString(line.serial.baudRate)}),
-                      line.serial.format()};
+    QStringList parts{sentence(tr("%1 Bd"), {QString::number(line.serial.baudRate)}), line.serial.format()};
     if (!line.port.isEmpty())
         parts.prepend(line.port);
     return parts.join(QStringLiteral(", "));

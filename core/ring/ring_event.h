@@ -31,7 +31,8 @@ struct RingFound
     std::vector<Word> out; // as they are on the peer
     // What the master says about it; null: the link reaches no master.
     std::shared_ptr<const MasterStatus> master{};
-    bool outIsKnown = true; // false: the peer does not tell it
+    bool outIsKnown = true;                       // false: the peer does not tell it
+    std::shared_ptr<const LinkFigures> figures{}; // of the link; null: it keeps none
 };
 // What the master stores; empty: no configuration.
 struct KeptConfigurationTold

@@ -33,7 +33,7 @@ RingFound RingRunner::Private::found(RingStructure there, std::vector<Word> out)
 {
     out.resize(there.size());
     return {std::move(there), std::move(out),
-            master ? std::make_shared<const MasterStatus>(master->status()) : nullptr};
+            master ? std::make_shared<const MasterStatus>(master->status()) : nullptr, true, link.figures()};
 }
 
 void RingRunner::Private::loseLink(const Refusal &why)

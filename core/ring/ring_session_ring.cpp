@@ -113,6 +113,7 @@ void RingSession::showNewRing(const RingFound &found, const RingState &state)
     shown->generation = ++d->generation;
     shown->connected = true;
     shown->master = found.master;
+    shown->figures = found.figures;
     shown->outIsKnown = found.outIsKnown;
     for (const Word word : found.out)
         shown->devices.push_back({.out = word, .reading = {}});

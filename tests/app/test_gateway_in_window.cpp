@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
+#include <QTreeView>
 
 #include <gtest/gtest.h>
 
@@ -114,6 +115,14 @@ TEST_F(GatewayInWindowTest, ConnectsInWatchAndWritesNothing)
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked->host, QStringLiteral("gateway.hall"));
     EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("modbus-tcp"));
+}
+
+// Before anything was exchanged, too.
+TEST_F(GatewayInWindowTest, IsCalledAGatewayInTheBusStructure)
+{
+    connectGateway();
+    const auto &tree = *window().findChild<QTreeView *>(QStringLiteral("structure"));
+    EXPECT_EQ(tree.model()->index(0, 0).data().toString(), QStringLiteral("Gateway"));
 }
 
 TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)

@@ -210,6 +210,7 @@ void ConnectPage::askToReplace()
                  "encoders then counts for the real ones.")
             : tr("This bus is connected. It is disconnected first."),
         tr("Disconnect and connect"));
+    m_problem->focusAction();
     m_asksToReplace = true;
 }
 

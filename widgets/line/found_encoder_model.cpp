@@ -4,8 +4,6 @@
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 
-#include <QLocale>
-
 namespace codewheel {
 namespace {
 
@@ -76,7 +74,7 @@ QString FoundEncoderModel::text(const FoundEncoder &row, int column) const
     case address:
         return row.address.isMaster() ? tr("unknown, answers to 00") : row.address.shown();
     case baudRate:
-        return QLocale().toString(row.baudRate);
+        return QString::number(row.baudRate);
     case serialNumber:
         return row.serialNumber ? hexWord(*row.serialNumber) : unknown;
     case deviceCode:

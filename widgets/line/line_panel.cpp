@@ -129,7 +129,7 @@ void LinePanel::showState()
         m_state->setState(Role::inactive, tr("Not connected"));
     const QString none = QStringLiteral("\u2013");
     m_port->setText(m_line ? m_line->linkName() : none);
-    m_rate->setText(m_line ? sentence(tr("%1 Bd, %2"), {QLocale().toString(m_line->settings().baudRate),
+    m_rate->setText(m_line ? sentence(tr("%1 Bd, %2"), {QString::number(m_line->settings().baudRate),
                                                         characterText(m_line->settings())})
                            : none);
     m_latency->setText(isConnected ? latencyText(m_line->latest().lowLatency) : none);

@@ -140,7 +140,7 @@ void LineRecordView::showRecord(const LineRecord &record, const QString &name)
     m_question->withdraw();
     m_message->withdraw();
     m_title->setText(sentence(tr("%1: %2, %3 Bd, %4; %5 rows", "file, port, baud rate, date and time, count"),
-                              {name, record.port, QLocale().toString(record.baudRate),
+                              {name, record.port, QString::number(record.baudRate),
                                QLocale().toString(record.begin, QLocale::ShortFormat),
                                QLocale().toString(static_cast<qulonglong>(record.rows.size()))}));
 }

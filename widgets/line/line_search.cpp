@@ -19,7 +19,6 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -155,7 +154,7 @@ void LineSearch::makeFields()
     form->addRow(condition);
     connect(m_master, &QCheckBox::toggled, condition, &QWidget::setVisible);
     for (const int rate : allRates)
-        m_rates->addItem(sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
+        m_rates->addItem(sentence(tr("%1 Bd"), {QString::number(rate)}), rate);
     m_rates->addItem(tr("All three baud rates"));
     auto *start = new QHBoxLayout;
     start->setSpacing(grid::unit);
@@ -238,7 +237,7 @@ void LineSearch::setSettings(const ScanWish &wish)
     }
     const int rate = wish.baudRates.front();
     if (m_rates->findData(rate) < 0)
-        m_rates->insertItem(0, sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
+        m_rates->insertItem(0, sentence(tr("%1 Bd"), {QString::number(rate)}), rate);
     m_rates->setCurrentIndex(m_rates->findData(rate));
 }
 
@@ -327,12 +326,12 @@ void LineSearch::showLeft(const std::vector<FoundEncoder> &left)
         return;
     QStringList named;
     for (const FoundEncoder &encoder : left)
-        named << tr("%1 at %2 Bd").arg(encoder.address.shown(), QLocale().toString(encoder.baudRate));
+        named << tr("%1 at %2 Bd").arg(encoder.address.shown(), QString::number(encoder.baudRate));
     m_message->showMessage(
         Role::attention,
         sentence(tr("Not taken over: %1. The line runs at %2 Bd. Choose the other baud rate in the settings "
                     "of the line, and connect it again."),
-                 {named.join(QStringLiteral(", ")), QLocale().toString(m_line->settings().baudRate)}));
+                 {named.join(QStringLiteral(", ")), QString::number(m_line->settings().baudRate)}));
 }
 
 void LineSearch::showRefused(const Refusal &why)

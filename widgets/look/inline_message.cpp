@@ -141,6 +141,11 @@ void InlineMessage::showText()
     m_sentence->setText(behind.isEmpty() ? m_text : m_text.toHtmlEscaped() + behind);
 }
 
+void InlineMessage::focusAction()
+{
+    m_action->setFocus(Qt::OtherFocusReason);
+}
+
 void InlineMessage::withdraw()
 {
     if (m_text.isEmpty())

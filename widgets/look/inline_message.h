@@ -27,6 +27,8 @@ public:
     // attention or fault, or running for good news.
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
+    // A question: by the keyboard, its action is the next thing.
+    void focusAction();
     // Its command is shown below the sentence, and can be copied.
     void showTrouble(Role role, const Trouble &trouble, const QString &actionText = {});
     QString command() const { return m_command; }
