@@ -19,14 +19,16 @@ struct AdapterMake
 };
 constexpr std::array makes{
     AdapterMake{"0403:60", "ftdi_sio"}, // FTDI
-    AdapterMake{"10c4:ea", "cp210x"},   // Silicon Labs
-    AdapterMake{"067b:23", "pl2303"},   // Prolific
-    AdapterMake{"0557:2008", "pl2303"}, // ATEN
-    AdapterMake{"1a86:7523", "ch341"},  // WCH
-    AdapterMake{"1a86:5523", "ch341"},  AdapterMake{"1a86:55d", "cdc_acm"},
-    AdapterMake{"04e2:14", "cdc_acm"},  // Exar
-    AdapterMake{"110a:", "mxuport"},    // Moxa
-    AdapterMake{"0856:ac", "ftdi_sio"}, // B&B Electronics
+    AdapterMake{"10c4:ea6", "cp210x"},  // Silicon Labs; its ea80 and ea90 are no serial ports
+    AdapterMake{"10c4:ea7", "cp210x"},          AdapterMake{"067b:23", "pl2303"}, // Prolific
+    AdapterMake{"0557:2008", "pl2303"},                                           // ATEN
+    AdapterMake{"1a86:752", "ch341"},                                             // WCH
+    AdapterMake{"1a86:5523", "ch341"},          AdapterMake{"1a86:55d", "cdc_acm"},
+    AdapterMake{"04e2:14", "xr_serial"},                                            // Exar
+    AdapterMake{"110a:11", "ti_usb_3410_5052"},                                     // Moxa UPort 1110 to 1151
+    AdapterMake{"110a:1", "mxuport"},                                               // and its larger ones
+    AdapterMake{"04d8:00dd", "cdc_acm"},                                            // Microchip
+    AdapterMake{"04d8:00df", "cdc_acm"},        AdapterMake{"0856:ac", "ftdi_sio"}, // B&B Electronics
 };
 
 const AdapterMake *makeOf(const QString &ids)

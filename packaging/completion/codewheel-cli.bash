@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Completion of codewheel-cli in bash; the program itself says what a word may be.
 _codewheel_cli() {
-    local cur words cword line IFS=$'\n'
+    local cur words cword line
     _get_comp_words_by_ref -n =: cur words cword
     COMPREPLY=()
-    for line in $("${words[0]}" complete -- "${words[@]:1:cword}" 2>/dev/null); do
+    while IFS= read -r line; do
         line=${line%%$'\t'*}
         case $line in
             :files) _filedir ;;
             ":files "*) _filedir "${line#:files }" ;;
             *) COMPREPLY+=("$(printf '%q' "$line")") ;;
         esac
-    done
+    done < <("${words[0]}" complete -- "${words[@]:1:cword}" 2>/dev/null)
     # What goes on after its end: esc:, steps=
     [[ ${#COMPREPLY[@]} -ne 1 || ${COMPREPLY[0]} != *[=:,] ]] || compopt -o nospace
     # For bash a word ends at = and :

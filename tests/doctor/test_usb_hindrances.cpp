@@ -22,15 +22,26 @@ TEST(UsbHindrances, AnAdapterWithoutAPortWantsItsDriver)
         const char *vendor;
         const char *product;
         const char *driver;
-    } rows[] = {{"0403", "6001", "ftdi_sio"}, {"0403", "6015", "ftdi_sio"}, {"10c4", "ea60", "cp210x"},
-                {"067b", "2303", "pl2303"},   {"1a86", "7523", "ch341"},    {"1a86", "55d4", "cdc_acm"},
-                {"110a", "1130", "mxuport"}};
+    } rows[] = {
+        {"0403", "6001", "ftdi_sio"}, {"0403", "6015", "ftdi_sio"},  {"10c4", "ea60", "cp210x"},
+        {"067b", "2303", "pl2303"},   {"1a86", "7523", "ch341"},     {"1a86", "55d4", "cdc_acm"},
+        {"1a86", "7522", "ch341"},    {"10c4", "ea71", "cp210x"},    {"110a", "1130", "ti_usb_3410_5052"},
+        {"110a", "1450", "mxuport"},  {"04e2", "1410", "xr_serial"}, {"04d8", "00df", "cdc_acm"}};
     for (const auto &row : rows) {
         MadeComputer made;
         made.adapter(QStringLiteral("3-1.4"), row.vendor, row.product, "Adapter");
         const auto found = usbHindrances(made.computer());
         ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("noDriver")}) << row.vendor << ':' << row.product;
         EXPECT_EQ(found[0].command, QStringLiteral("sudo modprobe ") + QLatin1String(row.driver));
+    }
+}
+
+TEST(UsbHindrances, ABridgeToOtherBusesIsNoSerialAdapter)
+{
+    for (const char *product : {"ea80", "ea90"}) { // CP2110, CP2112
+        MadeComputer made;
+        made.adapter(QStringLiteral("1-2"), "10c4", product, "HID Bridge");
+        EXPECT_TRUE(usbHindrances(made.computer()).empty()) << product;
     }
 }
 
