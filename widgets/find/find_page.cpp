@@ -2,6 +2,7 @@
 #include "widgets/find/find_page.h"
 
 #include "encoder/sentence.h"
+#include "encoder/shown_text.h"
 #include "widgets/find/finder_news_model.h"
 #include "widgets/input/form_fields.h"
 #include "widgets/input/number_fields.h"
@@ -216,7 +217,7 @@ void FindPage::begin()
 void FindPage::add(const FinderNews &news)
 {
     if (news.kind == FinderNews::Kind::looking) {
-        m_doing->setText(news.place + QStringLiteral(": ") + news.sentence);
+        m_doing->setText(shownInLine(news.place + QStringLiteral(": ") + news.sentence));
         return;
     }
     m_news->append({news});
@@ -227,10 +228,11 @@ void FindPage::add(const FinderNews &news)
 
 void FindPage::ask(const QStringList &places, const QStringList &announcements)
 {
-    m_message->showMessage(Role::attention,
-                           sentence(tr("Ask %1? Only reads are sent."), {places.join(QStringLiteral(", "))}) +
-                               u'\n' + announcements.join(u'\n'),
-                           tr("&Ask"));
+    m_message->showMessage(
+        Role::attention,
+        sentence(tr("Ask %1? Only reads are sent."), {shownInLine(places.join(QStringLiteral(", ")))}) +
+            u'\n' + announcements.join(u'\n'),
+        tr("&Ask"));
 }
 
 void FindPage::end()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/find/finder_news_model.h"
 
+#include "encoder/shown_text.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
@@ -24,13 +25,13 @@ QString newsText(const FinderNews &news, int column)
 {
     switch (column) {
     case FinderNewsModel::place:
-        return news.place;
+        return shownInLine(news.place);
     case FinderNewsModel::settings:
         return news.found ? news.found->settings : QString();
     case FinderNewsModel::sure:
         return news.found ? certaintyText(news.found->certainty) : QString();
     default:
-        return news.sentence;
+        return shownInLine(news.sentence);
     }
 }
 

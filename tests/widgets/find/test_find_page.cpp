@@ -9,6 +9,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -155,6 +156,14 @@ TEST_F(FindPageTest, ConnectsWithWhatWasFoundOnceTheSearchHasEnded)
     QTest::mouseClick(&button(QStringLiteral("Connect")), Qt::LeftButton);
     ASSERT_EQ(wanted.size(), 1U);
     EXPECT_EQ(wanted[0].settings, QStringLiteral("9600 Bd, 8N2"));
+}
+
+TEST_F(FindPageTest, ANameStaysInItsLineWhateverIsInIt)
+{
+    page.begin();
+    page.add({FinderNews::Kind::heard, QStringLiteral("/dev/a\nb"), QStringLiteral("The line is silent.")});
+    const auto *table = page.findChild<QTableView *>();
+    EXPECT_EQ(table->model()->index(0, 0).data().toString(), QStringLiteral("/dev/a\\u000Ab"));
 }
 
 TEST_F(FindPageTest, NobodyConnectsWhereAMasterWorks)
