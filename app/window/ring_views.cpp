@@ -148,6 +148,8 @@ void RingViews::connectFound(const KindData &plan)
 void RingViews::showRegisters()
 {
     m_links->showRegisters();
+    if (m_chosen)
+        m_registers->choose(m_chosen->node);
     showPage(m_registers);
 }
 

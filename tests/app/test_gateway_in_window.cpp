@@ -10,6 +10,7 @@
 #include "widgets/connect/connect_page.h"
 #include "widgets/gateway/registers_page.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -299,6 +300,15 @@ TEST_F(GatewayInWindowTest, ADeviceCanBeReadWithoutConnecting)
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return rows.index(0, 3).data().toString() == QStringLiteral("000004D2"); }));
     EXPECT_FALSE(bus().isOpen());
+}
+
+TEST_F(GatewayInWindowTest, TheRegistersOpenAtTheChosenDevice)
+{
+    connectGateway();
+    window().findChild<StructureView *>()->choose(test::baumer);
+    ringActions().registers->trigger();
+    EXPECT_EQ(registers().findChild<QTableView *>()->currentIndex().siblingAtColumn(0).data().toString(),
+              QStringLiteral("2.0"));
 }
 
 TEST_F(GatewayInWindowTest, SomebodyElsesWordIsSaidAndEndsOperate)

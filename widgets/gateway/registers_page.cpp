@@ -111,6 +111,13 @@ void RegistersPage::show(std::vector<DeviceRegisters> devices, WordOrder set, bo
     showOrder();
 }
 
+void RegistersPage::choose(const NodeId &device)
+{
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (m_model->device(row).place == device)
+            m_table->setCurrentIndex(m_model->index(row, 0));
+}
+
 int RegistersPage::chosen() const
 {
     return m_table->currentIndex().isValid() ? m_table->currentIndex().row() : -1;

@@ -33,6 +33,7 @@ public:
 
     // `isLive`: of the connected bus, frame by frame; otherwise as planned, or as read by "Read now".
     void show(std::vector<DeviceRegisters> devices, WordOrder set, bool isLive);
+    void choose(const NodeId &device); // if it is there
     void setReading(bool on);
     void tell(const QString &sentence); // how "Read now" ended; empty: nothing to say
 
