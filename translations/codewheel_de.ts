@@ -8867,6 +8867,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Der Adapter von %1 sammelt Bytes bis zu %2 ms lang, was jede Antwort verzögert, bis ein Programm kurze Latenz verlangt, wie Codewheel es tut.</translation>
     </message>
     <message>
+        <source>You may not use %1, and no group of users may. Let yourself use it until it is unplugged.</source>
+        <translation>Sie dürfen %1 nicht benutzen, und keine Benutzergruppe darf es. Erlauben Sie es sich, bis er abgezogen wird.</translation>
+    </message>
+    <message>
         <source>You may not use %1 yet: you are in its group %2 from your next login on. Log out and in again. In a terminal, this is enough.</source>
         <translation>Sie dürfen %1 noch nicht benutzen: Sie sind erst ab der nächsten Anmeldung in seiner Gruppe %2. Melden Sie sich ab und wieder an. In einem Terminal genügt dies.</translation>
     </message>
@@ -8889,10 +8893,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>ModemManager runs: for some seconds after an adapter is plugged in, it sends to it to find a modem, and nobody else can use the port. Stop it if you need no modem.</source>
         <translation>ModemManager läuft: Nach dem Einstecken eines Adapters sendet er ihm einige Sekunden lang, um ein Modem zu finden, und niemand sonst kann den Anschluss benutzen. Halten Sie ihn an, wenn Sie kein Modem brauchen.</translation>
-    </message>
-    <message>
-        <source>You may not use %1, and it is in no group for serial ports that you could join. Let yourself use it until it is unplugged.</source>
-        <translation>Sie dürfen %1 nicht benutzen, und er gehört zu keiner Gruppe für serielle Anschlüsse, der Sie beitreten könnten. Erlauben Sie es sich, bis er abgezogen wird.</translation>
     </message>
 </context>
 <context>

@@ -7,34 +7,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <filesystem>
 #include <unistd.h>
 #include <utility>
 
 namespace codewheel {
 namespace {
 
-constexpr qint64 mostContents = 1 << 20;
-
-// Names that are numbers, in order; empty where we may not look. Nothing else is looked at: there may be
-// thousands.
-std::vector<int> numbersIn(const QString &folder)
-{
-    std::vector<int> numbers;
-    std::error_code error;
-    const std::filesystem::path path = QFile::encodeName(folder).toStdString();
-    for (std::filesystem::directory_iterator entry(path, error); !error && entry != end(entry);
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        int number = 0;
-        const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
-        if (read.ec == std::errc() && read.ptr == name.data() + name.size())
-            numbers.push_back(number);
-    }
-    std::ranges::sort(numbers);
-    return numbers;
-}
+constexpr qint64 mostContents = 65'536;
 
 } // namespace
 
@@ -82,23 +61,27 @@ Process Computer::process(int id) const
 std::vector<Process> Computer::processes() const
 {
     std::vector<Process> all;
-    for (const int id : numbersIn(m_root + QStringLiteral("/proc")))
-        all.push_back(process(id));
+    for (const QString &name : folders(QStringLiteral("/proc"))) {
+        bool isNumber = false;
+        const int id = name.toInt(&isNumber);
+        if (isNumber)
+            all.push_back(process(id));
+    }
+    std::ranges::sort(all, {}, &Process::id);
     return all;
 }
 
 std::vector<Process> Computer::holdersOf(const QString &path) const
 {
     const QString device = has(path) ? canonical(path) : path;
-    std::vector<Process> holders;
-    for (const int id : numbersIn(m_root + QStringLiteral("/proc"))) {
-        const QString files = QStringLiteral("/proc/%1/fd").arg(id);
-        const auto isDevice = [&](int number) {
-            return target(files + u'/' + QString::number(number)) == device;
-        };
-        if (std::ranges::any_of(numbersIn(m_root + files), isDevice))
-            holders.push_back(process(id));
-    }
+    std::vector<Process> holders = processes();
+    std::erase_if(holders, [&](const Process &its) {
+        const QString files = QStringLiteral("/proc/%1/fd").arg(its.id);
+        const QStringList numbers =
+            QDir(m_root + files).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot);
+        return std::ranges::none_of(
+            numbers, [&](const QString &number) { return target(files + u'/' + number) == device; });
+    });
     return holders;
 }
 

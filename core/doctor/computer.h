@@ -27,7 +27,7 @@ public:
     explicit Computer(QString root = {});
 
     bool has(const QString &path) const;
-    QByteArray contents(const QString &path) const;            // without space around it; the first MiB
+    QByteArray contents(const QString &path) const;            // without space around it; the first 64 KiB
     QStringList folders(const QString &path) const;            // names in it, links to folders too, sorted
     QString target(const QString &path) const;                 // of a link, as written there
     QString canonical(const QString &path) const;              // without links; below the root

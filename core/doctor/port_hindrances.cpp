@@ -2,9 +2,9 @@
 #include "doctor/port_hindrances.h"
 
 #include "doctor/doctor_texts.h"
+#include "doctor/shell_command.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "encoder/shell_command.h"
 #include "links/port_access.h"
 
 #include <algorithm>
@@ -36,12 +36,9 @@ bool isMember(const QString &group, const Computer &computer)
     return false;
 }
 
-// A daemon is stopped, any other program ended. The login prompt of a serial console would come back.
-QString endCommand(const Process &holder, const QString &port)
+// A daemon is stopped, any other program ended.
+QString endCommand(const Process &holder)
 {
-    if (holder.name.endsWith(QStringLiteral("getty")))
-        return shellCommand(QStringLiteral("sudo systemctl disable --now %1"),
-                            {QStringLiteral("serial-getty@%1.service").arg(port)});
     constexpr std::array daemons{"ModemManager", "brltty"};
     const auto daemon =
         std::ranges::find_if(daemons, [&](const char *name) { return holder.name == QLatin1String(name); });
@@ -50,7 +47,7 @@ QString endCommand(const Process &holder, const QString &port)
                : shellCommand(QStringLiteral("kill %1"), {QString::number(holder.id)});
 }
 
-Hindrance heldBy(const Process &holder, const QString &path, const QString &port)
+Hindrance heldBy(const Process &holder, const QString &path)
 {
     if (holder.isOurs)
         return {portTaken, Weight::prevents, path,
@@ -60,7 +57,7 @@ Hindrance heldBy(const Process &holder, const QString &path, const QString &port
         portTaken, Weight::prevents, path,
         sentence(DoctorTexts::tr("%1 is in use by the program %2 (process %3). Close it there, or end it."),
                  {path, holder.name, QString::number(holder.id)}),
-        endCommand(holder, port)};
+        endCommand(holder)};
 }
 
 // FTDI adapters; others have no such timer.
@@ -84,13 +81,12 @@ std::optional<Hindrance> latencyHindrance(const QString &path, const Computer &c
 Hindrance rightsHindrance(const QString &path, const Computer &computer)
 {
     if (!isForGroup(path))
-        return {
-            noRightsForAnyone, Weight::prevents, path,
-            sentence(DoctorTexts::tr(
-                         "You may not use %1, and it is in no group for serial ports that you could join. "
-                         "Let yourself use it until it is unplugged."),
-                     {path}),
-            rightsCommand(path)};
+        return {noRightsForAnyone, Weight::prevents, path,
+                sentence(DoctorTexts::tr(
+                             "You may not use %1, and no group of users may. Let yourself use it until it is "
+                             "unplugged."),
+                         {path}),
+                rightsCommand(path)};
     const QString group = groupOf(path);
     if (isMember(group, computer))
         return {
@@ -111,9 +107,8 @@ Hindrance rightsHindrance(const QString &path, const Computer &computer)
 std::vector<Hindrance> holderHindrances(const QString &path, const Computer &computer)
 {
     Hindrances found;
-    const QString port = (computer.has(path) ? computer.canonical(path) : path).section(u'/', -1);
     for (const Process &holder : computer.holdersOf(path))
-        found.push_back(heldBy(holder, path, port));
+        found.push_back(heldBy(holder, path));
     return found;
 }
 

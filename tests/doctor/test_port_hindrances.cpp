@@ -104,17 +104,6 @@ TEST(PortHindrances, NamesTheProgramThatHasThePort)
     EXPECT_EQ(found[1].command, QStringLiteral("kill 4711"));
 }
 
-// Ended, it would come back.
-TEST(PortHindrances, TheLoginPromptOfASerialConsoleIsSwitchedOff)
-{
-    MadeComputer made;
-    made.process(500, "agetty");
-    made.link(QStringLiteral("/proc/500/fd/0"), "/dev/ttyS7");
-    const auto found = holderHindrances(QStringLiteral("/dev/ttyS7"), made.computer());
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl disable --now serial-getty@ttyS7.service"));
-}
-
 TEST(PortHindrances, ThisProgramIsNotToldToEndItself)
 {
     const PtyPair pty; // the test holds its near end
