@@ -4,10 +4,10 @@
 #include "doctor/doctor_texts.h"
 #include "doctor/network_hindrances.h"
 #include "doctor/port_hindrances.h"
-#include "doctor/shell_command.h"
 #include "doctor/usb_hindrances.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "encoder/shell_command.h"
 
 #include <algorithm>
 

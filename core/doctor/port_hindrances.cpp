@@ -2,9 +2,9 @@
 #include "doctor/port_hindrances.h"
 
 #include "doctor/doctor_texts.h"
-#include "doctor/shell_command.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "encoder/shell_command.h"
 #include "links/port_access.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "doctor/usb_hindrances.h"
 
 #include "doctor/doctor_texts.h"
-#include "doctor/shell_command.h"
 #include "doctor/usb_adapters.h"
 #include "encoder/sentence.h"
+#include "encoder/shell_command.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/shell_command.h"
+#include "encoder/shell_command.h"
 
 #include "encoder/sentence.h"
 
