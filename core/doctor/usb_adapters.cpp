@@ -10,31 +10,62 @@ namespace {
 
 const QString usbDevices = QStringLiteral("/sys/bus/usb/devices/");
 
-// Makers of the converters in RS-232, RS-422 and RS-485 adapters, and the module of the kernel for them. A
-// maker of other things too is named with its products.
+struct UsbIds
+{
+    QByteArray vendor; // "0403"
+    QByteArray product;
+
+    QString text() const { return QString::fromLatin1(vendor + ':' + product); }
+};
+
+// Converters in RS-232, RS-422 and RS-485 adapters, and the module that makes ports of them, as the tables of
+// Linux 6.1 have it. Other products of these makers are something else: a CP2110 (10c4:ea80) is an input
+// device, a PL2305 (067b:2305) a printer.
 struct AdapterMake
 {
-    std::string_view ids; // how vendor:product begins
+    std::string_view vendor;
+    std::string_view products;
     const char *driver;
 };
 constexpr std::array makes{
-    AdapterMake{"0403:60", "ftdi_sio"}, // FTDI
-    AdapterMake{"10c4:ea6", "cp210x"},  // Silicon Labs; its ea80 and ea90 are no serial ports
-    AdapterMake{"10c4:ea7", "cp210x"},          AdapterMake{"067b:23", "pl2303"}, // Prolific
-    AdapterMake{"0557:2008", "pl2303"},                                           // ATEN
-    AdapterMake{"1a86:752", "ch341"},                                             // WCH
-    AdapterMake{"1a86:5523", "ch341"},          AdapterMake{"1a86:55d", "cdc_acm"},
-    AdapterMake{"04e2:14", "xr_serial"},                                            // Exar
-    AdapterMake{"110a:11", "ti_usb_3410_5052"},                                     // Moxa UPort 1110 to 1151
-    AdapterMake{"110a:1", "mxuport"},                                               // and its larger ones
-    AdapterMake{"04d8:00dd", "cdc_acm"},                                            // Microchip
-    AdapterMake{"04d8:00df", "cdc_acm"},        AdapterMake{"0856:ac", "ftdi_sio"}, // B&B Electronics
+    // FTDI
+    AdapterMake{"0403", "6001 6006 6010 6011 6014 6015 6040 6041 6042 6043 6044 6045 6048", "ftdi_sio"},
+    // Silicon Labs
+    AdapterMake{"10c4", "ea60 ea61 ea63 ea70 ea71 ea7a ea7b", "cp210x"},
+    // Prolific
+    AdapterMake{"067b", "2303 2304 23a3 23b3 23c3 23d3 23e3 23f3", "pl2303"},
+    // ATEN
+    AdapterMake{"0557", "2008 2021 2022 2118", "pl2303"},
+    AdapterMake{"0557", "2011 7820", "mos7840"},
+    // WCH; the newer ones are of the class of modems
+    AdapterMake{"1a86", "5523 7522 7523", "ch341"},
+    AdapterMake{"4348", "5523", "ch341"},
+    AdapterMake{"1a86", "55d2 55d3 55d4 55d5", "cdc_acm"},
+    // Microchip MCP2221 and MCP2200, likewise
+    AdapterMake{"04d8", "00dd 00df", "cdc_acm"},
+    // Exar
+    AdapterMake{"04e2", "1400 1401 1402 1403 1410 1411 1412 1414 1420 1422 1424", "xr_serial"},
+    // Moxa
+    AdapterMake{"110a", "1110 1130 1131 1150 1151", "ti_usb_3410_5052"},
+    AdapterMake{"110a", "1250 1251 1410 1450 1451 1613 1618 1653 1658", "mxuport"},
+    AdapterMake{"110a", "2210", "mos7840"},
+    // B&B Electronics
+    AdapterMake{"0856",
+                "ac01 ac02 ac03 ac11 ac12 ac16 ac17 ac18 ac19 ac25 ac26 ac27 ac33 ac34 ac49 ac50 ba02",
+                "ftdi_sio"},
+    AdapterMake{"0856", "ac22 ac24 ac29 ac30 ac31 ac32 ac42 ac44 bc00 bc01 bc02 bc03", "mos7840"},
 };
 
-const AdapterMake *makeOf(const QString &ids)
+bool isAmong(std::string_view products, const QByteArray &product)
+{
+    constexpr qsizetype digits = 4;
+    return product.size() == digits && QByteArrayView(products).contains(product);
+}
+
+const AdapterMake *makeOf(const UsbIds &ids)
 {
     const auto found = std::ranges::find_if(makes, [&](const AdapterMake &make) {
-        return ids.startsWith(QLatin1String(make.ids.data(), static_cast<qsizetype>(make.ids.size())));
+        return ids.vendor == QByteArrayView(make.vendor) && isAmong(make.products, ids.product);
     });
     return found == makes.end() ? nullptr : &*found;
 }
@@ -71,11 +102,10 @@ std::vector<UsbAdapter> usbAdapters(const Computer &computer)
     std::vector<UsbAdapter> adapters;
     for (const QString &place : computer.folders(usbDevices)) {
         const QString folder = usbDevices + place;
-        const QString ids = QStringLiteral("%1:%2").arg(
-            QString::fromLatin1(computer.contents(folder + QStringLiteral("/idVendor"))),
-            QString::fromLatin1(computer.contents(folder + QStringLiteral("/idProduct"))));
+        const UsbIds ids{computer.contents(folder + QStringLiteral("/idVendor")),
+                         computer.contents(folder + QStringLiteral("/idProduct"))};
         if (const AdapterMake *make = makeOf(ids))
-            adapters.push_back(adapterAt(place, ids, *make, computer));
+            adapters.push_back(adapterAt(place, ids.text(), *make, computer));
     }
     return adapters;
 }

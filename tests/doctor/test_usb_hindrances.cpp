@@ -23,10 +23,27 @@ TEST(UsbHindrances, AnAdapterWithoutAPortWantsItsDriver)
         const char *product;
         const char *driver;
     } rows[] = {
-        {"0403", "6001", "ftdi_sio"}, {"0403", "6015", "ftdi_sio"},  {"10c4", "ea60", "cp210x"},
-        {"067b", "2303", "pl2303"},   {"1a86", "7523", "ch341"},     {"1a86", "55d4", "cdc_acm"},
-        {"1a86", "7522", "ch341"},    {"10c4", "ea71", "cp210x"},    {"110a", "1130", "ti_usb_3410_5052"},
-        {"110a", "1450", "mxuport"},  {"04e2", "1410", "xr_serial"}, {"04d8", "00df", "cdc_acm"}};
+        {"0403", "6001", "ftdi_sio"},
+        {"0403", "6015", "ftdi_sio"},
+        {"0856", "ac27", "ftdi_sio"},
+        {"10c4", "ea60", "cp210x"},
+        {"10c4", "ea71", "cp210x"},
+        {"067b", "2303", "pl2303"},
+        {"067b", "23c3", "pl2303"},
+        {"0557", "2008", "pl2303"},
+        {"1a86", "7523", "ch341"},
+        {"1a86", "7522", "ch341"},
+        {"4348", "5523", "ch341"},
+        {"1a86", "55d4", "cdc_acm"},
+        {"04d8", "00df", "cdc_acm"},
+        {"04d8", "00dd", "cdc_acm"},
+        {"04e2", "1410", "xr_serial"},
+        {"110a", "1130", "ti_usb_3410_5052"},
+        {"110a", "1150", "ti_usb_3410_5052"},
+        {"110a", "1250", "mxuport"},
+        {"110a", "1653", "mxuport"},
+        {"0856", "ac44", "mos7840"},
+    };
     for (const auto &row : rows) {
         MadeComputer made;
         made.adapter(QStringLiteral("3-1.4"), row.vendor, row.product, "Adapter");
@@ -36,12 +53,15 @@ TEST(UsbHindrances, AnAdapterWithoutAPortWantsItsDriver)
     }
 }
 
-TEST(UsbHindrances, ABridgeToOtherBusesIsNoSerialAdapter)
+TEST(UsbHindrances, WhatTheSameMakersSellWithoutASerialPortIsNoAdapter)
 {
-    for (const char *product : {"ea80", "ea90"}) { // CP2110, CP2112
+    const std::pair<const char *, const char *> rows[] = {
+        {"10c4", "ea80"}, {"10c4", "ea90"}, {"067b", "2305"}, {"1a86", "5584"}, {"1a86", "55dc"},
+        {"110a", "9999"}, {"04d8", "003f"}, {"04e2", ""},     {"04e2", "10"}};
+    for (const auto &[vendor, product] : rows) {
         MadeComputer made;
-        made.adapter(QStringLiteral("1-2"), "10c4", product, "HID Bridge");
-        EXPECT_TRUE(usbHindrances(made.computer()).empty()) << product;
+        made.adapter(QStringLiteral("3-1.4"), vendor, product, "Something else");
+        EXPECT_TRUE(usbHindrances(made.computer()).empty()) << vendor << ':' << product;
     }
 }
 
