@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace codewheel {
-namespace {
-
-constexpr qint64 mostContents = 65'536;
-
-} // namespace
-
 Computer::Computer(QString root)
     : m_root(std::move(root))
 {}
@@ -29,7 +23,7 @@ bool Computer::has(const QString &path) const
 QByteArray Computer::contents(const QString &path) const
 {
     QFile file(m_root + path);
-    return file.open(QIODevice::ReadOnly) ? file.read(mostContents).trimmed() : QByteArray();
+    return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed() : QByteArray();
 }
 
 QStringList Computer::folders(const QString &path) const
@@ -52,43 +46,32 @@ QString Computer::canonical(const QString &path) const
     return whole.startsWith(root) ? whole.mid(root.size()) : whole;
 }
 
-Process Computer::process(int id) const
+const std::vector<RunningProcess> &Computer::running() const
 {
-    return {id, QString::fromLocal8Bit(contents(QStringLiteral("/proc/%1/comm").arg(id))),
-            m_root.isEmpty() && id == ::getpid()};
+    if (!m_running)
+        m_running = runningProcesses(QFile::encodeName(m_root));
+    return *m_running;
 }
 
-std::vector<Process> Computer::processes() const
+Process Computer::told(const RunningProcess &process) const
 {
-    std::vector<Process> all;
-    for (const QString &name : folders(QStringLiteral("/proc"))) {
-        bool isNumber = false;
-        const int id = name.toInt(&isNumber);
-        if (isNumber)
-            all.push_back(process(id));
-    }
-    std::ranges::sort(all, {}, &Process::id);
-    return all;
+    return {process.id, QString::fromLocal8Bit(process.name), m_root.isEmpty() && process.id == ::getpid()};
 }
 
 std::vector<Process> Computer::holdersOf(const QString &path) const
 {
-    const QString device = has(path) ? canonical(path) : path;
-    std::vector<Process> holders = processes();
-    std::erase_if(holders, [&](const Process &its) {
-        const QString files = QStringLiteral("/proc/%1/fd").arg(its.id);
-        const QStringList numbers =
-            QDir(m_root + files).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot);
-        return std::ranges::none_of(
-            numbers, [&](const QString &number) { return target(files + u'/' + number) == device; });
-    });
+    const QByteArray device = QFile::encodeName(has(path) ? canonical(path) : path);
+    std::vector<Process> holders;
+    for (const RunningProcess &its : running())
+        if (std::ranges::find(its.devices, device) != its.devices.end())
+            holders.push_back(told(its));
     return holders;
 }
 
 bool Computer::runs(const QString &program) const
 {
-    const auto all = processes();
-    return std::ranges::find(all, program, &Process::name) != all.end();
+    const QByteArray name = program.toLocal8Bit();
+    return std::ranges::find(running(), name, &RunningProcess::name) != running().end();
 }
 
 } // namespace codewheel

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
+#include "doctor/running_process.h"
+
 #include <QStringList>
 
-#include <vector>
+#include <optional>
 
 namespace codewheel {
 
@@ -19,7 +20,7 @@ struct Process
 };
 
 // What the system tells about itself in /proc, /sys and /etc. Only looks; opens no device. What cannot be
-// read is empty.
+// read is empty. It looks at processes once, when they are first asked for.
 class Computer
 {
 public:
@@ -27,18 +28,19 @@ public:
     explicit Computer(QString root = {});
 
     bool has(const QString &path) const;
-    QByteArray contents(const QString &path) const;            // without space around it; the first 64 KiB
+    QByteArray contents(const QString &path) const;            // without space around it
     QStringList folders(const QString &path) const;            // names in it, links to folders too, sorted
     QString target(const QString &path) const;                 // of a link, as written there
     QString canonical(const QString &path) const;              // without links; below the root
-    std::vector<Process> processes() const;                    // by id
     std::vector<Process> holdersOf(const QString &path) const; // that have it open, as far as we may see
     bool runs(const QString &program) const;
 
 private:
-    Process process(int id) const;
+    const std::vector<RunningProcess> &running() const;
+    Process told(const RunningProcess &process) const;
 
     const QString m_root;
+    mutable std::optional<std::vector<RunningProcess>> m_running;
 };
 
 } // namespace codewheel

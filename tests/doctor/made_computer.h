@@ -36,9 +36,10 @@ public:
         folder(QFileInfo(path).path());
         EXPECT_EQ(::symlink(target.constData(), QFile::encodeName(m_folder.path() + path).constData()), 0);
     }
-    void process(int id, const QByteArray &name)
+    void process(int id, const QByteArray &name, int terminal = 0)
     {
-        file(QStringLiteral("/proc/%1/comm").arg(id), name);
+        file(QStringLiteral("/proc/%1/stat").arg(id),
+             QByteArray::number(id) + " (" + name + ") S 1 1 1 " + QByteArray::number(terminal) + " -1");
         folder(QStringLiteral("/proc/%1/fd").arg(id));
     }
     // With a driver if it has one, and then with a port.

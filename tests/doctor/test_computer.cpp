@@ -40,13 +40,55 @@ TEST(Computer, FindsTheHolderOfAPortByAnyOfItsNames)
     EXPECT_EQ(holders[0], (Process{4711, QStringLiteral("minicom")}));
 }
 
+// Their bytes would be the same text.
+TEST(Computer, NamesThatAreNotUtf8AreNotTakenForEachOther)
+{
+    MadeComputer made;
+    made.process(4711, "\xff\xfe");
+    made.link(QStringLiteral("/proc/4711/fd/3"), "/dev/tty\xff");
+    const Computer computer = made.computer();
+    EXPECT_TRUE(computer.holdersOf(QFile::decodeName("/dev/tty\xfe")).empty());
+    EXPECT_TRUE(computer.holdersOf(QFile::decodeName("/dev/tty\xff")).empty()) << "no text leads to it";
+    EXPECT_FALSE(computer.runs(QString::fromLocal8Bit("\xfe\xff")));
+}
+
+TEST(Computer, NamesOfProcessesMayHaveAnythingInThem)
+{
+    MadeComputer made;
+    made.process(4711, "a (b) 7 c) S");
+    made.link(QStringLiteral("/proc/4711/fd/3"), "/dev/ttyUSB0");
+    const auto holders = made.computer().holdersOf(QStringLiteral("/dev/ttyUSB0"));
+    ASSERT_EQ(holders.size(), 1U);
+    EXPECT_EQ(holders[0].name, QStringLiteral("a (b) 7 c) S"));
+}
+
+// However many ports are asked for.
+TEST(Computer, LooksAtProcessesOnce)
+{
+    MadeComputer made;
+    const Computer computer = made.computer();
+    EXPECT_TRUE(computer.holdersOf(QStringLiteral("/dev/ttyUSB0")).empty());
+    made.process(4711, "minicom");
+    made.link(QStringLiteral("/proc/4711/fd/3"), "/dev/ttyUSB0");
+    EXPECT_TRUE(computer.holdersOf(QStringLiteral("/dev/ttyUSB0")).empty());
+    EXPECT_EQ(made.computer().holdersOf(QStringLiteral("/dev/ttyUSB0")).size(), 1U);
+}
+
+TEST(Computer, ALongFileIsReadToItsEnd)
+{
+    MadeComputer made;
+    made.file(QStringLiteral("/etc/group"), QByteArray(100'000, 'x') + "\ndialout:x:20:max");
+    EXPECT_TRUE(made.computer().contents(QStringLiteral("/etc/group")).endsWith(":max"));
+}
+
 TEST(Computer, WhatIsNotThereIsEmpty)
 {
     const Computer computer(QStringLiteral("/nowhere"));
     EXPECT_FALSE(computer.has(QStringLiteral("/proc")));
     EXPECT_TRUE(computer.contents(QStringLiteral("/proc/1/comm")).isEmpty());
     EXPECT_TRUE(computer.folders(QStringLiteral("/sys")).isEmpty());
-    EXPECT_TRUE(computer.processes().empty());
+    EXPECT_TRUE(computer.holdersOf(QStringLiteral("/dev/ttyUSB0")).empty());
+    EXPECT_FALSE(computer.runs(QString()));
     EXPECT_TRUE(computer.target(QStringLiteral("/proc/self")).isEmpty());
 }
 
