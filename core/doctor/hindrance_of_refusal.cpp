@@ -65,7 +65,7 @@ std::optional<Hindrance> hindranceOf(const Refusal &why, const Computer &compute
         return missingPort(why, computer);
     case RefusalId::serverPortPrivileged:
         return privilegedPortHindrance(static_cast<int>(std::get<std::int64_t>(why.arguments.front())),
-                                       Weight::prevents);
+                                       Weight::prevents, computer);
     case RefusalId::serverPortTaken:
         return asRefused(HindranceId::serverPortTaken, why,
                          shellCommand(QStringLiteral("ss -ltnp \"sport = :%1\""),

@@ -27,6 +27,15 @@ bool isUp(const QString &name, const Computer &computer)
     return isNumber && (flags & up) != 0;
 }
 
+// The first one at which everybody may listen; empty: the system does not say.
+std::optional<int> firstFreePort(const Computer &computer)
+{
+    bool isNumber = false;
+    const int first =
+        computer.contents(QStringLiteral("/proc/sys/net/ipv4/ip_unprivileged_port_start")).toInt(&isNumber);
+    return isNumber ? std::optional(first) : std::nullopt;
+}
+
 } // namespace
 
 Hindrances canHindrances(const Computer &computer)
@@ -44,24 +53,24 @@ Hindrances canHindrances(const Computer &computer)
     return found;
 }
 
-Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight)
+Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight, const Computer &computer)
 {
+    constexpr int usualFirst = 1'024;
+    const int first = firstFreePort(computer).value_or(usualFirst);
     return {HindranceId::privilegedPort, weight, QString::number(port),
             sentence(DoctorTexts::tr(
                          "A server at port %1 needs rights on this computer that you do not have. Use a "
-                         "port from 1024 on, or allow it until the next start of the computer."),
-                     {QString::number(port)}),
+                         "port from %2 on, or allow it until the next start of the computer."),
+                     {QString::number(port), QString::number(first)}),
             shellCommand(QStringLiteral("sudo sysctl net.ipv4.ip_unprivileged_port_start=%1"),
                          {QString::number(port)})};
 }
 
 Hindrances serverPortHindrances(int port, Hindrance::Weight weight, const Computer &computer)
 {
-    const QByteArray first =
-        computer.contents(QStringLiteral("/proc/sys/net/ipv4/ip_unprivileged_port_start"));
-    if (::geteuid() == 0 || first.isEmpty() || port >= first.toInt())
+    if (::geteuid() == 0 || port >= firstFreePort(computer).value_or(0))
         return {};
-    return {privilegedPortHindrance(port, weight)};
+    return {privilegedPortHindrance(port, weight, computer)};
 }
 
 } // namespace codewheel

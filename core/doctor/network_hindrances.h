@@ -12,6 +12,6 @@ Hindrances canHindrances(const Computer &computer);
 // Whether this user's server may not listen at a port of TCP.
 Hindrances serverPortHindrances(int port, Hindrance::Weight weight, const Computer &computer);
 
-Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight);
+Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight, const Computer &computer);
 
 } // namespace codewheel
