@@ -8851,10 +8851,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Die CAN-Schnittstelle %1 ist ausgeschaltet. Schalten Sie sie mit der Bitrate des Busses ein.</translation>
     </message>
     <message>
-        <source>A server at port %1 needs rights on this computer that you do not have. Use a port from 1024 on, or allow it until the next start of the computer.</source>
-        <translation>Ein Server am Port %1 braucht auf diesem Rechner Rechte, die Sie nicht haben. Nehmen Sie einen Port ab 1024, oder erlauben Sie es bis zum nächsten Start des Rechners.</translation>
-    </message>
-    <message>
         <source>%1 is in use by another bus of this program. Disconnect that one.</source>
         <translation>%1 wird von einem anderen Bus dieses Programms benutzt. Trennen Sie jenen.</translation>
     </message>
@@ -8865,10 +8861,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>The adapter of %1 collects bytes for up to %2 ms, which slows down every answer, until a program asks for low latency as Codewheel does.</source>
         <translation>Der Adapter von %1 sammelt Bytes bis zu %2 ms lang, was jede Antwort verzögert, bis ein Programm kurze Latenz verlangt, wie Codewheel es tut.</translation>
-    </message>
-    <message>
-        <source>You may not use %1, and no group of users may. Let yourself use it until it is unplugged.</source>
-        <translation>Sie dürfen %1 nicht benutzen, und keine Benutzergruppe darf es. Erlauben Sie es sich, bis er abgezogen wird.</translation>
     </message>
     <message>
         <source>You may not use %1 yet: you are in its group %2 from your next login on. Log out and in again. In a terminal, this is enough.</source>
@@ -8893,6 +8885,26 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>ModemManager runs: for some seconds after an adapter is plugged in, it sends to it to find a modem, and nobody else can use the port. Stop it if you need no modem.</source>
         <translation>ModemManager läuft: Nach dem Einstecken eines Adapters sendet er ihm einige Sekunden lang, um ein Modem zu finden, und niemand sonst kann den Anschluss benutzen. Halten Sie ihn an, wenn Sie kein Modem brauchen.</translation>
+    </message>
+    <message>
+        <source>A server at port %1 needs rights on this computer that you do not have. Use a port from %2 on, or allow it until the next start of the computer.</source>
+        <translation>Ein Server am Port %1 braucht auf diesem Rechner Rechte, die Sie nicht haben. Nehmen Sie einen Port ab %2, oder erlauben Sie es bis zum nächsten Start des Rechners.</translation>
+    </message>
+    <message>
+        <source>The system offers a login at %1 (%2, process %3). Switch that off if nobody logs in there.</source>
+        <translation>Das System bietet an %1 eine Anmeldung an (%2, Prozess %3). Schalten Sie das ab, wenn sich dort niemand anmeldet.</translation>
+    </message>
+    <message>
+        <source>The file %2 keeps %1 for a program that has ended. Remove it.</source>
+        <translation>Die Datei %2 hält %1 für ein Programm frei, das beendet ist. Entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>You may not use %1. Its group %2 may, but that is no group for serial ports: do not join it. Let yourself use the port until it is unplugged or the computer starts again.</source>
+        <translation>Sie dürfen %1 nicht benutzen. Seine Gruppe %2 darf es, ist aber keine für serielle Anschlüsse: Treten Sie ihr nicht bei. Geben Sie sich selbst das Zugriffsrecht, bis der Anschluss abgezogen wird oder der Rechner neu startet.</translation>
+    </message>
+    <message>
+        <source>You may not use %1, and no group of users may. Let yourself use it until it is unplugged or the computer starts again.</source>
+        <translation>Sie dürfen %1 nicht benutzen, und keine Benutzergruppe darf es. Geben Sie sich selbst das Zugriffsrecht, bis der Anschluss abgezogen wird oder der Rechner neu startet.</translation>
     </message>
 </context>
 <context>

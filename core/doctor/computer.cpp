@@ -7,10 +7,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <unistd.h>
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+// Of a device "4:64", as /proc/PID/stat has it.
+int terminalNumber(const QByteArray &device)
+{
+    constexpr int low = 0xff; // the bits of the minor number that are below the major one
+    const int major = device.split(':').value(0).toInt();
+    const int minor = device.split(':').value(1).toInt();
+    return (minor & low) | (major << 8) | ((minor & ~low) << 12);
+}
+
+} // namespace
+
 Computer::Computer(QString root)
     : m_root(std::move(root))
 {}
@@ -42,8 +57,16 @@ QString Computer::target(const QString &path) const
 QString Computer::canonical(const QString &path) const
 {
     const QString whole = QFileInfo(m_root + path).canonicalFilePath();
+    if (whole.isEmpty())
+        return path;
     const QString root = m_root.isEmpty() ? QString() : QFileInfo(m_root).canonicalFilePath();
     return whole.startsWith(root) ? whole.mid(root.size()) : whole;
+}
+
+// Its folder lets only the owner of a file remove it.
+bool Computer::mayRemove(const QString &path) const
+{
+    return ::geteuid() == 0 || QFileInfo(m_root + path).ownerId() == ::geteuid();
 }
 
 const std::vector<RunningProcess> &Computer::running() const
@@ -55,17 +78,33 @@ const std::vector<RunningProcess> &Computer::running() const
 
 Process Computer::told(const RunningProcess &process) const
 {
-    return {process.id, QString::fromLocal8Bit(process.name), m_root.isEmpty() && process.id == ::getpid()};
+    return {process.id, QString::fromLocal8Bit(process.name), m_root.isEmpty() && process.id == ::getpid(),
+            !process.isSeen};
 }
 
 std::vector<Process> Computer::holdersOf(const QString &path) const
 {
-    const QByteArray device = QFile::encodeName(has(path) ? canonical(path) : path);
+    const QString device = canonical(path);
+    const QByteArray name = QFile::encodeName(device);
+    const int number =
+        terminalNumber(contents(QStringLiteral("/sys/class/tty/%1/dev").arg(device.section(u'/', -1))));
     std::vector<Process> holders;
     for (const RunningProcess &its : running())
-        if (std::ranges::find(its.devices, device) != its.devices.end())
+        if (std::ranges::find(its.devices, name) != its.devices.end() ||
+            (number != 0 && its.terminal == number))
             holders.push_back(told(its));
     return holders;
+}
+
+std::optional<Process> Computer::process(int id) const
+{
+    const auto found = std::ranges::find(running(), id, &RunningProcess::id);
+    return found == running().end() ? std::nullopt : std::optional(told(*found));
+}
+
+bool Computer::exists(int id) const
+{
+    return process(id) || (m_root.isEmpty() && (::kill(id, 0) == 0 || errno != ESRCH));
 }
 
 bool Computer::runs(const QString &program) const

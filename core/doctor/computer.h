@@ -13,8 +13,9 @@ namespace codewheel {
 struct Process
 {
     int id = 0;
-    QString name{};      // at most 15 characters, as the kernel keeps it
-    bool isOurs = false; // this program
+    QString name{};         // at most 15 characters, as the kernel keeps it
+    bool isOurs = false;    // this program
+    bool isOfOther = false; // of another user: what it has open cannot be seen
 
     friend bool operator==(const Process &, const Process &) = default;
 };
@@ -28,11 +29,17 @@ public:
     explicit Computer(QString root = {});
 
     bool has(const QString &path) const;
-    QByteArray contents(const QString &path) const;            // without space around it
-    QStringList folders(const QString &path) const;            // names in it, links to folders too, sorted
-    QString target(const QString &path) const;                 // of a link, as written there
-    QString canonical(const QString &path) const;              // without links; below the root
-    std::vector<Process> holdersOf(const QString &path) const; // that have it open, as far as we may see
+    QByteArray contents(const QString &path) const; // without space around it
+    QStringList folders(const QString &path) const; // names in it, links to folders too, sorted
+    QString target(const QString &path) const;      // of a link, as written there
+    // Without links; below the root. As it is, if it is not there.
+    QString canonical(const QString &path) const;
+    // A file in a folder that is for everybody.
+    bool mayRemove(const QString &path) const;
+    // That have it open, as far as we may see, or are controlled by it.
+    std::vector<Process> holdersOf(const QString &path) const;
+    std::optional<Process> process(int id) const;
+    bool exists(int id) const; // also a process that is hidden from us
     bool runs(const QString &program) const;
 
 private:

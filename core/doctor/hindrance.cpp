@@ -11,7 +11,7 @@ constexpr std::array hindranceKeys{"noPort",         "portMissing",       "notAP
                                    "portTaken",      "slowPort",          "noDriver",
                                    "brltty",         "modemManager",      "canDown",
                                    "privilegedPort", "serverPortTaken",   "hostUnknown",
-                                   "hostRefuses",    "hostSilent"};
+                                   "hostRefuses",    "hostSilent",        "portLocked"};
 constexpr std::array weightKeys{"prevents", "slows", "remark"};
 
 } // namespace

@@ -13,7 +13,7 @@ enum class HindranceId : std::uint8_t {
     notAPort,          // a file, a disk, a device of another kind
     noRights,          // the port's group may use it, the user is not in it
     rightsAtNextLogin, // the user is in it, but was not when logging in
-    noRightsForAnyone, // no group may use it
+    noRightsForAnyone, // no group may use it, or one that should not be joined
     portTaken,         // by a program
     slowPort,          // the adapter collects bytes
     noDriver,          // an adapter without a port
@@ -25,6 +25,7 @@ enum class HindranceId : std::uint8_t {
     hostUnknown,       //
     hostRefuses,       //
     hostSilent,        //
+    portLocked,        // by a program that has ended
 };
 QString hindranceKey(HindranceId id); // language-neutral: "noRights"
 

@@ -2,6 +2,7 @@
 #include "doctor/port_hindrances.h"
 
 #include "doctor/doctor_texts.h"
+#include "doctor/port_lock.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "encoder/shell_command.h"
@@ -36,6 +37,22 @@ bool isMember(const QString &group, const Computer &computer)
     return false;
 }
 
+// The system starts it again, unless its service is switched off.
+QString noLoginCommand(const QString &path, const Computer &computer)
+{
+    const QString service =
+        QStringLiteral("serial-getty@%1.service").arg(computer.canonical(path).section(u'/', -1));
+    const bool isMade = computer.has(QStringLiteral("/run/systemd/generator/getty.target.wants/") + service);
+    return shellCommand(isMade ? QStringLiteral("sudo systemctl mask --now %1")
+                               : QStringLiteral("sudo systemctl disable --now %1"),
+                        {service});
+}
+
+bool offersLogin(const Process &holder)
+{
+    return holder.name == QStringLiteral("agetty") || holder.name == QStringLiteral("login");
+}
+
 // A daemon is stopped, any other program ended.
 QString endCommand(const Process &holder)
 {
@@ -44,20 +61,52 @@ QString endCommand(const Process &holder)
         std::ranges::find_if(daemons, [&](const char *name) { return holder.name == QLatin1String(name); });
     return daemon != daemons.end()
                ? shellCommand(QStringLiteral("sudo systemctl stop %1.service"), {holder.name})
-               : shellCommand(QStringLiteral("kill %1"), {QString::number(holder.id)});
+               : shellCommand(holder.isOfOther ? QStringLiteral("sudo kill %1") : QStringLiteral("kill %1"),
+                              {QString::number(holder.id)});
 }
 
-Hindrance heldBy(const Process &holder, const QString &path)
+Hindrance heldBy(const Process &holder, const QString &path, const Computer &computer)
 {
     if (holder.isOurs)
         return {portTaken, Weight::prevents, path,
                 sentence(DoctorTexts::tr("%1 is in use by another bus of this program. Disconnect that one."),
                          {path})};
+    if (offersLogin(holder))
+        return {
+            portTaken, Weight::prevents, path,
+            sentence(DoctorTexts::tr("The system offers a login at %1 (%2, process %3). Switch that off if "
+                                     "nobody logs in there."),
+                     {path, holder.name, QString::number(holder.id)}),
+            noLoginCommand(path, computer)};
     return {
         portTaken, Weight::prevents, path,
         sentence(DoctorTexts::tr("%1 is in use by the program %2 (process %3). Close it there, or end it."),
                  {path, holder.name, QString::number(holder.id)}),
         endCommand(holder)};
+}
+
+Hindrance lockedBy(const QString &file, const QString &path)
+{
+    return {portLocked, Weight::prevents, path,
+            sentence(DoctorTexts::tr("The file %2 keeps %1 for a program that has ended. Remove it."),
+                     {path, file}),
+            shellCommand(QStringLiteral("sudo rm %1"), {file})};
+}
+
+// No group for serial ports may use it; joining another would give away more than the port.
+QString noGroupText(const QString &path)
+{
+    return mayGroupUse(path)
+               ? sentence(
+                     DoctorTexts::tr(
+                         "You may not use %1. Its group %2 may, but that is no group for serial ports: "
+                         "do not join it. Let yourself use the port until it is unplugged or the computer "
+                         "starts again."),
+                     {path, groupOf(path)})
+               : sentence(
+                     DoctorTexts::tr("You may not use %1, and no group of users may. Let yourself use it "
+                                     "until it is unplugged or the computer starts again."),
+                     {path});
 }
 
 // FTDI adapters; others have no such timer.
@@ -81,12 +130,7 @@ std::optional<Hindrance> latencyHindrance(const QString &path, const Computer &c
 Hindrance rightsHindrance(const QString &path, const Computer &computer)
 {
     if (!isForGroup(path))
-        return {noRightsForAnyone, Weight::prevents, path,
-                sentence(DoctorTexts::tr(
-                             "You may not use %1, and no group of users may. Let yourself use it until it is "
-                             "unplugged."),
-                         {path}),
-                rightsCommand(path)};
+        return {noRightsForAnyone, Weight::prevents, path, noGroupText(path), rightsCommand(path)};
     const QString group = groupOf(path);
     if (isMember(group, computer))
         return {
@@ -108,8 +152,14 @@ std::vector<Hindrance> holderHindrances(const QString &path, const Computer &com
 {
     Hindrances found;
     for (const Process &holder : computer.holdersOf(path))
-        found.push_back(heldBy(holder, path));
-    return found;
+        found.push_back(heldBy(holder, path, computer));
+    if (!found.empty())
+        return found;
+    if (const auto locker = lockerOf(path, computer))
+        return {heldBy(*locker, path, computer)};
+    if (const QString lock = staleLock(path, computer); !lock.isEmpty())
+        return {lockedBy(lock, path)};
+    return {};
 }
 
 Hindrances portHindrances(const QString &path, const Computer &computer)

@@ -11,7 +11,7 @@ namespace codewheel {
 Hindrances portHindrances(const QString &path, const Computer &computer);
 
 Hindrance rightsHindrance(const QString &path, const Computer &computer);
-// Empty: nobody is seen to have it open.
+// Who has it open or has locked it. Empty: nobody is seen to.
 std::vector<Hindrance> holderHindrances(const QString &path, const Computer &computer);
 
 } // namespace codewheel

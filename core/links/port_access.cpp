@@ -53,14 +53,19 @@ QString groupOf(const QString &path)
     return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
 }
 
+bool mayGroupUse(const QString &path)
+{
+    constexpr mode_t readAndWrite = S_IRGRP | S_IWGRP;
+    struct stat status = {};
+    return ::stat(QFile::encodeName(path).constData(), &status) == 0 &&
+           (status.st_mode & readAndWrite) == readAndWrite;
+}
+
 bool isForGroup(const QString &path)
 {
     static const QStringList groupsOfPorts{QStringLiteral("dialout"), QStringLiteral("uucp"),
                                            QStringLiteral("plugdev")};
-    constexpr mode_t readAndWrite = S_IRGRP | S_IWGRP;
-    struct stat status = {};
-    return ::stat(QFile::encodeName(path).constData(), &status) == 0 &&
-           (status.st_mode & readAndWrite) == readAndWrite && groupsOfPorts.contains(groupOf(path));
+    return mayGroupUse(path) && groupsOfPorts.contains(groupOf(path));
 }
 
 QString rightsCommand(const QString &path)

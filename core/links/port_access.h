@@ -14,6 +14,9 @@ bool isSamePort(const QString &one, const QString &other);
 // The group whose members may use the port: dialout on Debian. Its number if it has no name.
 QString groupOf(const QString &path);
 
+// Whether members of its group may use it.
+bool mayGroupUse(const QString &path);
+
 // Whether one of the groups that are there for serial ports may use it: joining another one, such as that of
 // disks, would give away more than the port.
 bool isForGroup(const QString &path);

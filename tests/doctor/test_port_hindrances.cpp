@@ -56,7 +56,24 @@ TEST(PortHindrances, ThatNoGroupMayUseAPortIsNoReasonToJoinRoot)
     const auto found = portHindrances(pty.path(), Computer());
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found[0].id, HindranceId::noRightsForAnyone);
+    EXPECT_TRUE(found[0].sentence.contains(u"no group of users may")) << found[0].sentence.toStdString();
     EXPECT_EQ(found[0].command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
+}
+
+TEST(PortHindrances, AGroupThatIsNotForPortsIsNamedButNotToBeJoined)
+{
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root can give a port to another group";
+    const PtyPair pty;
+    constexpr gid_t disk = 6; // on Debian
+    const QByteArray path = QFile::encodeName(pty.path());
+    ASSERT_EQ(::chown(path.constData(), 0, disk), 0);
+    ASSERT_EQ(::chmod(path.constData(), 0660), 0);
+    const WithoutRights without;
+    const Hindrance found = rightsHindrance(pty.path(), Computer());
+    EXPECT_EQ(found.id, HindranceId::noRightsForAnyone);
+    EXPECT_TRUE(found.sentence.contains(u"Its group disk may, but")) << found.sentence.toStdString();
+    EXPECT_EQ(found.command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
 }
 
 TEST(PortHindrances, WhatIsNoPortIsSaidAndNeverGivenAway)
@@ -102,6 +119,63 @@ TEST(PortHindrances, NamesTheProgramThatHasThePort)
     EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl stop ModemManager.service"));
     EXPECT_TRUE(found[1].sentence.contains(u"minicom (process 4711)")) << found[1].sentence.toStdString();
     EXPECT_EQ(found[1].command, QStringLiteral("kill 4711"));
+}
+
+// What a process of root has open cannot be seen, but the terminal that controls it can.
+TEST(PortHindrances, ALoginThatTheSystemOffersIsSwitchedOffByItsService)
+{
+    MadeComputer made;
+    made.file(QStringLiteral("/sys/class/tty/ttyS0/dev"), "4:64");
+    made.process(612, "agetty", 0x440);
+    made.process(613, "bash", 0x441);
+    const auto found = holderHindrances(QStringLiteral("/dev/ttyS0"), made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portTaken")});
+    EXPECT_TRUE(found[0].sentence.contains(u"offers a login at /dev/ttyS0"))
+        << found[0].sentence.toStdString();
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl disable --now serial-getty@ttyS0.service"));
+    made.file(QStringLiteral("/run/systemd/generator/getty.target.wants/serial-getty@ttyS0.service"));
+    EXPECT_EQ(holderHindrances(QStringLiteral("/dev/ttyS0"), made.computer())[0].command,
+              QStringLiteral("sudo systemctl mask --now serial-getty@ttyS0.service"))
+        << "one that is made at each start of the computer comes back otherwise";
+}
+
+TEST(PortHindrances, AProgramOfAnotherUserIsKnownByItsLock)
+{
+    MadeComputer made;
+    made.file(QStringLiteral("/dev/ttyUSB0"));
+    made.link(QStringLiteral("/dev/serial/by-id/usb-FTDI"), "../../ttyUSB0");
+    made.file(QStringLiteral("/proc/4711/stat"), "4711 (mgetty) S 1 1 1 0 -1"); // no folder "fd" to be seen
+    made.file(QStringLiteral("/run/lock/LCK..ttyUSB0"), "      4711 mgetty root");
+    const auto found = holderHindrances(QStringLiteral("/dev/serial/by-id/usb-FTDI"), made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portTaken")});
+    EXPECT_TRUE(found[0].sentence.contains(u"mgetty (process 4711)")) << found[0].sentence.toStdString();
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo kill 4711"));
+}
+
+TEST(PortHindrances, ALockIsNotBelievedWhereItsProgramIsSeenNotToHaveThePort)
+{
+    MadeComputer made;
+    made.process(4711, "bash");
+    made.file(QStringLiteral("/run/lock/LCK..ttyUSB0"), "      4711");
+    EXPECT_TRUE(holderHindrances(QStringLiteral("/dev/ttyUSB0"), made.computer()).empty());
+}
+
+// Qt cannot remove a lock of root, and opens no port that has one.
+TEST(PortHindrances, ALockThatAProgramOfAnotherUserHasLeftIsToBeRemoved)
+{
+    MadeComputer made;
+    made.file(QStringLiteral("/run/lock/LCK..ttyUSB0"), "      4711");
+    made.file(QStringLiteral("/run/lock/LCK..ttyUSB1"), "no number");
+    const QString port = QStringLiteral("/dev/ttyUSB0");
+    EXPECT_TRUE(holderHindrances(port, made.computer()).empty()) << "the user's own does not matter";
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root has files of another user";
+    const WithoutRights without;
+    const auto found = holderHindrances(port, made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portLocked")});
+    EXPECT_EQ(found[0].weight, Hindrance::Weight::prevents);
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo rm /run/lock/LCK..ttyUSB0"));
+    EXPECT_TRUE(holderHindrances(QStringLiteral("/dev/ttyUSB1"), made.computer()).empty());
 }
 
 TEST(PortHindrances, ThisProgramIsNotToldToEndItself)
