@@ -37,7 +37,8 @@ bool isMember(const QString &group, const Computer &computer)
     return false;
 }
 
-// The system starts it again, unless its service is switched off.
+// What is ended comes back, unless its service is switched off. One that the system makes at each start, as
+// for its console, has to be masked.
 QString noLoginCommand(const QString &path, const Computer &computer)
 {
     const QString service =
