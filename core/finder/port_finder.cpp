@@ -133,7 +133,7 @@ Result<QByteArray> PortFinder::hearStrangers(Instant duration)
     auto heard = hear(duration);
     if (!heard || heard->isEmpty())
         return heard;
-    const auto more = hear(listeningAgain);
+    auto more = hear(listeningAgain);
     if (!more)
         return more;
     *heard += *more;

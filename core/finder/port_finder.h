@@ -4,6 +4,8 @@
 #include "finder/place_finder.h"
 #include "finder/spoken_protocol.h"
 
+#include <QStringList>
+
 #include <deque>
 
 namespace codewheel {
