@@ -2805,10 +2805,6 @@
         <translation>Den seriellen Anschluss %1 benutzt ein anderes Programm. Dieses schließen, dann neu verbinden.</translation>
     </message>
     <message>
-        <source>You may not use the serial port %1: it belongs to the group %2. Run &quot;%3&quot;, log out and in again.</source>
-        <translation>Der serielle Anschluss %1 darf nicht benutzt werden: Er gehört der Gruppe %2. „%3“ ausführen, dann ab- und wieder anmelden.</translation>
-    </message>
-    <message>
         <source>The serial port %1 is gone: the adapter was unplugged or has lost its supply. Plug it in again.</source>
         <translation>Der serielle Anschluss %1 ist weg: Der Adapter wurde abgezogen oder hat keine Versorgung mehr. Wieder einstecken.</translation>
     </message>
@@ -3025,10 +3021,6 @@
         <translation>Port %1 wird von einem anderen Programm benutzt. Es beenden oder einen anderen Port nehmen.</translation>
     </message>
     <message>
-        <source>Only an administrator may serve at port %1. Take one from 1024 on, such as 1502.</source>
-        <translation>An Port %1 darf nur ein Administrator etwas anbieten. Einen ab 1024 nehmen, etwa 1502.</translation>
-    </message>
-    <message>
         <source>This computer does not have the address %1. Take one of its own, or 0.0.0.0 for all it has.</source>
         <translation>Dieser Rechner hat die Adresse %1 nicht. Eine eigene nehmen, oder 0.0.0.0 für alle, die er hat.</translation>
     </message>
@@ -3055,6 +3047,14 @@
     <message>
         <source>The ring of this window is not connected. Connect it, or give each seat a ring of its own.</source>
         <translation>Der Ring dieses Fensters ist nicht verbunden. Ihn verbinden, oder jedem Sitzplatz einen eigenen Ring geben.</translation>
+    </message>
+    <message>
+        <source>You may not use the serial port %1: it belongs to the group %2. Run &quot;%3&quot;. If that adds you to a group, log out and in again.</source>
+        <translation>Der serielle Anschluss %1 darf nicht benutzt werden: Er gehört der Gruppe %2. „%3“ ausführen. Nimmt das in eine Gruppe auf, dann ab- und wieder anmelden.</translation>
+    </message>
+    <message>
+        <source>Only an administrator may serve at port %1. Take a higher one, such as 1502.</source>
+        <translation>An Port %1 darf nur ein Administrator etwas anbieten. Einen höheren nehmen, etwa 1502.</translation>
     </message>
 </context>
 <context>
@@ -10781,10 +10781,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
 <context>
     <name>codewheel::JobReview</name>
     <message>
-        <source>EEPROM writes by this program so far: %1; by this at most %2.</source>
-        <translation>EEPROM-Schreibvorgänge durch dieses Programm: bisher %1; hierdurch höchstens %2.</translation>
-    </message>
-    <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>
         <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
     </message>
@@ -10811,6 +10807,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Back; nothing is sent (Esc)</source>
         <translation>Zurück; gesendet wird nichts (Esc)</translation>
+    </message>
+    <message>
+        <source>EEPROM writes by this: at most %1.</source>
+        <translation>EEPROM-Schreibvorgänge hierdurch: höchstens %1.</translation>
     </message>
 </context>
 <context>

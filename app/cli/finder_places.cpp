@@ -18,18 +18,30 @@ bool isPort(const QString &typed)
            QFileInfo::exists(portPath(typed));
 }
 
+const QStringList &linksWithoutPlace()
+{
+    static const QStringList links{QStringLiteral("training"), QStringLiteral("project")};
+    return links;
+}
+
+tl::unexpected<Complaint> isLinkWithoutPlace(const QString &typed)
+{
+    return badInput(QStringLiteral("findTakesNoLink"),
+                    CommandLine::tr("\"%1\" is a link. The search takes serial ports and hosts, such as "
+                                    "ttyUSB0 or 192.168.0.5, and says which links lead there."),
+                    {typed});
+}
+
 Checked<void> checkIsNoLink(const QString &typed)
 {
+    if (linksWithoutPlace().contains(typed))
+        return isLinkWithoutPlace(typed);
     const auto link = LinkText::parse(typed);
     const auto has = [&](const LinkKind *kind) { return kind->schemes().contains(link->scheme); };
     if (!link || std::ranges::none_of(linkKinds(), has))
         return {};
-    const QStringList noPlaces{QString(), QStringLiteral("training"), QStringLiteral("project")};
-    if (noPlaces.contains(link->where))
-        return badInput(QStringLiteral("findTakesNoLink"),
-                        CommandLine::tr("\"%1\" is a link. The search takes serial ports and hosts, such as "
-                                        "ttyUSB0 or 192.168.0.5, and says which links lead there."),
-                        {typed});
+    if (link->where.isEmpty() || linksWithoutPlace().contains(link->where))
+        return isLinkWithoutPlace(typed);
     return badInput(
         QStringLiteral("findTakesNoLink"),
         CommandLine::tr("\"%1\" is a link. The search says which links lead to a place: type only %2."),

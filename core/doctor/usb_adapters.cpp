@@ -10,17 +10,9 @@ namespace {
 
 const QString usbDevices = QStringLiteral("/sys/bus/usb/devices/");
 
-struct UsbIds
-{
-    QByteArray vendor; // "0403"
-    QByteArray product;
-
-    QString text() const { return QString::fromLatin1(vendor + ':' + product); }
-};
-
 // Converters in RS-232, RS-422 and RS-485 adapters, and the module that makes ports of them, as the tables of
 // Linux 6.1 have it. Other products of these makers are something else: a CP2110 (10c4:ea80) is an input
-// device, a PL2305 (067b:2305) a printer.
+// device, a PL2305 (067b:2305) a printer. packaging/udev.rules has the same.
 struct AdapterMake
 {
     std::string_view vendor;
@@ -62,14 +54,6 @@ bool isAmong(std::string_view products, const QByteArray &product)
     return product.size() == digits && QByteArrayView(products).contains(product);
 }
 
-const AdapterMake *makeOf(const UsbIds &ids)
-{
-    const auto found = std::ranges::find_if(makes, [&](const AdapterMake &make) {
-        return ids.vendor == QByteArrayView(make.vendor) && isAmong(make.products, ids.product);
-    });
-    return found == makes.end() ? nullptr : &*found;
-}
-
 // A port is a folder of its own below an interface, or in its folder "tty".
 bool hasPortIn(const QString &interface, const Computer &computer)
 {
@@ -78,14 +62,14 @@ bool hasPortIn(const QString &interface, const Computer &computer)
                                [](const QString &name) { return name.startsWith(QStringLiteral("tty")); });
 }
 
-UsbAdapter adapterAt(const QString &place, const QString &ids, const AdapterMake &make,
+UsbAdapter adapterAt(const QString &place, const QString &ids, const QString &driver,
                      const Computer &computer)
 {
     const QString folder = usbDevices + place;
     const QString product = QString::fromUtf8(computer.contents(folder + QStringLiteral("/product")));
     UsbAdapter adapter{.name = product.isEmpty() ? QStringLiteral("USB %1").arg(ids) : product,
                        .ids = ids,
-                       .driver = QString::fromLatin1(make.driver)};
+                       .driver = driver};
     for (const QString &interface : computer.folders(folder).filter(place + u':')) {
         const QString path = folder + u'/' + interface;
         adapter.hasPort |= hasPortIn(path, computer);
@@ -97,15 +81,25 @@ UsbAdapter adapterAt(const QString &place, const QString &ids, const AdapterMake
 
 } // namespace
 
+QString serialDriverOf(const QByteArray &vendor, const QByteArray &product)
+{
+    const auto found = std::ranges::find_if(makes, [&](const AdapterMake &make) {
+        return vendor == QByteArrayView(make.vendor) && isAmong(make.products, product);
+    });
+    return found == makes.end() ? QString() : QString::fromLatin1(found->driver);
+}
+
 std::vector<UsbAdapter> usbAdapters(const Computer &computer)
 {
     std::vector<UsbAdapter> adapters;
     for (const QString &place : computer.folders(usbDevices)) {
         const QString folder = usbDevices + place;
-        const UsbIds ids{computer.contents(folder + QStringLiteral("/idVendor")),
-                         computer.contents(folder + QStringLiteral("/idProduct"))};
-        if (const AdapterMake *make = makeOf(ids))
-            adapters.push_back(adapterAt(place, ids.text(), *make, computer));
+        const QByteArray vendor = computer.contents(folder + QStringLiteral("/idVendor"));
+        const QByteArray product = computer.contents(folder + QStringLiteral("/idProduct"));
+        const QString driver = serialDriverOf(vendor, product);
+        if (!driver.isEmpty())
+            adapters.push_back(
+                adapterAt(place, QString::fromLatin1(vendor + ':' + product), driver, computer));
     }
     return adapters;
 }

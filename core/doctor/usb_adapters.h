@@ -17,6 +17,10 @@ struct UsbAdapter
     friend bool operator==(const UsbAdapter &, const UsbAdapter &) = default;
 };
 
+// The module of Linux 6.1 for adapters with these IDs of USB, such as "0403" and "6001": "ftdi_sio". Empty:
+// they are no serial adapters, or not known.
+QString serialDriverOf(const QByteArray &vendor, const QByteArray &product);
+
 // Those that are plugged in, by place.
 std::vector<UsbAdapter> usbAdapters(const Computer &computer);
 

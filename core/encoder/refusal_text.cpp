@@ -451,7 +451,7 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::portNoRights, "portNoRights",
                QT_TRANSLATE_NOOP("Refusal",
                                  "You may not use the serial port %1: it belongs to the group %2. Run "
-                                 "\"%3\", log out and in again.")},
+                                 "\"%3\". If that adds you to a group, log out and in again.")},
     RefusalRow{RefusalId::portLost, "portLost",
                QT_TRANSLATE_NOOP("Refusal",
                                  "The serial port %1 is gone: the adapter was unplugged or has lost its "
@@ -480,9 +480,8 @@ constexpr std::array refusalRows{
         RefusalId::serverPortTaken, "serverPortTaken",
         QT_TRANSLATE_NOOP("Refusal", "Port %1 is used by another program. End it, or take another port.")},
     RefusalRow{RefusalId::serverPortPrivileged, "serverPortPrivileged",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "Only an administrator may serve at port %1. Take one from 1024 on, "
-                                 "such as 1502.")},
+               QT_TRANSLATE_NOOP("Refusal", "Only an administrator may serve at port %1. Take a higher one, "
+                                            "such as 1502.")},
     RefusalRow{RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
                QT_TRANSLATE_NOOP("Refusal",
                                  "This computer does not have the address %1. Take one of its own, "

@@ -168,7 +168,10 @@ TEST(FindCommand, SaysWhatToTypeInsteadOfALink)
     EXPECT_EQ(port.exit, 2);
     EXPECT_THAT(port.err, HasSubstr("type only /dev/pts/99."));
     EXPECT_THAT(runLine(QStringLiteral("find modbus-tcp:[::1]:502")).err, HasSubstr("type only [::1]:502."));
-    EXPECT_THAT(runLine(QStringLiteral("find esc:training")).err, HasSubstr("takes serial ports and hosts"));
+    for (const char *link : {"esc:training", "training", "project"})
+        EXPECT_THAT(runLine(QStringLiteral("find ") + QLatin1String(link)).err,
+                    HasSubstr("takes serial ports and hosts"))
+            << link;
 }
 
 // Ctrl+C after this time.

@@ -3,6 +3,10 @@
 #include "doctor/usb_hindrances.h"
 #include "tests/doctor/made_computer.h"
 
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+
 namespace codewheel {
 namespace {
 
@@ -63,6 +67,37 @@ TEST(UsbHindrances, WhatTheSameMakersSellWithoutASerialPortIsNoAdapter)
         made.adapter(QStringLiteral("3-1.4"), vendor, product, "Something else");
         EXPECT_TRUE(usbHindrances(made.computer()).empty()) << vendor << ':' << product;
     }
+}
+
+// "0403:6001", as the rules for udev name them.
+QSet<QByteArray> idsOfTheRules()
+{
+    QFile file(QStringLiteral(CODEWHEEL_UDEV_RULES));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    static const QRegularExpression rule(
+        QStringLiteral("ATTRS\\{idVendor\\}==\"(....)\", ATTRS\\{idProduct\\}==\"([^\"]+)\""));
+    QSet<QByteArray> ids;
+    for (auto rules = rule.globalMatch(QString::fromUtf8(file.readAll())); rules.hasNext();) {
+        const QRegularExpressionMatch match = rules.next();
+        for (const QString &product : match.captured(2).split(u'|'))
+            ids << (match.captured(1) + u':' + product).toLatin1();
+    }
+    return ids;
+}
+
+TEST(UsbHindrances, OurRulesNameTheAdaptersThatTheDoctorKnows)
+{
+    QSet<QByteArray> known;
+    for (const char *vendor :
+         {"0403", "04d8", "04e2", "0557", "067b", "0856", "10c4", "110a", "1a86", "4348"})
+        for (int product = 0; product <= 0xFFFF; ++product) {
+            const QByteArray digits = QByteArray::number(product, 16).rightJustified(4, '0');
+            if (!serialDriverOf(vendor, digits).isEmpty())
+                known << vendor + (':' + digits);
+        }
+    const QSet<QByteArray> named = idsOfTheRules();
+    EXPECT_EQ((known - named).values(), QList<QByteArray>()) << "ModemManager may take these";
+    EXPECT_EQ((named - known).values(), QList<QByteArray>()) << "the doctor does not know these";
 }
 
 TEST(UsbHindrances, BrlttyTakesAnAdapterForABrailleDisplay)

@@ -109,18 +109,17 @@ void EepromGate::showConcern()
     if (texts.size() > mostTold)
         texts = texts.first(mostTold) << tr("Other encoders as well: %1.").arg(texts.size() - mostTold);
     const EncoderSession *one = m_isOne ? m_writes.front().encoder.data() : nullptr;
-    const bool isKept = one && one->eepromCount().by != CountedBy::session;
     const QString ask = tr("Type %1 to write nevertheless").arg(placesOf(m_typed));
     m_place->setPlaceholderText(ask);
     m_place->setAccessibleName(ask);
-    m_count->setText(isKept ? eepromCountText(*one) : QString());
-    m_count->setVisible(isKept);
+    m_count->setText(one ? eepromCountText(*one) : QString());
+    m_count->setVisible(one != nullptr);
     m_text->setText(texts.join(u'\n'));
     m_text->setVisible(!texts.isEmpty());
     m_icon->setVisible(!texts.isEmpty());
     m_nevertheless->setVisible(!m_asked.empty());
     m_place->setVisible(!m_typed.empty());
-    setVisible(isKept || !texts.isEmpty());
+    setVisible(one || !texts.isEmpty());
     drawIcon();
 }
 

@@ -34,6 +34,11 @@ bool confirm(QWidget *window, const char *topic, const QString &question, const 
     return box.clickedButton() == yes;
 }
 
+QString eepromWriteText(const EncoderSession &encoder)
+{
+    return eepromCountText(encoder) + u' ' + eepromCostText(encoder, 1);
+}
+
 QString whatIsLost(const EncoderSession &encoder)
 {
     QStringList names;
@@ -92,7 +97,7 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
              "FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
              "60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.")
              .arg(value),
-         eepromCostText(encoder, 1)},
+         eepromWriteText(encoder)},
         Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
 }
 
@@ -106,7 +111,7 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
     return confirm(window, "manufacturer-functions.md#reset",
                    Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
                    {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)),
-                    eepromCostText(encoder, 1), after},
+                    eepromWriteText(encoder), after},
                    Functions::tr("&Reset"),
                    Functions::tr("Sends 0E000000, then run. This cannot be undone."));
 }

@@ -27,9 +27,7 @@ constexpr int narrowestColumn = 50; // px: longer texts wrap
 
 QString eepromCostText(const EncoderSession &encoder, int atMost)
 {
-    QString text = JobReview::tr("EEPROM writes by this program so far: %1; by this at most %2.")
-                       .arg(encoder.eepromCount().writes)
-                       .arg(atMost);
+    QString text = JobReview::tr("EEPROM writes by this: at most %1.").arg(atMost);
     if (const auto budget = encoder.can().eepromBudget)
         text +=
             u' ' + JobReview::tr("The manual states about %1 writes for the encoder's life.").arg(*budget);

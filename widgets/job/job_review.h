@@ -18,7 +18,7 @@ namespace codewheel {
 class EepromGate;
 class InlineMessage;
 
-// "EEPROM writes by this program so far: 12; by this at most 2. The manual states about 200 ..."
+// "EEPROM writes by this: at most 2. The manual states about 200 ..."
 QString eepromCostText(const EncoderSession &encoder, int atMost);
 
 // Shown before anything is written: what will change, what is sent for it, what it costs. Follows what

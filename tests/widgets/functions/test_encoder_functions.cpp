@@ -158,7 +158,7 @@ TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
     {
         const Question question = Question::answeredBy(QStringLiteral("Set position"));
         click("frabaPreset");
-        EXPECT_TRUE(question.text().contains(QStringLiteral("by this at most 1")))
+        EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM writes by this: at most 1.")))
             << question.text().toStdString();
         EXPECT_TRUE(question.text().contains(QStringLiteral("not known: read it")));
     }
@@ -178,7 +178,8 @@ TEST_F(EncoderFunctionsTest, AResetTellsWhatIsLostAndReadsBack)
         const Question question = Question::answeredBy(QStringLiteral("Reset"));
         click("resetToDefault");
         for (const char *part : {"Steps, Revolutions, Direction, Preset, Zero offset", "All cam programs",
-                                 "EEPROM writes by this program so far: 1; by this at most 1.", "about 200"})
+                                 "EEPROM writes by this program so far: 1, counted since",
+                                 "EEPROM writes by this: at most 1.", "about 200"})
             EXPECT_TRUE(question.text().contains(QLatin1String(part)))
                 << part << question.text().toStdString();
     }
