@@ -9132,6 +9132,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>IN of %1 fell to 00000000: the encoder has no supply, or is at position 0. Check its supply, or turn the shaft to see it change.</source>
         <translation>IN von %1 fiel auf 00000000: Der Geber hat keine Versorgung oder steht auf Position 0. Versorgung prüfen, oder die Welle drehen und sehen, ob sich IN ändert.</translation>
     </message>
+    <message>
+        <source>IN doubtful</source>
+        <translation>IN fraglich</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EncoderFunctions</name>

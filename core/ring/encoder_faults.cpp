@@ -26,6 +26,17 @@ Fault ofEncoder(NodeId node, const StateWord &shown, const QString &text)
     return {.extent = Fault::Extent::device, .node = node, .shown = shown, .text = text};
 }
 
+// "error 13"; "invalid": it has no valid position.
+StateWord errorWord(const EncoderSession *encoder, const Reading &reading)
+{
+    const unsigned number = reading.errorNumber.value_or(0);
+    if (number == 0)
+        return {Role::fault, EncoderFaultText::tr("invalid", "position")};
+    if (encoder != nullptr && encoder->device().profile == Profile::la66)
+        return {Role::fault, EncoderFaultText::tr("no magnet")};
+    return {Role::fault, EncoderFaultText::tr("error %1").arg(number)};
+}
+
 std::optional<Fault> doubt(const RingSession &bus, std::size_t device)
 {
     const NodeId node = bus.structure()[device].number;
@@ -47,16 +58,6 @@ std::optional<Fault> doubt(const RingSession &bus, std::size_t device)
 
 } // namespace
 
-StateWord errorWord(const EncoderSession *encoder, const Reading &reading)
-{
-    const unsigned number = reading.errorNumber.value_or(0);
-    if (number == 0)
-        return {Role::fault, EncoderFaultText::tr("invalid", "position")};
-    if (encoder != nullptr && encoder->device().profile == Profile::la66)
-        return {Role::fault, EncoderFaultText::tr("no magnet")};
-    return {Role::fault, EncoderFaultText::tr("error %1").arg(number)};
-}
-
 std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
 {
     if (device >= bus.latest().devices.size() || !bus.latest().devices[device].inRing)
@@ -65,6 +66,10 @@ std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
     const EncoderSession *encoder = bus.encoder(node);
     if (encoder == nullptr)
         return std::nullopt;
+    // An error in such a word is none.
+    if (const QString wrong = bus.doubts().wrongWord(device); !wrong.isEmpty())
+        return ofEncoder(node, {Role::attention, EncoderFaultText::tr("IN doubtful")},
+                         QStringLiteral("%1: %2").arg(node.toString(), wrong));
     const Reading &reading = bus.latest().devices[device].reading;
     if (reading.state == EncoderState::error)
         return ofEncoder(node, errorWord(encoder, reading),

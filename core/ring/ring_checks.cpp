@@ -182,7 +182,7 @@ DataCheck ringStateCheck(const RingSession &bus, NodeId node)
     return check;
 }
 
-void addOfDevice(DataChecks &checks, const RingSession &bus, const ProcessDataLink &link, NodeId node,
+void addOfDevice(DataChecks &checks, const RingSession &bus, NodeId node,
                  const std::vector<Participant> &planned)
 {
     checks.push_back(reachedCheck(bus, node));
@@ -193,9 +193,7 @@ void addOfDevice(DataChecks &checks, const RingSession &bus, const ProcessDataLi
         checks.push_back(masterCheck(bus, node));
     checks.push_back(ringKindCheck(bus, node, planned));
     checks.push_back(upToDateCheck(bus, node));
-    const EncoderSession *encoder = bus.encoder(node);
-    if (auto order = encoder != nullptr ? link.checkWord(index, bus.latest().devices[index].in, *encoder)
-                                        : std::nullopt)
+    if (auto order = bus.checkWord(index))
         checks.push_back(*std::move(order));
     checks.push_back(ringStateCheck(bus, node));
     checks.push_back(positionCheck(bus, node));
@@ -203,7 +201,7 @@ void addOfDevice(DataChecks &checks, const RingSession &bus, const ProcessDataLi
 
 } // namespace
 
-DataChecks ringChecks(const RingSession &bus, const ProcessDataLink &link, StoppedBy stopped, NodeId node,
+DataChecks ringChecks(const RingSession &bus, StoppedBy stopped, NodeId node,
                       const std::vector<Participant> &planned)
 {
     DataChecks checks{ringLinkCheck(bus)};
@@ -213,7 +211,7 @@ DataChecks ringChecks(const RingSession &bus, const ProcessDataLink &link, Stopp
         checks.push_back(gatewayCheck(*figures));
     checks.push_back(runningCheck(bus, stopped));
     if (!node.isEmpty()) {
-        addOfDevice(checks, bus, link, node, planned);
+        addOfDevice(checks, bus, node, planned);
     } else {
         if (bus.master() != nullptr)
             checks.push_back(masterCheck(bus, {}));

@@ -5,14 +5,13 @@
 
 namespace codewheel {
 
-class ProcessDataLink;
 class RingSession;
 
 // Who stopped the ring, as far as this program did.
 enum class StoppedBy : std::uint8_t { other, program, alarmStop };
 
 // Why there is no data of a device of the ring, or, without a node, of the ring itself.
-DataChecks ringChecks(const RingSession &bus, const ProcessDataLink &link, StoppedBy stopped, NodeId node,
+DataChecks ringChecks(const RingSession &bus, StoppedBy stopped, NodeId node,
                       const std::vector<Participant> &planned);
 
 } // namespace codewheel

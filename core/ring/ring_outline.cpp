@@ -163,8 +163,8 @@ StateWord RingOutline::shown(std::size_t node) const
     const bool exchanged = m_bus.latest().cycle > 0;
     if (exchanged && m_bus.encoder(number) == nullptr) // no driver that could say more
         return {Role::running, tr("ok")};
-    if (device.reading.state == EncoderState::error)
-        return errorWord(m_bus.encoder(number), device.reading);
+    if (const auto fault = encoderFault(m_bus, node))
+        return fault->shown;
     if (device.heldByJob)
         return {Role::attention, tr("job", "it is running")};
     if (channel != nullptr && channel->staged())

@@ -206,10 +206,16 @@ void RingSession::showLatest()
     const auto shown = d->engine.latest();
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
-    d->doubts.look(*shown, [this](std::size_t place) {
-        const auto &session = d->sessions[place];
-        return session ? std::optional(session->device().profile) : std::nullopt;
-    });
+    d->doubts.look(
+        *shown,
+        [this](std::size_t place) {
+            const auto &session = d->sessions[place];
+            return session ? std::optional(session->device().profile) : std::nullopt;
+        },
+        [this](std::size_t place) {
+            const auto check = checkWord(place);
+            return check && check->outcome == DataCheck::Outcome::differs ? check->remedy : QString();
+        });
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
     tellState(std::exchange(d->toldState, shown->state) != shown->state);
@@ -360,7 +366,7 @@ const BusOutline &RingSession::outline() const
 
 DataChecks RingSession::dataChecks(NodeId node, const std::vector<Participant> &planned) const
 {
-    return ringChecks(*this, *d->link, d->stoppedBy, node, planned);
+    return ringChecks(*this, d->stoppedBy, node, planned);
 }
 
 // Not open before its devices are known.

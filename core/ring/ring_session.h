@@ -75,6 +75,8 @@ public:
     const MasterStatus *master() const;
     const CrcHistory &crcHistory() const;
     const WordDoubts &doubts() const;
+    // Whether a device can have sent its IN word; empty: its link or its description does not tell.
+    std::optional<DataCheck> checkWord(std::size_t device) const;
     bool isOperating() const override;
     bool isRunning() const override;
     Instant now() const override { return latest().at; }

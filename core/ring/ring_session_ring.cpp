@@ -136,6 +136,13 @@ const WordDoubts &RingSession::doubts() const
     return d->doubts;
 }
 
+std::optional<DataCheck> RingSession::checkWord(std::size_t device) const
+{
+    const EncoderSession *encoder = showing(device);
+    return encoder != nullptr ? d->link->checkWord(device, latest().devices[device].in, *encoder)
+                              : std::nullopt;
+}
+
 void RingSession::readIn()
 {
     if (!isOpen())

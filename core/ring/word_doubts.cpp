@@ -4,6 +4,7 @@
 #include "words/k3_word.h"
 #include "words/la66_word.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdlib>
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr Instant usualConfirmation = std::chrono::milliseconds(50); // at most, assumed
 constexpr Instant toldFor = std::chrono::seconds(5);
+constexpr Instant judgedEvery = std::chrono::milliseconds(250);
+constexpr int suspicious = 3;          // wrong words
 constexpr std::int64_t farAway = 1024; // steps; between two snapshots a shaft turns less than that
 
 // After the last position comes 0 again, which is no jump; the number of positions is usually a power of two.
@@ -39,11 +42,13 @@ bool isConfirmed(Profile profile, Word out, Word in)
 
 } // namespace
 
-void WordDoubts::look(const Snapshot &ring, const ProfileOf &profileOf)
+void WordDoubts::look(const Snapshot &ring, const ProfileOf &profileOf, const Judge &judge)
 {
     if (ring.generation != m_generation || ring.devices.size() != m_devices.size()) {
         m_devices.assign(ring.devices.size(), {});
         m_generation = ring.generation;
+        m_next = 0;
+        m_nextRound = {};
     }
     m_now = ring.at;
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
@@ -58,6 +63,34 @@ void WordDoubts::look(const Snapshot &ring, const ProfileOf &profileOf)
         m_devices[i].out = ring.devices[i].out;
         m_devices[i].position = positionIn(ring.devices[i].reading);
     }
+    lookAtWordOfNext(ring, judge);
+}
+
+// One a snapshot, since judging takes time; none during a job, which changes what its encoder can send.
+void WordDoubts::lookAtWordOfNext(const Snapshot &ring, const Judge &judge)
+{
+    if (m_next >= m_devices.size()) {
+        if (m_now < m_nextRound)
+            return;
+        m_next = 0;
+    }
+    if (m_next == 0)
+        m_nextRound = m_now + judgedEvery;
+    const std::size_t device = m_next++;
+    if (device >= m_devices.size() || ring.state != MasterState::run || !ring.devices[device].inRing ||
+        ring.devices[device].heldByJob)
+        return;
+    Device &its = m_devices[device];
+    const QString wrong = judge(device);
+    its.wrongWords = std::clamp(its.wrongWords + (wrong.isEmpty() ? -1 : 1), 0, suspicious);
+    if (!wrong.isEmpty())
+        its.wrong = wrong;
+}
+
+QString WordDoubts::wrongWord(std::size_t device) const
+{
+    return device < m_devices.size() && m_devices[device].wrongWords == suspicious ? m_devices[device].wrong
+                                                                                   : QString();
 }
 
 void WordDoubts::lookAtZero(Device &before, const Snapshot::Device &now)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why there is no data of a ring behind a gateway.
+#include "bus/bus_outline.h"
 #include "bus/data_check.h"
+#include "ring/encoder_faults.h"
 #include "tests/support/gateway_session.h"
 
 namespace codewheel::test {
@@ -11,6 +13,13 @@ using namespace std::chrono_literals;
 const DataCheck *orderOf(const DataChecks &checks)
 {
     return findCheck(checks, DataCheck::Id::order);
+}
+
+void advanceInFrames(const GatewaySession &gateway, Instant duration)
+{
+    constexpr Instant frame = 50ms;
+    for (Instant passed{}; passed < duration; passed += frame)
+        gateway.bus->advance(frame);
 }
 
 TEST(GatewayDataChecks, AWordInTheOrderThatIsSetIsAsExpected)
@@ -49,6 +58,29 @@ TEST(GatewayDataChecks, AWrongWordOrderIsToldWithTheOneThatWouldFit)
     EXPECT_TRUE(first->remedy.contains(QStringLiteral("It can with high word first")))
         << first->remedy.toStdString();
     EXPECT_EQ(first->action, DataCheck::Action::registers);
+}
+
+TEST(GatewayDataChecks, AWrongWordOrderShowsInTheBusStructure)
+{
+    GatewaySession gateway({.settings = {.highWordFirst = false}});
+    gateway.ring->setSpeed("2.0"_ring.node, 0);
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    const auto row = [&] { return gateway.bus->outline().state(1); };
+    advanceInFrames(gateway, 100ms);
+    EXPECT_NE(row().shown.word, QStringLiteral("IN doubtful")) << "one word may be torn";
+    advanceInFrames(gateway, 2s);
+    EXPECT_EQ(row().shown.word, QStringLiteral("IN doubtful"));
+    EXPECT_EQ(row().shown.role, Role::attention);
+    EXPECT_TRUE(encoderFault(*gateway.bus, 1)->text.startsWith(QStringLiteral("2.0: IN is ")));
+}
+
+TEST(GatewayDataChecks, ARightWordOrderIsNoDoubt)
+{
+    GatewaySession gateway;
+    gateway.ring->setSpeed("2.0"_ring.node, 0);
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    advanceInFrames(gateway, 2s);
+    EXPECT_FALSE(encoderFault(*gateway.bus, 1));
 }
 
 TEST(GatewayDataChecks, AWrongWordOrderOfAShaftThatTurnsIsSuspected)
