@@ -9133,8 +9133,9 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>IN von %1 fiel auf 00000000: Der Geber hat keine Versorgung oder steht auf Position 0. Versorgung prüfen, oder die Welle drehen und sehen, ob sich IN ändert.</translation>
     </message>
     <message>
-        <source>IN doubtful</source>
-        <translation>IN fraglich</translation>
+        <source>doubtful</source>
+        <comment>IN word</comment>
+        <translation>fraglich</translation>
     </message>
 </context>
 <context>

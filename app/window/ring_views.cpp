@@ -172,7 +172,6 @@ void RingViews::showLink()
 {
     const auto &gateway = m_ring.gateway();
     m_masterOrGateway->setCurrentIndex(gateway ? 1 : 0);
-    m_trainingOrNone->setCurrentIndex(gateway ? 1 : 0);
     if (gateway)
         m_gateway->setGateway(gatewayText(*gateway));
     showState();
@@ -303,8 +302,16 @@ void RingViews::leaveActions()
     m_status.clear();
 }
 
+// Shafts of the training plant are not those of a ring that is planned behind a gateway.
+void RingViews::showTraining()
+{
+    const bool isReal = m_ring.gateway() || (!m_ring.isOpen() && m_links->plansGateway());
+    m_trainingOrNone->setCurrentIndex(isReal ? 1 : 0);
+}
+
 void RingViews::showState()
 {
+    showTraining();
     if (!isCurrent())
         return;
     const RingSession &bus = *m_ring.bus();

@@ -57,6 +57,7 @@ private:
     void leaveActions();
     std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
+    void showTraining();
     void showStatus();
     void showLink();
     void showRefused(const Refusal &why);

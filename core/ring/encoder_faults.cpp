@@ -68,7 +68,7 @@ std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
         return std::nullopt;
     // An error in such a word is none.
     if (const QString wrong = bus.doubts().wrongWord(device); !wrong.isEmpty())
-        return ofEncoder(node, {Role::attention, EncoderFaultText::tr("IN doubtful")},
+        return ofEncoder(node, {Role::attention, EncoderFaultText::tr("doubtful", "IN word")},
                          QStringLiteral("%1: %2").arg(node.toString(), wrong));
     const Reading &reading = bus.latest().devices[device].reading;
     if (reading.state == EncoderState::error)

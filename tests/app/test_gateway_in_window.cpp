@@ -11,16 +11,19 @@
 #include "widgets/gateway/registers_page.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/training/training_panel.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QTableView>
 #include <QTest>
 #include <QTreeView>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -90,6 +93,14 @@ protected:
         choose(QStringLiteral("gateway.hall"));
         click(button(connection(), QStringLiteral("Connect")));
         advance(20);
+    }
+    bool isSaidToBeReal()
+    {
+        const auto *panel = window().findChild<TrainingPanel *>();
+        const auto *shownHere = qobject_cast<QStackedWidget *>(panel->parentWidget())->currentWidget();
+        return std::ranges::any_of(shownHere->findChildren<QLabel *>(), [](const QLabel *label) {
+            return label->text() == QStringLiteral("This ring is real");
+        });
     }
     void setIn(int device, Word word) // of the first two, which have two registers each
     {
@@ -326,11 +337,18 @@ TEST_F(GatewayInWindowTest, SomebodyElsesWordIsSaidAndEndsOperate)
 TEST_F(GatewayInWindowTest, ARealRingHasNoTrainingPanel)
 {
     connectGateway();
-    bool isSaid = false;
-    for (const auto *label : window().findChildren<QLabel *>())
-        isSaid |= label->text() == QStringLiteral("This ring is real");
-    EXPECT_TRUE(isSaid);
+    EXPECT_TRUE(isSaidToBeReal());
     EXPECT_FALSE(ring().turning());
+}
+
+// Its twin would look as if it were the ring.
+TEST_F(GatewayInWindowTest, ARingPlannedBehindAGatewayHasNoTrainingPanelBeforeItIsConnected)
+{
+    EXPECT_FALSE(isSaidToBeReal());
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Keep in project")));
+    EXPECT_FALSE(bus().isOpen());
+    EXPECT_TRUE(isSaidToBeReal());
 }
 
 // Simulated devices stand for real ones from then on, so nobody does it by one click.
