@@ -32,13 +32,12 @@ Hindrances hindrancesOf(const Call &call, const std::vector<PortInfo> &ports)
 QString textOf(const Hindrances &hindrances, const std::vector<PortInfo> &ports)
 {
     QString text;
-    for (const Hindrance &one : hindrances) {
-        text += one.sentence + u'\n';
-        if (!one.command.isEmpty())
-            text += QStringLiteral("    ") + one.command + u'\n';
-    }
-    if (hindrances.empty())
+    if (std::ranges::all_of(hindrances,
+                            [](const Hindrance &one) { return one.weight == Hindrance::Weight::remark; }))
         text += CommandLine::tr("Nothing was found that keeps a link from working.") + u'\n';
+    for (const Hindrance &one : hindrances) {
+        text += one.sentence + u'\n' + commandToCopy(one.command);
+    }
     QStringList labels;
     for (const PortInfo &port : ports)
         labels << port.label();

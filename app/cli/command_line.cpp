@@ -68,7 +68,7 @@ int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonO
         json.insert(QStringLiteral("error"), errorJson(complaint));
         terminal.print(jsonText(json, command));
     }
-    terminal.complain(complaint.text);
+    terminal.complain((complaint.text + u'\n' + commandToCopy(complaint.command)).trimmed());
     return static_cast<int>(complaint.exit);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/complaint.h"
 
+#include "doctor/hindrance_of_refusal.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
@@ -16,7 +17,14 @@ tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
 Complaint complaintAbout(const Refusal &refusal)
 {
     const ExitCode exit = refusal.kind == RefusalKind::badInput ? ExitCode::badInput : ExitCode::refused;
-    return {exit, refusalKey(refusal.id), refusalText(refusal), refusal.arguments};
+    const auto hindrance = hindranceOf(refusal);
+    return {exit, refusalKey(refusal.id), hindrance ? hindrance->sentence : refusalText(refusal),
+            refusal.arguments, hindrance ? hindrance->command : QString()};
+}
+
+QString commandToCopy(const QString &command)
+{
+    return command.isEmpty() ? QString() : QStringLiteral("    %1\n").arg(command);
 }
 
 } // namespace codewheel

@@ -16,6 +16,7 @@ struct Complaint
     QString key;
     QString text; // what was wrong and what would be right
     std::vector<RefusalArgument> arguments{};
+    QString command{}; // that helps, for a terminal; empty: none
 };
 
 template <typename T>
@@ -25,7 +26,11 @@ using Checked = tl::expected<T, Complaint>;
 tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
                                    std::vector<RefusalArgument> arguments = {});
 
-// What core refused: exit 2 if the input is to blame, 1 if encoder or bus are.
+// What core refused: exit 2 if the input is to blame, 1 if encoder or bus are. Where this computer knows more
+// of the cause, such as the program that has the port, the sentence is that of the doctor.
 Complaint complaintAbout(const Refusal &refusal);
+
+// To be copied, in a line of its own; empty if there is none.
+QString commandToCopy(const QString &command);
 
 } // namespace codewheel

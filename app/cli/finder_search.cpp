@@ -5,6 +5,7 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "doctor/hindrance_of_refusal.h"
 #include "encoder/sentence.h"
 #include "encoder/shown_text.h"
 #include "links/port_search.h"
@@ -122,7 +123,10 @@ QStringList FinderSearch::runAt(const QStringList &ports, bool mayAsk)
 
 void FinderSearch::take(const FinderNews &news)
 {
-    const QString line = shownInLine(news.place + QStringLiteral(": ") + news.sentence);
+    const auto hindrance = news.why ? hindranceOf(*news.why) : std::nullopt;
+    const QString said = hindrance ? hindrance->sentence : news.sentence;
+    const QString command = hindrance ? hindrance->command : QString();
+    const QString line = shownInLine(news.place + QStringLiteral(": ") + said);
     if (news.found)
         m_found.push_back(*news.found);
     const bool isShown = !m_call.arguments.has("--json");
@@ -133,9 +137,10 @@ void FinderSearch::take(const FinderNews &news)
     }
     m_call.terminal.showProgress({});
     if (isShown)
-        m_call.terminal.print(line + u'\n');
-    m_news.append(
-        QJsonObject{{QStringLiteral("place"), news.place}, {QStringLiteral("text"), news.sentence}});
+        m_call.terminal.print(line + u'\n' + commandToCopy(command));
+    m_news.append(QJsonObject{{QStringLiteral("place"), news.place},
+                              {QStringLiteral("text"), said},
+                              {QStringLiteral("command"), textJson(command)}});
 }
 
 Answer FinderSearch::answer()

@@ -2,6 +2,7 @@
 #include "app/window/finder_in_window.h"
 
 #include "app/window/port_rows.h"
+#include "app/window/trouble_of.h"
 #include "app/window/window_kinds.h"
 #include "links/port_search.h"
 #include "widgets/find/find_page.h"
@@ -98,7 +99,15 @@ void FinderInWindow::take(const FinderNews &news)
 {
     if (m_isListening && news.kind == FinderNews::Kind::nobody && news.isSilent)
         m_silent << news.place;
-    m_page.add(news);
+    if (!news.why) {
+        m_page.add(news);
+        return;
+    }
+    const Trouble trouble = troubleOf(*news.why);
+    FinderNews told = news;
+    told.sentence = trouble.sentence;
+    m_page.add(told);
+    m_page.tell(trouble);
 }
 
 void FinderInWindow::endPhase()

@@ -8,22 +8,25 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
 // An adapter without a port is probably the one that is looked for; otherwise why the first port that cannot
-// be opened cannot.
+// be opened cannot. What only slows, such as ModemManager, comes last.
 Trouble troubleWith(const std::vector<PortInfo> &ports)
 {
-    for (const Hindrance &adapter : usbHindrances(Computer()))
-        if (adapter.weight == Hindrance::Weight::prevents)
-            return troubleOf(adapter);
+    const Hindrances adapters = usbHindrances(Computer());
+    const auto without = std::ranges::find(adapters, Hindrance::Weight::prevents, &Hindrance::weight);
+    if (without != adapters.end())
+        return troubleOf(*without);
     if (ports.empty())
         return noSerialPortsText();
     for (const PortInfo &port : ports)
-        if (const auto hindrance = portHindrance(port.path))
+        if (const auto hindrance = openingHindrance(port.path))
             return troubleOf(*hindrance);
-    return {};
+    return adapters.empty() ? Trouble() : troubleOf(adapters.front());
 }
 
 } // namespace

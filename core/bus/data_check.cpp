@@ -272,7 +272,7 @@ DataCheck positionCheck(const EncoderBus &bus, NodeId node)
         return passedCheck(DataCheck::Id::position, what, expected, numberText(*reading.position));
     if (reading.velocity)
         return passedCheck(DataCheck::Id::position, what, expected,
-                           sentence(DataCheckText::tr("a speed: %1 1/min"), {numberText(*reading.velocity)}));
+                           sentence(DataCheckText::tr("a speed: %1 rpm"), {numberText(*reading.velocity)}));
     if (reading.cams)
         return passedCheck(DataCheck::Id::position, what, expected,
                            DataCheckText::tr("cams: the encoder is in cam mode"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "doctor/computer.h"
 #include "doctor/hindrance.h"
 #include "encoder/refusal.h"
+#include "links/computer.h"
 
 #include <optional>
 

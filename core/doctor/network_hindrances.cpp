@@ -5,8 +5,6 @@
 #include "encoder/sentence.h"
 #include "encoder/shell_command.h"
 
-#include <unistd.h>
-
 namespace codewheel {
 namespace {
 
@@ -34,6 +32,17 @@ std::optional<int> firstFreePort(const Computer &computer)
     const int first =
         computer.contents(QStringLiteral("/proc/sys/net/ipv4/ip_unprivileged_port_start")).toInt(&isNumber);
     return isNumber ? std::optional(first) : std::nullopt;
+}
+
+// As root has it, or a program that was given it (capabilities(7)).
+bool mayServeAnyPort(const Computer &computer)
+{
+    constexpr int netBindService = 10;
+    const QByteArray key = "CapEff:";
+    for (const QByteArray &line : computer.contents(QStringLiteral("/proc/self/status")).split('\n'))
+        if (line.startsWith(key))
+            return ((line.mid(key.size()).trimmed().toULongLong(nullptr, 16) >> netBindService) & 1U) != 0;
+    return false;
 }
 
 } // namespace
@@ -68,7 +77,7 @@ Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight, const Comp
 
 Hindrances serverPortHindrances(int port, Hindrance::Weight weight, const Computer &computer)
 {
-    if (::geteuid() == 0 || port >= firstFreePort(computer).value_or(0))
+    if (mayServeAnyPort(computer) || port >= firstFreePort(computer).value_or(0))
         return {};
     return {privilegedPortHindrance(port, weight, computer)};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "doctor/computer.h"
 #include "doctor/hindrance.h"
+#include "links/computer.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "doctor/computer.h"
+#include "links/computer.h"
 
 namespace codewheel {
 

@@ -6,20 +6,26 @@
 #include "encoder/sentence.h"
 #include "encoder/shell_command.h"
 
-#include <algorithm>
-#include <array>
-
 namespace codewheel {
 namespace {
 
-// Of our package: they keep adapters from ModemManager and brltty.
-constexpr std::array ourRules{"/usr/lib/udev/rules.d/91-codewheel.rules",
-                              "/lib/udev/rules.d/91-codewheel.rules", "/etc/udev/rules.d/60-codewheel.rules"};
-
+// Those of our package keep adapters from ModemManager and brltty, unless the administrator has put an empty
+// file in their place.
 bool hasOurRules(const Computer &computer)
 {
-    return std::ranges::any_of(ourRules,
-                               [&](const char *path) { return computer.has(QString::fromLatin1(path)); });
+    const QString rules = QStringLiteral("/udev/rules.d/91-codewheel.rules");
+    if (computer.has(QStringLiteral("/etc") + rules))
+        return !computer.contents(QStringLiteral("/etc") + rules).isEmpty();
+    return computer.has(QStringLiteral("/usr/lib") + rules) || computer.has(QStringLiteral("/lib") + rules);
+}
+
+// Some systems start it by udev for the adapters that it takes; on Debian 12 it is a service like others.
+QString brlttyService(const Computer &computer)
+{
+    const QString byUdev = QStringLiteral("brltty-udev.service");
+    const bool isByUdev = computer.has(QStringLiteral("/usr/lib/systemd/system/") + byUdev) ||
+                          computer.has(QStringLiteral("/lib/systemd/system/") + byUdev);
+    return isByUdev ? byUdev : QStringLiteral("brltty.service");
 }
 
 bool isTakenByBrltty(const UsbAdapter &adapter, const Computer &computer)
@@ -36,7 +42,7 @@ Hindrance withoutPort(const UsbAdapter &adapter, const Computer &computer)
                              "The adapter %1 has no port: brltty takes it for a Braille display. Unless you "
                              "use one, switch that off and plug the adapter in again."),
                          {adapter.name}),
-                QStringLiteral("sudo systemctl mask --now brltty-udev.service")};
+                shellCommand(QStringLiteral("sudo systemctl mask --now %1"), {brlttyService(computer)})};
     return {HindranceId::noDriver, Hindrance::Weight::prevents, adapter.name,
             sentence(DoctorTexts::tr(
                          "The adapter %1 (%2) is plugged in, but no driver has made a port of it. Load its "

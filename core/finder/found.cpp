@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/found.h"
 
+#include "encoder/refusal_text.h"
 #include "finder/finder_texts.h"
 
 namespace codewheel {
@@ -18,6 +19,11 @@ QString certaintyText(Certainty certainty)
 QString formatText(const SerialSettings &settings)
 {
     return QStringLiteral("%1 Bd, %2").arg(settings.baudRate).arg(settings.format());
+}
+
+FinderNews refusedNews(const QString &place, const Refusal &why)
+{
+    return {.kind = FinderNews::Kind::refused, .place = place, .sentence = refusalText(why), .why = why};
 }
 
 } // namespace codewheel

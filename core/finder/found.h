@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/refusal.h"
 #include "esc_line/serial_settings.h"
 #include "project/kind_data.h"
 
@@ -50,10 +51,13 @@ struct FinderNews
     QString place{};
     QString sentence{};
     std::optional<Found> found{};
-    bool isSilent = false; // of `nobody`: nothing came while it was listened to
+    bool isSilent = false;        // of `nobody`: nothing came while it was listened to
+    std::optional<Refusal> why{}; // of `refused`
 
     friend bool operator==(const FinderNews &, const FinderNews &) = default;
 };
+
+FinderNews refusedNews(const QString &place, const Refusal &why);
 
 QString formatText(const SerialSettings &settings); // "9600 Bd, 8N2"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/gateway_host_finder.h"
 
-#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "finder/finder_texts.h"
 #include "modbus/modbus_request.h"
@@ -61,9 +60,14 @@ void GatewayHostFinder::use(std::unique_ptr<RegisterPort> port)
 
 FinderNews GatewayHostFinder::end(FinderNews::Kind kind, const QString &sentence)
 {
+    return end({.kind = kind, .place = gatewayAddress(m_where), .sentence = sentence});
+}
+
+FinderNews GatewayHostFinder::end(FinderNews news)
+{
     m_isDone = true;
     use(nullptr);
-    return {kind, gatewayAddress(m_where), sentence};
+    return news;
 }
 
 FinderNews GatewayHostFinder::next()
@@ -81,7 +85,7 @@ FinderNews GatewayHostFinder::connect()
 {
     use(m_makePort(m_where));
     if (const auto opened = m_port->open(); !opened)
-        return end(FinderNews::Kind::refused, refusalText(opened.error()));
+        return end(refusedNews(gatewayAddress(m_where), opened.error()));
     return {FinderNews::Kind::heard, gatewayAddress(m_where),
             FinderTexts::tr("The host takes the connection.")};
 }

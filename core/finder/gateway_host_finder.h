@@ -36,6 +36,7 @@ private:
     FinderNews askNext();
     std::optional<Found> ask(int unit);
     FinderNews end(FinderNews::Kind kind, const QString &sentence);
+    FinderNews end(FinderNews news);
     void use(std::unique_ptr<RegisterPort> port);
 
     GatewaySettings m_where;

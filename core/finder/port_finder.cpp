@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/port_finder.h"
 
-#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "finder/finder_texts.h"
 #include "finder/listening.h"
@@ -71,7 +70,9 @@ FinderNews PortFinder::end(FinderNews::Kind kind, const QString &sentence)
 
 FinderNews PortFinder::refused(const Refusal &why)
 {
-    return end(FinderNews::Kind::refused, refusalText(why));
+    m_isDone = true;
+    m_link.close();
+    return refusedNews(m_link.name(), why);
 }
 
 FinderNews PortFinder::foundBy(const Found &found)

@@ -66,7 +66,7 @@ Result<void> ModbusRtuWire::open()
 {
     close();
     const QString path = portPath(m_settings.serialPort);
-    if (const auto hindrance = portHindrance(path))
+    if (const auto hindrance = openingHindrance(path))
         return tl::unexpected(*hindrance);
     auto opened = lock(path);
     if (opened)

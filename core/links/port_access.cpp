@@ -2,12 +2,14 @@
 #include "links/port_access.h"
 
 #include "encoder/shell_command.h"
+#include "links/computer.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -123,6 +125,15 @@ std::optional<Refusal> portHindrance(const QString &path)
         return std::nullopt;
     const int reason = errno;
     return portRefusal(portRefusalOf(reason), path, QString::fromLocal8Bit(std::strerror(reason)));
+}
+
+std::optional<Refusal> openingHindrance(const QString &path)
+{
+    if (auto hindrance = portHindrance(path))
+        return hindrance;
+    const auto holders = Computer().holdersOf(path);
+    const bool isHeld = !std::ranges::all_of(holders, &Process::isOurs); // locks keep us from ourselves
+    return isHeld ? std::optional(portRefusal(RefusalId::portInUse, path, {})) : std::nullopt;
 }
 
 Refusal lineSettingRefusal(const QString &setting)

@@ -34,6 +34,10 @@ Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
 // Why the user cannot open this port, as far as can be told without opening it; empty: no reason is known.
 std::optional<Refusal> portHindrance(const QString &path);
 
+// Why it must not be opened: as above, or another program has it open (portInUse). A port has one rate for
+// all who have it open, so that program would be disturbed, even where the system allows it.
+std::optional<Refusal> openingHindrance(const QString &path);
+
 // A setting that no serial port has (lineSettingWrong).
 Refusal lineSettingRefusal(const QString &setting);
 

@@ -109,7 +109,7 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
     const Result<QString> path = findPort();
     if (!path)
         return tl::unexpected(path.error());
-    if (const auto hindrance = portHindrance(*path))
+    if (const auto hindrance = openingHindrance(*path))
         return tl::unexpected(*hindrance);
     auto port = std::make_unique<Port>();
     if (auto prepared = prepare(port->serial, *path, settings); !prepared)

@@ -295,7 +295,8 @@ TEST(CliLineProgram, APortThatIsNotThereOrTakenIsSaid)
     first.waitForLine();
     const CliRun second = call("read 05", port);
     EXPECT_EQ(second.exit, 1);
-    EXPECT_THAT(second.err, HasSubstr("is used by another program"));
+    EXPECT_THAT(second.err, HasSubstr("is in use by the program codewheel-cli (process "));
+    EXPECT_THAT(second.err, HasSubstr("\n    kill ")) << "a command to copy";
     EXPECT_EQ(first.end().exit, 0);
 }
 

@@ -108,7 +108,21 @@ TEST(UsbHindrances, BrlttyTakesAnAdapterForABrailleDisplay)
     const auto found = usbHindrances(made.computer());
     ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("brltty")});
     EXPECT_TRUE(found[0].sentence.contains(u"USB Serial"));
-    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl mask --now brltty-udev.service"));
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl mask --now brltty.service"));
+    made.file(QStringLiteral("/usr/lib/systemd/system/brltty-udev.service"));
+    EXPECT_EQ(usbHindrances(made.computer())[0].command,
+              QStringLiteral("sudo systemctl mask --now brltty-udev.service"));
+}
+
+TEST(UsbHindrances, BrlttyThatRunsMayHaveTakenAnAdapterBefore)
+{
+    MadeComputer made;
+    made.adapter(QStringLiteral("1-2"), "1a86", "7523", "USB Serial");
+    EXPECT_EQ(idsOf(usbHindrances(made.computer())), std::vector{QStringLiteral("noDriver")});
+    made.process(800, "brltty");
+    const auto found = usbHindrances(made.computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("brltty")});
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl mask --now brltty.service"));
 }
 
 TEST(UsbHindrances, ModemManagerIsToldUnlessOurRulesKeepItAway)
@@ -122,6 +136,9 @@ TEST(UsbHindrances, ModemManagerIsToldUnlessOurRulesKeepItAway)
     EXPECT_EQ(found[0].weight, Hindrance::Weight::slows);
     made.file(QStringLiteral("/usr/lib/udev/rules.d/91-codewheel.rules"));
     EXPECT_TRUE(usbHindrances(made.computer()).empty());
+    made.file(QStringLiteral("/etc/udev/rules.d/91-codewheel.rules"));
+    EXPECT_EQ(idsOf(usbHindrances(made.computer())), std::vector{QStringLiteral("modemManager")})
+        << "masked by an empty file";
 }
 
 } // namespace

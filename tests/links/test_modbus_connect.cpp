@@ -3,6 +3,7 @@
 #include "links/modbus_port.h"
 #include "links/resolve_host.h"
 #include "tests/links/crooked_peer.h"
+#include "tests/support/port_holder.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"
 
@@ -332,6 +333,15 @@ TEST(ModbusLine, APortInUseKeepsItsSettings)
     EXPECT_NE(isExclusive, 0);
     ::ioctl(owner, TIOCNXCL);
     ::close(owner);
+    EXPECT_EQ(refusalOfOpening(lineAt(pty.path())), Refusal{});
+}
+
+TEST(ModbusLine, APortThatAnotherProgramHasOpenIsRefused)
+{
+    const PtyPair pty;
+    PortHolder holder(QStringLiteral(CODEWHEEL_PYTHON), pty.path());
+    EXPECT_EQ(refusalOfOpening(lineAt(pty.path())).id, RefusalId::portInUse);
+    holder.end();
     EXPECT_EQ(refusalOfOpening(lineAt(pty.path())), Refusal{});
 }
 

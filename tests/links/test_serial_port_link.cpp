@@ -2,6 +2,7 @@
 // Over real pseudo terminals. Anything timed waits for its event, for up to an hour.
 #include "encoder/refusal_text.h"
 #include "links/serial_port_link.h"
+#include "tests/support/port_holder.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"
 
@@ -192,6 +193,23 @@ TEST_F(SerialLink, APortThatIsLockedIsRefused)
     ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
     EXPECT_EQ(refusalOf(m_link.open(usual)), RefusalId::portInUse);
     ::close(other);
+    EXPECT_TRUE(m_link.open(usual));
+}
+
+// It would go on at our rate.
+TEST_F(SerialLink, APortThatAnotherProgramHasOpenIsRefusedAndKeepsItsSettings)
+{
+    PortHolder holder(QStringLiteral(CODEWHEEL_PYTHON), m_pty.path());
+    const int line = ::open(m_pty.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT
+    termios before = {};
+    ASSERT_EQ(::tcgetattr(line, &before), 0);
+    EXPECT_EQ(refusalOf(m_link.open(usual)), RefusalId::portInUse);
+    termios after = {};
+    ASSERT_EQ(::tcgetattr(line, &after), 0);
+    ::close(line);
+    EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
+    EXPECT_EQ(after.c_cflag, before.c_cflag);
+    holder.end();
     EXPECT_TRUE(m_link.open(usual));
 }
 

@@ -226,6 +226,11 @@ void FindPage::add(const FinderNews &news)
         m_table->selectRow(m_news->rowCount() - 1);
 }
 
+void FindPage::tell(const Trouble &trouble)
+{
+    m_trouble->showTrouble(Role::attention, trouble);
+}
+
 void FindPage::ask(const QStringList &places, const QStringList &announcements)
 {
     m_message->showMessage(

@@ -55,6 +55,7 @@ public:
 
     void begin(); // a search: nothing is found yet
     void add(const FinderNews &news);
+    void tell(const Trouble &trouble); // of one of the places
     // Ends with askAgreed(), or not at all.
     void ask(const QStringList &places, const QStringList &announcements);
     void end();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "doctor/running_process.h"
+#include "links/running_process.h"
 
 #include <QStringList>
 
@@ -36,7 +36,8 @@ public:
     QString canonical(const QString &path) const;
     // A file in a folder that is for everybody.
     bool mayRemove(const QString &path) const;
-    // That have it open, as far as we may see, or are controlled by it.
+    // That have it open, as far as we may see, or are controlled by it. Not who made it, if it is a pseudo
+    // terminal: that is its other end.
     std::vector<Process> holdersOf(const QString &path) const;
     std::optional<Process> process(int id) const;
     bool exists(int id) const; // also a process that is hidden from us

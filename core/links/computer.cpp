@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/computer.h"
+#include "links/computer.h"
 
 #include <QDir>
 #include <QFile>
@@ -22,6 +22,16 @@ int terminalNumber(const QByteArray &device)
     const int major = device.split(':').value(0).toInt();
     const int minor = device.split(':').value(1).toInt();
     return (minor & low) | (major << 8) | ((minor & ~low) << 12);
+}
+
+bool hasOpen(const RunningProcess &process, const QByteArray &device)
+{
+    return std::ranges::find(process.devices, device) != process.devices.end();
+}
+
+bool makesPseudoTerminals(const RunningProcess &process)
+{
+    return hasOpen(process, "/dev/ptmx") || hasOpen(process, "/dev/pts/ptmx");
 }
 
 } // namespace
@@ -88,11 +98,14 @@ std::vector<Process> Computer::holdersOf(const QString &path) const
     const QByteArray name = QFile::encodeName(device);
     const int number =
         terminalNumber(contents(QStringLiteral("/sys/class/tty/%1/dev").arg(device.section(u'/', -1))));
+    const bool isPseudoTerminal = name.startsWith("/dev/pts/");
     std::vector<Process> holders;
-    for (const RunningProcess &its : running())
-        if (std::ranges::find(its.devices, name) != its.devices.end() ||
-            (number != 0 && its.terminal == number))
-            holders.push_back(told(its));
+    for (const RunningProcess &its : running()) {
+        const Process holder = told(its);
+        const bool isOtherEnd = isPseudoTerminal && !holder.isOurs && makesPseudoTerminals(its);
+        if (!isOtherEnd && (hasOpen(its, name) || (number != 0 && its.terminal == number)))
+            holders.push_back(holder);
+    }
     return holders;
 }
 

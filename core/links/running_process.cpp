@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/running_process.h"
+#include "links/running_process.h"
 
 #include <QFile>
 
