@@ -7472,7 +7472,7 @@ port and sends nothing to an encoder. Ends with 1 if something prevents a link, 
         <translation>Sucht, was Anschlüsse und Kopplungen verhindert: fehlende Rechte, ein Anschluss, den ein anderes
 Programm hat, ein Adapter ohne Treiber oder von brltty belegt, ModemManager, ein langsamer Adapter,
 eine ausgeschaltete CAN-Schnittstelle. Mit --link auch, was dieser Kopplung im Weg ist; ein
-Modbus/TCP-Gateway wird verbunden und wieder verlassen. Zu jedem steht, was zu tun ist, mit einem
+Modbus/TCP-Gateway wird kurz verbunden. Zu jedem steht, was zu tun ist, mit einem
 Befehl zum Kopieren. Öffnet keinen seriellen Anschluss und sendet keinem Geber etwas. Endet mit 1,
 wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     </message>
@@ -7498,7 +7498,7 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     </message>
     <message>
         <source>To find out more, %1 would be asked. Only reads are sent:</source>
-        <translation>Um mehr herauszufinden, würden gefragt: %1. Nur Lesen wird gesendet:</translation>
+        <translation>Um mehr herauszufinden, würden gefragt: %1. Gesendet werden nur Leseanfragen:</translation>
     </message>
     <message>
         <source>Ask?</source>
@@ -8020,10 +8020,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>An diesem Geber läuft ein Auftrag. Sein Ende abwarten, oder ihn abbrechen.</translation>
     </message>
     <message>
-        <source>The encoder is in parameterization and shows what was written to it, not its position. Set OUT to 00000000, in its monitor, to bring it back.</source>
-        <translation>Der Geber ist in der Parametrierung und zeigt, was ihm geschrieben wurde, nicht seine Position. OUT in seinem Monitor auf 00000000 setzen bringt ihn zurück.</translation>
-    </message>
-    <message>
         <source>The encoder tests itself, or shows a value that was asked for, not its position. Wait for the end of the self test; otherwise set OUT to 00000000, in its monitor.</source>
         <translation>Der Geber prüft sich selbst oder zeigt einen angefragten Wert, nicht seine Position. Das Ende des Selbsttests abwarten; sonst OUT in seinem Monitor auf 00000000 setzen.</translation>
     </message>
@@ -8098,7 +8094,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>This program has no description of this device: only its words are shown.</source>
-        <translation>Dieses Programm hat keine Beschreibung dieses Geräts: nur seine Wörter werden gezeigt.</translation>
+        <translation>Dieses Programm hat keine Beschreibung dieses Geräts: nur seine Worte werden gezeigt.</translation>
     </message>
     <message>
         <source>Position</source>
@@ -8117,16 +8113,8 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Die Position ist weiter gesprungen, als der Geber drehen kann, und wird noch einmal erfragt. Geschieht das oft, Schirm und Abschluss der Leitung prüfen.</translation>
     </message>
     <message>
-        <source>a speed: %1 1/min</source>
-        <translation>eine Drehzahl: %1 1/min</translation>
-    </message>
-    <message>
         <source>cams: the encoder is in cam mode</source>
         <translation>Nocken: der Geber ist im Nockenmodus</translation>
-    </message>
-    <message>
-        <source>It is not known how the position is coded in IN. Name the make of the encoder, or read its parameters.</source>
-        <translation>Es ist nicht bekannt, wie die Position in IN codiert ist. Den Hersteller des Gebers benennen oder seine Parameter lesen.</translation>
     </message>
     <message>
         <source>Writing</source>
@@ -8179,6 +8167,26 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>No device is planned on this bus, so nothing is asked. Search for what is there, or enter it in the bus structure.</source>
         <translation>An diesem Bus ist kein Gerät geplant, deshalb wird nichts abgefragt. Suchen, was da ist, oder es im Busaufbau eintragen.</translation>
     </message>
+    <message>
+        <source>The encoder is in parameterization and shows what was written to it, not its position. Set OUT to 80000000 (run), in its monitor, until a position comes, then to 00000000.</source>
+        <translation>Der Geber ist in der Parametrierung und zeigt, was ihm geschrieben wurde, nicht seine Position. Setzen Sie OUT in seinem Monitor auf 80000000 (Run), bis eine Position kommt, dann auf 00000000.</translation>
+    </message>
+    <message>
+        <source>The make of the encoder is not known, and so neither is the coding of its position. Name it in the bus structure.</source>
+        <translation>Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung seiner Position. Geben Sie ihn im Busaufbau an.</translation>
+    </message>
+    <message>
+        <source>IN may be a position, a speed or cams: the mode of the encoder is not known, and cannot be read. If it is in position mode, say so (Parameters, More).</source>
+        <translation>IN kann eine Position, eine Geschwindigkeit oder Nocken sein: Die Betriebsart des Gebers ist nicht bekannt und nicht auslesbar. Ist er im Positionsbetrieb, geben Sie das an (Parameter, Mehr).</translation>
+    </message>
+    <message>
+        <source>The coding of the position in IN is not known. Read the parameters, write the coding, or set it manually under Parameters.</source>
+        <translation>Wie die Position in IN codiert ist, ist nicht bekannt. Lesen Sie die Parameter, schreiben Sie die Codierung, oder setzen Sie sie unter Parameter von Hand.</translation>
+    </message>
+    <message>
+        <source>a speed: %1 rpm</source>
+        <translation>eine Geschwindigkeit: %1 U/min</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DataCheckModel</name>
@@ -8195,10 +8203,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>weicht ab</translation>
     </message>
     <message>
-        <source>not known, because of what differs before</source>
-        <translation>nicht bekannt, weil vorher etwas abweicht</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Schritt</translation>
     </message>
@@ -8209,6 +8213,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Came</source>
         <translation>Tatsächlich</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -8852,11 +8860,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>%1 is in use by another bus of this program. Disconnect that one.</source>
-        <translation>%1 wird von einem anderen Bus dieses Programms benutzt. Trennen Sie jenen.</translation>
+        <translation>%1 wird von einem anderen Bus dieses Programms benutzt. Trennen Sie dessen Verbindung.</translation>
     </message>
     <message>
         <source>%1 is in use by the program %2 (process %3). Close it there, or end it.</source>
-        <translation>%1 wird vom Programm %2 (Prozess %3) benutzt. Schließen Sie ihn dort, oder beenden Sie es.</translation>
+        <translation>%1 wird vom Programm %2 (Prozess %3) benutzt. Schließen Sie den Anschluss dort, oder beenden Sie das Programm.</translation>
     </message>
     <message>
         <source>The adapter of %1 collects bytes for up to %2 ms, which slows down every answer, until a program asks for low latency as Codewheel does.</source>
@@ -9706,10 +9714,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Die Modbus-Unit %1 antwortet. Ob dahinter ein Ring liegt, zeigt Testen.</translation>
     </message>
     <message>
-        <source>Bytes come, but none that make sense at %1. Nothing is sent; it is listened to with other settings.</source>
-        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben. Nichts wird gesendet; es wird mit anderen Einstellungen gehorcht.</translation>
-    </message>
-    <message>
         <source>The line is silent. Asking may find out more.</source>
         <translation>Niemand sendet. Mehr zeigt eine Abfrage.</translation>
     </message>
@@ -9723,11 +9727,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Bytes come, but none that make sense at %1.</source>
-        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben.</translation>
+        <translation>Es kommen Bytes, die bei %1 keinen Sinn ergeben.</translation>
     </message>
     <message>
         <source>Bytes come, but none that make sense at %1: next %2.</source>
-        <translation>Bytes kommen, aber keine, die mit %1 einen Sinn ergeben: als Nächstes %2.</translation>
+        <translation>Es kommen Bytes, die bei %1 keinen Sinn ergeben: als Nächstes %2.</translation>
     </message>
     <message>
         <source>Nobody answers. Check wires (A and B may be swapped) and supply.</source>
@@ -9743,7 +9747,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Modbus/TCP: the host is connected, and the units 1, 247, 255, 0, 2, 3 and 4 are each asked for one input register, or else for one holding register.</source>
-        <translation>Modbus/TCP: Der Host wird verbunden, und die Units 1, 247, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
+        <translation>Modbus/TCP: Eine Verbindung zum Host wird aufgebaut, und die Units 1, 247, 255, 0, 2, 3 und 4 werden je nach einem Input-Register gefragt, sonst nach einem Holding-Register.</translation>
     </message>
     <message>
         <source>The Modbus unit %1 answers too: the host does not look at the unit.</source>
@@ -9759,11 +9763,19 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>Bytes came at %1, but none that make sense. Check format, wires (A and B may be swapped) and termination, and whether two encoders have the same address.</source>
-        <translation>Bei %1 kamen Bytes, aber keine, die einen Sinn ergeben. Prüfen Sie Format, Adern (A und B können vertauscht sein) und Abschluss, und ob zwei Geber dieselbe Adresse haben.</translation>
+        <translation>Bei %1 kamen Bytes, die keinen Sinn ergeben. Prüfen Sie Format, Adern (A und B können vertauscht sein) und Abschluss, und ob zwei Geber dieselbe Adresse haben.</translation>
     </message>
     <message>
         <source>A master began to send while we asked: stopped. Nothing more is sent on this port.</source>
         <translation>Während der Abfrage begann ein Master zu senden: abgebrochen. An diesem Anschluss wird nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Listening at %1. Nothing is sent.</source>
+        <translation>Horcht mit %1. Nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>Bytes come, but none that make sense at %1. Nothing is sent; other settings are tried by listening.</source>
+        <translation>Es kommen Bytes, die bei %1 keinen Sinn ergeben. Nichts wird gesendet; es wird mit anderen Einstellungen gehorcht.</translation>
     </message>
 </context>
 <context>
@@ -9778,7 +9790,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>How sure</source>
-        <translation>Sicherheit</translation>
+        <translation>Wie sicher</translation>
     </message>
     <message>
         <source>What</source>
@@ -13915,7 +13927,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Monitors, words, bits</source>
-        <translation>Monitore, Wörter, Bits</translation>
+        <translation>Monitore, Worte, Bits</translation>
     </message>
     <message>
         <source>Command palette, search</source>
@@ -16597,6 +16609,10 @@ Zustand: %3 (%4)</translation>
         <source>Modbus, TCP, RTU, gateway</source>
         <translation>Modbus, TCP, RTU, Gateway, Kopplung</translation>
     </message>
+    <message>
+        <source>word order, byte order, gateway</source>
+        <translation>Wortreihenfolge, Bytereihenfolge, Gateway</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingChecks</name>
@@ -16667,7 +16683,7 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>words that do not agree</source>
-        <translation>Wörter, die nicht übereinstimmen</translation>
+        <translation>Worte, die nicht übereinstimmen</translation>
     </message>
     <message>
         <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin.</source>
@@ -16680,6 +16696,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>the gateway does not say</source>
         <translation>das Gateway sagt es nicht</translation>
+    </message>
+    <message>
+        <source>the gateway does not say: no status register is set</source>
+        <translation>das Gateway sagt es nicht: kein Statusregister eingestellt</translation>
     </message>
 </context>
 <context>
@@ -16859,6 +16879,10 @@ Zustand: %3 (%4)</translation>
         <source>%1 is not found as configured: it has no supply, the cable between %2 and %1 is interrupted, or another device is there. Check 24 V, plug, and which device it is.</source>
         <translation>%1 wird nicht wie projektiert gefunden: Die Versorgung fehlt, das Kabel zwischen %2 und %1 ist unterbrochen, oder dort ist ein anderes Gerät. 24&#xa0;V, Stecker und Gerät prüfen.</translation>
     </message>
+    <message>
+        <source>The gateway is tried again each second.</source>
+        <translation>Das Gateway wird jede Sekunde neu versucht.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingKind</name>
@@ -17000,6 +17024,10 @@ Zustand: %7</translation>
     <message>
         <source>connected</source>
         <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>no position</source>
+        <translation>ohne Position</translation>
     </message>
 </context>
 <context>
@@ -20841,10 +20869,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Nichts ist gewählt</translation>
     </message>
     <message>
-        <source>Choose a device or a bus in the bus structure.</source>
-        <translation>Im Busaufbau ein Gerät oder einen Bus wählen.</translation>
-    </message>
-    <message>
         <source>Only looks at what is known. Nothing is sent here.</source>
         <translation>Zeigt nur Bekanntes. Hier wird nichts gesendet.</translation>
     </message>
@@ -20864,6 +20888,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Data comes</source>
         <translation>Daten kommen</translation>
+    </message>
+    <message>
+        <source>Choose a device or a bus in the bus structure. If it is empty, connect a bus first, or search with &quot;Who is there?&quot;.</source>
+        <translation>Wählen Sie ein Gerät oder einen Bus im Busaufbau. Ist er leer, verbinden Sie zuerst einen Bus, oder suchen Sie mit „Wer ist da?“.</translation>
     </message>
 </context>
 <context>
@@ -21391,12 +21419,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Zeigt, was vom gewählten Gerät oder Bus erwartet wird, neben dem, was kam, und was zu tun ist; sendet nichts</translation>
     </message>
     <message>
-        <source>search, scan, baud rate, address</source>
-        <translation>suchen, Scan, Baudrate, Adresse</translation>
-    </message>
-    <message>
         <source>no answer, silent, no position, error</source>
         <translation>keine Antwort, stumm, keine Position, Fehler</translation>
+    </message>
+    <message>
+        <source>find, search, scan, baud rate, baudrate, address</source>
+        <translation>finden, suchen, Scan, Baudrate, Adresse</translation>
     </message>
 </context>
 <context>

@@ -122,8 +122,9 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connect(m_faults, &FaultNotice::changed, this, &MainWindow::showOtherFaults);
     m_structure->setProject(m_project, plant.catalog());
     m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
-    m_why = new WhyInWindow(
-        {plant, m_actions, *m_structure, *m_pages, [this](BusId bus) { return viewsOf(bus); }}, this);
+    m_why = new WhyInWindow({plant, m_actions, *m_structure, *m_pages, m_parameters->isInPositionMode(),
+                             [this](BusId bus) { return viewsOf(bus); }},
+                            this);
     new FocusRules(*m_pages, this);
     connectViews();
     connectProject();
@@ -140,7 +141,8 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     connect(m_buses, &Buses::changed, m_parameters, &ParameterPanel::showWhose);
     connect(m_head, &PageHead::closed, this, [this] {
         showMonitors();
-        m_structure->setFocus();
+        const bool isStart = m_pages->currentWidget() == m_start->page(); // which has keys of its own
+        (isStart ? m_start->page() : m_structure)->setFocus();
     });
     connect(m_head, &PageHead::opened, m_actions.closePage, &QAction::setEnabled);
     showBusState();

@@ -17,6 +17,7 @@ RingActions::RingActions(WindowActions &window)
                            tr("How this ring is reached: training bus, or a gateway; with a test"));
     foundBy(connection, tr("Modbus, TCP, RTU, gateway"));
     registers = action(Icon::list, tr("Re&gisters…"));
+    foundBy(registers, tr("word order, byte order, gateway"));
     connectBus = described(action(Icon::ring, tr("&Connect")), Qt::CTRL | Qt::Key_F5,
                            tr("Connects to the ring; nothing is sent"));
     disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), Qt::CTRL | Qt::SHIFT | Qt::Key_F5,

@@ -64,7 +64,18 @@ void WhyInWindow::look()
     if (bus != nullptr)
         m_page->showChecks(about(*row), bus->dataChecks(row->node));
     else
-        m_page->showChecks({}, {});
+        showLastTry();
+}
+
+// Nothing is planned or connected, so no row can be chosen: but a connection may just have failed.
+void WhyInWindow::showLastTry()
+{
+    for (const BusAtWork *its : m_parts.plant.all())
+        if (const DataChecks checks = its->dataChecks({}); !checks.empty() && checks.front().why) {
+            m_page->showChecks(m_parts.plant.nameOf(its->id()), checks);
+            return;
+        }
+    m_page->showChecks({}, {});
 }
 
 // The bus is named where there are several.
@@ -93,6 +104,8 @@ QAction *WhyInWindow::actionFor(DataCheck::Action action) const
         return m_parts.actions.compare;
     case DataCheck::Action::monitor:
         return m_parts.actions.openMonitor;
+    case DataCheck::Action::positionMode:
+        return &m_parts.isInPositionMode;
     case DataCheck::Action::connectBus:
     case DataCheck::Action::connection:
     case DataCheck::Action::registers:

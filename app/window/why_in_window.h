@@ -32,6 +32,7 @@ public:
         WindowActions &actions;
         StructureView &structure;
         QStackedWidget &pages;
+        QAction &isInPositionMode;                    // says so of the chosen encoder
         std::function<BusViews *(BusId bus)> viewsOf; // null: it has none
     };
 
@@ -42,6 +43,7 @@ public:
 private:
     void open();
     void look();
+    void showLastTry();
     QString about(Place row) const;
     QAction *actionFor(DataCheck::Action action) const; // null: none
 

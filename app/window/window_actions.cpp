@@ -133,7 +133,7 @@ void WindowActions::makeBusMenu()
     findEncoders = described(
         menu->addAction(lineIcon(Icon::search), tr("Wh&o is there?")), Qt::CTRL | Qt::Key_F3,
         tr("Looks for encoders and gateways at the ports of this computer and at a host; listens first"));
-    foundBy(findEncoders, tr("search, scan, baud rate, address"));
+    foundBy(findEncoders, tr("find, search, scan, baud rate, baudrate, address"));
     section(Section::connections);
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_F11,

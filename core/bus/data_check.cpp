@@ -97,7 +97,7 @@ QString stateRemedy(const EncoderSession &encoder)
     case EncoderState::parameterization:
         return DataCheckText::tr(
             "The encoder is in parameterization and shows what was written to it, not its "
-            "position. Set OUT to 00000000, in its monitor, to bring it back.");
+            "position. Set OUT to 80000000 (run), in its monitor, until a position comes, then to 00000000.");
     case EncoderState::readOut:
         return DataCheckText::tr(
             "The encoder tests itself, or shows a value that was asked for, not its "
@@ -115,6 +115,28 @@ QString stateRemedy(const EncoderSession &encoder)
     default:
         return DataCheckText::tr("Wait a moment. If nothing comes, check its supply and its place.");
     }
+}
+
+// As the dial says it.
+DataCheck noPositionCheck(const EncoderSession &encoder, const QString &what, const QString &expected)
+{
+    const DeviceDescription &device = encoder.device();
+    const QString came = DataCheckText::tr("no position");
+    if (device.isGeneric())
+        return failedCheck(DataCheck::Id::position, what, expected, came,
+                           DataCheckText::tr("The make of the encoder is not known, and so neither is the "
+                                             "coding of its position. Name it in the bus structure."));
+    if (device.quirks.hasModes && !encoder.latest().mode)
+        return failedCheck(
+            DataCheck::Id::position, what, expected, came,
+            DataCheckText::tr(
+                "IN may be a position, a speed or cams: the mode of the encoder is not known, and "
+                "cannot be read. If it is in position mode, say so (Parameters, More)."),
+            DataCheck::Action::positionMode);
+    return failedCheck(
+        DataCheck::Id::position, what, expected, came,
+        DataCheckText::tr("The coding of the position in IN is not known. Read the parameters, "
+                          "write the coding, or set it manually under Parameters."));
 }
 
 } // namespace
@@ -276,11 +298,7 @@ DataCheck positionCheck(const EncoderBus &bus, NodeId node)
     if (reading.cams)
         return passedCheck(DataCheck::Id::position, what, expected,
                            DataCheckText::tr("cams: the encoder is in cam mode"));
-    return failedCheck(
-        DataCheck::Id::position, what, expected, DataCheckText::tr("no position"),
-        DataCheckText::tr("It is not known how the position is coded in IN. Name the make of the "
-                          "encoder, or read its parameters."),
-        DataCheck::Action::monitor);
+    return noPositionCheck(*encoder, what, expected);
 }
 
 DataCheck writingCheck(const EncoderBus &bus)

@@ -38,7 +38,7 @@ struct DataCheck
         asExpected,
         remark, // worth knowing; the data comes all the same
         differs,
-        notKnown, // because of what differs before
+        notKnown, // because of what differs before, or since nobody tells
     };
     // What can be done from here.
     enum class Action : std::uint8_t {
@@ -52,6 +52,7 @@ struct DataCheck
         confirm,   // the diagnostics
         search,    // for encoders on the bus
         monitor,
+        positionMode, // the user knows that the encoder is in it
     };
 
     Id id = Id::link;

@@ -164,6 +164,7 @@ void LineRunner::Private::endScan(bool cancelled)
           .arguments = {static_cast<std::int64_t>(scan->found().size()),
                         static_cast<std::int64_t>(scan->requests())}});
     scan.reset();
+    publish();
 }
 
 // Each driver knows the addresses of the others, so that no job moves its device to one of them.

@@ -168,8 +168,12 @@ std::optional<Found> PortFinder::sense(const QByteArray &bytes) const
 // Whatever is spoken, at any rate, some bytes come: a silent line need not be listened to at others.
 FinderNews PortFinder::listen()
 {
-    if (auto opened = open(m_settings.front()); !opened)
-        return refused(opened.error());
+    if (!m_opened) {
+        if (auto opened = open(m_settings.front()); !opened)
+            return refused(opened.error());
+        return news(FinderNews::Kind::looking, sentence(FinderTexts::tr("Listening at %1. Nothing is sent."),
+                                                        {formatText(m_settings.front())}));
+    }
     const auto heard = hear(firstListening);
     if (!heard)
         return refused(heard.error());
@@ -181,11 +185,10 @@ FinderNews PortFinder::listen()
         }
         const QString here = formatText(m_settings.front());
         m_settings.pop_front();
-        return news(
-            FinderNews::Kind::heard,
-            sentence(FinderTexts::tr("Bytes come, but none that make sense at %1. Nothing is sent; it is "
-                                     "listened to with other settings."),
-                     {here}));
+        return news(FinderNews::Kind::heard,
+                    sentence(FinderTexts::tr("Bytes come, but none that make sense at %1. Nothing is sent; "
+                                             "other settings are tried by listening."),
+                             {here}));
     }
     m_isSilent = true;
     if (!m_mayAsk) {

@@ -95,6 +95,12 @@ QString standstillPlace(const Fault &fault)
     return fault.code.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, fault.code);
 }
 
+// A gateway goes on showing the words of a ring that stands still.
+bool isUntold(const LinkFigures *figures)
+{
+    return figures != nullptr && !figures->status;
+}
+
 DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
 {
     const QString what = RingCheckText::tr("Ring");
@@ -105,6 +111,12 @@ DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
     if (const auto fault = standstillOf(bus))
         return failedCheck(DataCheck::Id::running, what, expected, standstillPlace(*fault), fault->text,
                            DataCheck::Action::start);
+    if (isUntold(bus.latest().figures.get()))
+        return {.id = DataCheck::Id::running,
+                .outcome = DataCheck::Outcome::notKnown,
+                .what = what,
+                .expected = expected,
+                .came = RingCheckText::tr("the gateway does not say: no status register is set")};
     if (bus.isRunning())
         return passedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word);
     return failedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word,
@@ -182,6 +194,12 @@ DataCheck ringStateCheck(const RingSession &bus, NodeId node)
     return check;
 }
 
+bool takesWords(const RingSession &bus, NodeId node)
+{
+    const std::size_t index = indexIn(bus, node);
+    return index >= bus.structure().size() || bus.structure()[index].outWords > 0;
+}
+
 void addOfDevice(DataChecks &checks, const RingSession &bus, NodeId node,
                  const std::vector<Participant> &planned)
 {
@@ -217,7 +235,8 @@ DataChecks ringChecks(const RingSession &bus, StoppedBy stopped, NodeId node,
             checks.push_back(masterCheck(bus, {}));
         checks.push_back(devicesCheck(bus));
     }
-    checks.push_back(writingCheck(bus));
+    if (node.isEmpty() || takesWords(bus, node))
+        checks.push_back(writingCheck(bus));
     return asFarAsKnown(std::move(checks));
 }
 

@@ -106,10 +106,11 @@ Fault busFail(const RingSession &bus)
 Fault lostLink(const RingSession &bus)
 {
     const QString why = bus.latest().whyLost ? refusalText(*bus.latest().whyLost) + u' ' : QString();
-    return standstill({Role::fault, RingFaultText::tr("link lost")},
-                      why +
-                          RingFaultText::tr("The program looks for the ring each second. Check the cable to "
-                                            "the master, and whether it is switched on."));
+    const QString again = bus.latest().figures != nullptr
+                              ? RingFaultText::tr("The gateway is tried again each second.")
+                              : RingFaultText::tr("The program looks for the ring each second. Check the "
+                                                  "cable to the master, and whether it is switched on.");
+    return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again);
 }
 
 Fault peripheralFault(NodeId node)

@@ -186,6 +186,9 @@ StateWord RingOutline::shown(std::size_t node) const
     case EncoderState::error:
         break;
     }
+    const Reading &its = device.reading;
+    if (exchanged && !its.position && !its.velocity && !its.cams) // its mode or coding is not known
+        return {Role::attention, tr("no position")};
     return {Role::running, tr("ok")};
 }
 

@@ -57,13 +57,16 @@ void RingRunner::Private::waitForLink()
     showStandingWords();
 }
 
-// That it does not open was reported when it was lost. A master that was stopped meanwhile is not started.
+// That it does not open was reported when it was lost; why may have changed since. A master that was stopped
+// meanwhile is not started.
 void RingRunner::Private::tryToReopen()
 {
     reopenAt = ring.at + betweenTries;
     auto there = find();
-    if (!there)
+    if (!there) {
+        ring.whyLost = Refusal{RefusalKind::link, there.error().id, there.error().arguments};
         return;
+    }
     ring.connected = true;
     ring.whyLost.reset();
     ring.operate = false;

@@ -271,10 +271,18 @@ void RingSession::dispatch(const RingEvent &event)
     }
 }
 
+bool RingSession::isWordDoubtful(std::size_t device) const
+{
+    const auto check = checkWord(device);
+    return (check && check->outcome == DataCheck::Outcome::differs) || !d->doubts.wrongWord(device).isEmpty();
+}
+
 void RingSession::dispatch(Message message, std::optional<std::size_t> device)
 {
     RingEncoderSession *session = device ? d->sessions[*device].get() : nullptr;
     const bool isFault = session && message.id == MessageId::deviceFault;
+    if (isFault && isWordDoubtful(*device))
+        return; // an error in a word that the encoder cannot have sent is none
     if (isFault)
         message.refusal = session->nameOf(message);
     tell(message);

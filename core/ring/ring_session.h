@@ -126,6 +126,7 @@ private:
     void post(Command command);
     void linkOpened() {} // the ring is reported next
     bool takeAtOnce(const RingEvent &event);
+    bool isWordDoubtful(std::size_t device) const;
     bool isOfNow(const Snapshot &snapshot) const;
     EncoderSession *showing(std::size_t device) const;
     void showLatest();

@@ -83,14 +83,14 @@ void WordDoubts::lookAtWordOfNext(const Snapshot &ring, const Judge &judge)
     Device &its = m_devices[device];
     const QString wrong = judge(device);
     its.wrongWords = std::clamp(its.wrongWords + (wrong.isEmpty() ? -1 : 1), 0, suspicious);
+    its.isWrong = its.wrongWords == suspicious || (its.isWrong && its.wrongWords > 0);
     if (!wrong.isEmpty())
         its.wrong = wrong;
 }
 
 QString WordDoubts::wrongWord(std::size_t device) const
 {
-    return device < m_devices.size() && m_devices[device].wrongWords == suspicious ? m_devices[device].wrong
-                                                                                   : QString();
+    return device < m_devices.size() && m_devices[device].isWrong ? m_devices[device].wrong : QString();
 }
 
 void WordDoubts::lookAtZero(Device &before, const Snapshot::Device &now)

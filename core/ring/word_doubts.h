@@ -28,7 +28,8 @@ public:
     // The last OUT word that took longer to be confirmed than encoders need, reported for a while, so that a
     // job of many words is one doubt; empty: there was none.
     std::optional<Word> slowlyConfirmed(std::size_t device) const;
-    // What is wrong with its words, such as their order, if that is so of more than one; empty: nothing.
+    // What is wrong with its words, such as their order; empty: nothing. So of several words, and until as
+    // many right ones have come.
     QString wrongWord(std::size_t device) const;
 
 private:
@@ -43,6 +44,7 @@ private:
         Word slowWord = 0;
         int wrongWords = 0; // more than right ones
         QString wrong{};    // the last of them
+        bool isWrong = false;
     };
     static void lookAtZero(Device &before, const Snapshot::Device &now);
     void lookAtConfirmation(Device &before, const Snapshot::Device &now, Profile profile) const;

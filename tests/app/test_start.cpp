@@ -132,6 +132,17 @@ TEST_F(StartPageTest, BetweenItAndAPageThePanelsStayAsTheUserHasThem)
     EXPECT_TRUE(QTest::qWaitFor([&] { return start().height() == high; })) << "the next time they are folded";
 }
 
+TEST_F(StartPageTest, ItsKeysWorkAgainAfterAPageWasClosed)
+{
+    disconnectAll();
+    actions().structureEditor->trigger();
+    actions().closePage->trigger();
+    ASSERT_EQ(page(), &start());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
+    advance(50);
+    EXPECT_TRUE(bus().isOpen()) << "the training bus";
+}
+
 TEST_F(StartPageTest, LeavesAPageThatIsOpenInItsPlace)
 {
     actions().structureEditor->trigger();

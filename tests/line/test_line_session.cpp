@@ -81,6 +81,17 @@ TEST_F(LineSessionTest, WhatADriverSaysStandsAtThePlaceOnItsOwnLine)
     EXPECT_EQ(found->place, (Place{fourth, LineAddress{5}.node()}));
 }
 
+// Nothing is asked after it that could show it.
+TEST_F(LineSessionTest, TheEndOfASearchShowsWhereNobodyIsPolled)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    line->scan({.baudRates = {19'200}, .first = {1}, .last = {2}});
+    line->advance(10ms);
+    EXPECT_EQ(line->outline().state().word, QStringLiteral("searching"));
+    line->advance(10s);
+    EXPECT_NE(line->outline().state().word, QStringLiteral("searching"));
+}
+
 TEST_F(LineSessionTest, WhatIsShownIsOldOncePollingStops)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));

@@ -74,6 +74,65 @@ TEST(GatewayDataChecks, AWrongWordOrderShowsInTheBusStructure)
     EXPECT_TRUE(encoderFault(*gateway.bus, 1)->text.startsWith(QStringLiteral("2.0: IN is ")));
 }
 
+// By chance it looks like error 14 of the encoder, whose battery is low.
+TEST(GatewayDataChecks, AnErrorInTheWrongWordOrderIsNotTold)
+{
+    constexpr std::int64_t looksLikeAnError = 0x000E'8000; // 8000000E
+    for (const bool isRight : {true, false}) {
+        GatewaySession gateway({.settings = {.highWordFirst = isRight}});
+        gateway.ring->setSpeed("2.0"_ring.node, 0);
+        ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+        advanceInFrames(gateway, 2s);
+        gateway.ring->turnTo("2.0"_ring.node, looksLikeAnError);
+        advanceInFrames(gateway, 100ms);
+        EXPECT_EQ(gateway.countOf(MessageId::deviceFault), 0U) << isRight;
+        EXPECT_EQ(encoderFault(*gateway.bus, 1).has_value(), !isRight);
+        if (!isRight) {
+            EXPECT_EQ(encoderFault(*gateway.bus, 1)->shown.word, QStringLiteral("doubtful"));
+        }
+    }
+}
+
+// It goes on showing the words of a ring that stands still.
+TEST(GatewayDataChecks, WithoutAStatusRegisterNobodySaysWhetherTheRingRuns)
+{
+    for (const auto status : {std::optional<int>(), std::optional(4)}) {
+        GatewaySession gateway({.settings = {.statusRegister = status}});
+        ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+        gateway.bus->advance(2s);
+        const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
+        const DataCheck *running = findCheck(checks, DataCheck::Id::running);
+        ASSERT_NE(running, nullptr);
+        EXPECT_EQ(running->outcome, status ? DataCheck::Outcome::asExpected : DataCheck::Outcome::notKnown);
+    }
+}
+
+TEST(GatewayDataChecks, ADeviceThatTakesNoWordsIsNotToBeWritten)
+{
+    GatewaySession gateway;
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    EXPECT_EQ(findCheck(gateway.bus->dataChecks("3.0"_ring.node, {}), DataCheck::Id::writing), nullptr);
+    EXPECT_NE(findCheck(gateway.bus->dataChecks("2.0"_ring.node, {}), DataCheck::Id::writing), nullptr);
+}
+
+// The mode of a FRABA encoder cannot be read.
+TEST(GatewayDataChecks, AnUnknownModeIsToBeToldByTheUser)
+{
+    GatewaySession gateway;
+    ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const auto position = [&] {
+        const DataChecks checks = gateway.bus->dataChecks("1.0"_ring.node, {});
+        return *findCheck(checks, DataCheck::Id::position);
+    };
+    EXPECT_EQ(position().outcome, DataCheck::Outcome::differs);
+    EXPECT_EQ(position().action, DataCheck::Action::positionMode);
+    gateway.encoder("1.0"_ring).tell(Parameter::startUpMode, 0);
+    gateway.bus->advance(100ms);
+    EXPECT_EQ(position().outcome, DataCheck::Outcome::asExpected) << position().remedy.toStdString();
+}
+
 TEST(GatewayDataChecks, ARightWordOrderIsNoDoubt)
 {
     GatewaySession gateway;

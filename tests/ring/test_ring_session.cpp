@@ -305,7 +305,10 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     m_link->lose();
     m_bus->advance(3'500);
     ASSERT_EQ(refused.size(), 1U);
-    EXPECT_EQ(m_bus->latest().whyLost, refused.front());
+    EXPECT_EQ(std::get<QString>(refused.front().arguments.front()), QStringLiteral("cable pulled"));
+    EXPECT_EQ(m_bus->latest().whyLost,
+              (Refusal{RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("no answer")}}))
+        << "why the last try failed";
     EXPECT_EQ(m_link->tries(), 4);
     EXPECT_EQ(m_bus->state(), BusState::lost);
     m_link->comeBack();

@@ -23,6 +23,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -133,9 +134,10 @@ QWidget *FindPage::makePlaces()
     form->addRow(tr("H&ost"), host);
     qobject_cast<QLabel *>(form->labelForField(host))->setBuddy(m_host);
     qobject_cast<QLabel *>(form->itemAt(0, QFormLayout::LabelRole)->widget())->setBuddy(m_ports);
-    connect(m_ports, &QListWidget::itemChanged, this, &FindPage::showWhatIsPossible);
+    connect(m_ports, &QListWidget::itemChanged, this, &FindPage::placesChanged);
     for (const QLineEdit *field : {m_otherPort, m_host})
-        connect(field, &QLineEdit::textChanged, this, &FindPage::showWhatIsPossible);
+        connect(field, &QLineEdit::textChanged, this, &FindPage::placesChanged);
+    connect(m_tcpPort, &QSpinBox::valueChanged, this, &FindPage::placesChanged);
     return places;
 }
 
@@ -204,8 +206,17 @@ void FindPage::search()
         Q_EMIT searchWanted(wish());
 }
 
+// What was asked was about the places of before.
+void FindPage::placesChanged()
+{
+    if (std::exchange(m_isAsking, false))
+        m_message->withdraw();
+    showWhatIsPossible();
+}
+
 void FindPage::begin()
 {
+    m_isAsking = false;
     m_isSearching = true;
     m_hasSearched = true;
     m_news->setRows({});
@@ -233,6 +244,7 @@ void FindPage::tell(const Trouble &trouble)
 
 void FindPage::ask(const QStringList &places, const QStringList &announcements)
 {
+    m_isAsking = true;
     m_message->showMessage(
         Role::attention,
         sentence(tr("Ask %1? Only reads are sent."), {shownInLine(places.join(QStringLiteral(", ")))}) +

@@ -81,10 +81,12 @@ private:
     void search();
     void connectChosen();
     const Found *chosen() const; // null: none, or nobody
+    void placesChanged();
     void showWhatIsPossible();
 
     bool m_hasListedPorts = false;
     bool m_isSearching = false;
+    bool m_isAsking = false; // whether it may send
     bool m_hasSearched = false;
     QListWidget *m_ports;
     QPushButton *m_refresh;

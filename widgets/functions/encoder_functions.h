@@ -24,6 +24,7 @@ public:
     {
         return {m_isInPositionMode, m_position, m_velocity, m_frabaPreset, m_reset};
     }
+    QAction &isInPositionMode() const { return *m_isInPositionMode; }
     // Whether this job is the reset that was started here.
     bool isReset(JobId job) const { return m_resetJob == job; }
 

@@ -11,7 +11,9 @@ namespace codewheel {
 namespace {
 
 // How far from what one means, by where a word is.
-enum Distance { titleBegin, wordOfTitle, withinTitle, wordElsewhere, withinElsewhere };
+enum Distance { titleBegin, wordOfTitle, wordElsewhere, withinTitle, withinElsewhere };
+
+constexpr int ofWhatIsOff = wordElsewhere; // further away
 
 bool isMessage(const PaletteEntry &entry)
 {
@@ -22,6 +24,11 @@ bool isMessage(const PaletteEntry &entry)
 bool isManual(const PaletteEntry &entry)
 {
     return entry.kind == PaletteEntry::Kind::manual;
+}
+
+bool isOff(const PaletteEntry &entry)
+{
+    return entry.state && !entry.state().isEnabled;
 }
 
 bool beginsWord(const QString &text, qsizetype at)
@@ -42,7 +49,7 @@ void PaletteIndex::add(std::vector<PaletteEntry> entries)
         const QString title = foldedText(entry.title);
         const QStringList rest{title, foldedText(kindWord(entry.kind)), foldedText(entry.context),
                                foldedText(entry.key), foldedText(entry.words)};
-        m_folded.push_back({rest.join(u'\n'), title.size()});
+        m_folded.push_back({rest.join(u'\n'), title.size(), foldedText(entry.key)});
         m_entries.push_back(std::move(entry));
     }
 }
@@ -52,14 +59,12 @@ int PaletteIndex::distanceOf(const QString &word, const Folded &folded)
     int best = -1;
     for (auto at = folded.text.indexOf(word); at >= 0; at = folded.text.indexOf(word, at + 1)) {
         const bool isOfTitle = at < folded.title;
-        if (best >= 0 && best <= withinTitle && !isOfTitle)
-            break;
         const bool isBegin = beginsWord(folded.text, at);
         const int distance = at == 0     ? titleBegin
                              : isOfTitle ? (isBegin ? wordOfTitle : withinTitle)
                                          : (isBegin ? wordElsewhere : withinElsewhere);
         best = best < 0 ? distance : std::min(best, distance);
-        if (best <= wordOfTitle || best == wordElsewhere)
+        if (best <= wordOfTitle || (best == wordElsewhere && !isOfTitle))
             break; // nothing better follows
     }
     return best;
@@ -93,9 +98,15 @@ std::vector<std::size_t> PaletteIndex::find(const QString &typed)
     m_searched = m_entries.size();
     m_hits = hits;
 
-    std::ranges::sort(hits, {}, [this](const Hit &hit) {
+    for (Hit &hit : hits) {
+        hit.isOff = isOff(m_entries[hit.entry]);
+        hit.distance += hit.isOff ? ofWhatIsOff : 0;
+    }
+    std::ranges::sort(hits, {}, [this, &folded](const Hit &hit) {
         const PaletteEntry &entry = m_entries[hit.entry];
-        return std::tuple(isMessage(entry), hit.distance, isManual(entry), hit.length, hit.entry);
+        const bool hasKey = m_folded[hit.entry].key == folded;
+        return std::tuple(isMessage(entry), !hasKey, hit.distance, hit.isOff, isManual(entry), hit.length,
+                          hit.entry);
     });
     std::vector<std::size_t> found;
     found.reserve(hits.size());

@@ -8,8 +8,7 @@
 namespace codewheel {
 
 // Finds entries by words, in any order: all of them, anywhere in title, kind, context, key and further
-// words. Words
-// typed on to those before only look at what these found.
+// words. Words typed on to those before only look at what these found.
 class PaletteIndex
 {
 public:
@@ -18,7 +17,8 @@ public:
     bool isEmpty() const { return m_entries.empty(); }
     const PaletteEntry &at(std::size_t entry) const { return m_entries[entry]; }
 
-    // Best first: words at the beginning of a title, then of one of its words, then within, then elsewhere;
+    // Best first: what has this key; then words at the beginning of a title, of one of its words, of a word
+    // elsewhere, then within words. What cannot be done now comes after what can be and fits almost as well,
     // the manual after what can be done, short titles before long ones. Messages follow as they were added,
     // for there may be thousands.
     std::vector<std::size_t> find(const QString &typed);
@@ -30,12 +30,14 @@ private:
     {
         QString text; // title, line break, the rest
         qsizetype title = 0;
+        QString key;
     };
     struct Hit
     {
         std::size_t entry = 0;
         int distance = 0;     // the less, the better
         qsizetype length = 0; // of the title
+        bool isOff = false;
     };
 
     static int distanceOf(const QString &word, const Folded &folded); // -1: it is not there

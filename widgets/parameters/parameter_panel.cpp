@@ -180,6 +180,11 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
     showRunningJob();
 }
 
+QAction &ParameterPanel::isInPositionMode() const
+{
+    return m_functions->isInPositionMode();
+}
+
 QList<QAction *> ParameterPanel::functionActions() const
 {
     return m_functions->actions();

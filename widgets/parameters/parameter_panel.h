@@ -40,6 +40,7 @@ public:
     void setEncoder(const codewheel::ShownEncoder &encoder);
     // Modes, FRABA preset, reset: for the menu here and that of the window.
     QList<QAction *> functionActions() const;
+    QAction &isInPositionMode() const; // one of them: the user says so
 
     void showParameter(Parameter parameter); // chooses its row; nothing is read or written
     void showWhose();                        // the name of its bus has changed

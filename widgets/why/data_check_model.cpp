@@ -35,7 +35,7 @@ QString outcomeText(DataCheck::Outcome outcome)
     case DataCheck::Outcome::notKnown:
         break;
     }
-    return DataCheckModel::tr("not known, because of what differs before");
+    return DataCheckModel::tr("not known");
 }
 
 QString shownText(const DataCheck &check, int column)

@@ -59,8 +59,11 @@ WhyPage::WhyPage(Helpers helpers, QWidget *parent)
     , m_help(named(new InlineMessage(this), "whyHelp"))
     , m_table(describe(new QTableView(this), "whySteps", tr("Expected and came, step by step"),
                        tr("What is expected on the way of the data, and what came.")))
-    , m_empty(new EmptyState(Icon::question, tr("Nothing is chosen"),
-                             tr("Choose a device or a bus in the bus structure."), this))
+    , m_empty(
+          new EmptyState(Icon::question, tr("Nothing is chosen"),
+                         tr("Choose a device or a bus in the bus structure. If it is empty, connect a bus "
+                            "first, or search with \"Who is there?\"."),
+                         this))
 {
     m_table->setModel(m_model);
     FittedColumns::useIn(*m_table, DataCheckModel::cameColumn); // nothing is cut off

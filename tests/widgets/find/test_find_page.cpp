@@ -142,6 +142,25 @@ TEST_F(FindPageTest, AsksOnlyIfThatIsAgreedTo)
     EXPECT_EQ(agreed.count(), 1);
 }
 
+// It would send to a port that is no longer ticked.
+TEST_F(FindPageTest, AQuestionAboutOtherPlacesIsWithdrawn)
+{
+    page.begin();
+    page.end();
+    const auto isAsking = [this] {
+        return std::ranges::any_of(page.findChildren<QPushButton *>(), [this](const QPushButton *its) {
+            return plainLabel(its->text()) == QStringLiteral("Ask") && its->isVisibleTo(&page);
+        });
+    };
+    page.ask({QStringLiteral("/dev/ttyUSB0")}, {QStringLiteral("ESC: all addresses.")});
+    EXPECT_TRUE(isAsking());
+    page.findChild<QListWidget *>()->item(1)->setCheckState(Qt::Checked);
+    EXPECT_FALSE(isAsking());
+    page.ask({QStringLiteral("/dev/ttyUSB0")}, {QStringLiteral("ESC: all addresses.")});
+    QTest::keyClicks(page.findChild<QLineEdit *>(QStringLiteral("findHost")), QStringLiteral("a"));
+    EXPECT_FALSE(isAsking());
+}
+
 TEST_F(FindPageTest, ConnectsWithWhatWasFoundOnceTheSearchHasEnded)
 {
     std::vector<Found> wanted;

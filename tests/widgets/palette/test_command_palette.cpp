@@ -124,8 +124,35 @@ protected:
 TEST_F(CommandPaletteTest, BeginningsComeBeforeMiddlesAndShortTitlesBeforeLong)
 {
     EXPECT_EQ(found(QStringLiteral("save")),
-              (QStringList{QStringLiteral("Save"), QStringLiteral("Save as"),
-                           QStringLiteral("Unsaved changes"), QStringLiteral("Trend")}));
+              (QStringList{QStringLiteral("Save"), QStringLiteral("Save as"), QStringLiteral("Trend"),
+                           QStringLiteral("Unsaved changes")}));
+}
+
+TEST_F(CommandPaletteTest, AKeyComesBeforeWhatOnlyContainsIt)
+{
+    PaletteEntry alarm = entry(QStringLiteral("Alarm"));
+    alarm.key = QStringLiteral("Ctrl+F12");
+    PaletteEntry why = entry(QStringLiteral("Why is there no data?"));
+    why.key = QStringLiteral("F12");
+    palette->addSource(std::make_unique<GivenParts>(std::vector<std::vector<PaletteEntry>>{{alarm, why}}));
+    palette->hide();
+    palette->open();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return palette->isComplete(); }));
+    EXPECT_EQ(found(QStringLiteral("f12")), (QStringList{why.title, alarm.title}));
+    EXPECT_EQ(chosen(), why.title);
+}
+
+TEST_F(CommandPaletteTest, WhatIsNotAvailableComesAfterWhatFitsAlmostAsWell)
+{
+    PaletteEntry stops = entry(QStringLiteral("Ring"), {}, QStringLiteral("stop it"));
+    PaletteEntry nonstop = entry(QStringLiteral("Nonstop"));
+    palette->addSource(
+        std::make_unique<GivenParts>(std::vector<std::vector<PaletteEntry>>{{stops, nonstop}}));
+    palette->hide();
+    palette->open();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return palette->isComplete(); }));
+    EXPECT_EQ(found(QStringLiteral("stop")),
+              (QStringList{stops.title, QStringLiteral("Stop"), nonstop.title}));
 }
 
 TEST_F(CommandPaletteTest, AllWordsMatchInAnyOrderAndAnywhere)
@@ -191,7 +218,7 @@ TEST_F(CommandPaletteTest, TheKeysMoveAndReturnRunsWithTheFocusWhereItWas)
     EXPECT_EQ(chosen(), QStringLiteral("Save as"));
     press(Qt::Key_Up);
     press(Qt::Key_Up);
-    EXPECT_EQ(chosen(), QStringLiteral("Trend")) << "around";
+    EXPECT_EQ(chosen(), QStringLiteral("Unsaved changes")) << "around";
     press(Qt::Key_Down);
     press(Qt::Key_Return);
     EXPECT_EQ(ran, QStringList{QStringLiteral("Save")});
