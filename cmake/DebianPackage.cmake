@@ -34,6 +34,6 @@ terminals and scripts.")
 # Libraries are found in the programs; the others are plugins and fonts.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 codewheel_packages(CPACK_DEBIAN_PACKAGE_DEPENDS run)
-codewheel_packages(CPACK_DEBIAN_PACKAGE_RECOMMENDS server)
+codewheel_packages(CPACK_DEBIAN_PACKAGE_RECOMMENDS server doctor)
 codewheel_packages(CPACK_DEBIAN_PACKAGE_SUGGESTS wayland)
 include(CPack)

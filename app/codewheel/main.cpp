@@ -30,7 +30,8 @@ void describe(QCommandLineParser &parser)
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
         QCoreApplication::translate("codewheel", "A project to open: *.codewheel, a recording: *.cwrec, "
-                                                 "cams: *.cwcams, or a fault plan: *.cwfaults"),
+                                                 "cams: *.cwcams, a fault plan: *.cwfaults, or a "
+                                                 "device description or sequence: *.json"),
         QStringLiteral("[FILE]"));
 }
 
