@@ -3638,8 +3638,8 @@
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>A project to open: *.codewheel, a recording: *.cwrec, cams: *.cwcams, or a fault plan: *.cwfaults</source>
-        <translation>Ein Projekt: *.codewheel, eine Aufzeichnung: *.cwrec, Nocken: *.cwcams, oder ein Fehlerplan: *.cwfaults</translation>
+        <source>A project to open: *.codewheel, a recording: *.cwrec, cams: *.cwcams, a fault plan: *.cwfaults, or a device description or sequence: *.json</source>
+        <translation>Ein Projekt, das geöffnet werden soll: *.codewheel, eine Aufzeichnung: *.cwrec, Nocken: *.cwcams, ein Fehlerplan: *.cwfaults oder eine Gerätebeschreibung oder Sequenz: *.json</translation>
     </message>
 </context>
 <context>
@@ -3725,6 +3725,11 @@
     <message>
         <source>Watch</source>
         <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>other kind</source>
+        <comment>of device than planned</comment>
+        <translation>andere Art</translation>
     </message>
 </context>
 <context>
@@ -19181,6 +19186,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Double click or Enter: why there is no data</source>
         <translation>Doppelklick oder Eingabe: warum keine Daten kommen</translation>
+    </message>
+    <message>
+        <source>Click on the state: why it is so</source>
+        <translation>Klick auf den Zustand: warum es so ist</translation>
     </message>
 </context>
 <context>

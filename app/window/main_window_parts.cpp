@@ -98,8 +98,11 @@ void MainWindow::makeFinder()
         page->setFocus();
     });
     connect(page, &FindPage::connectWanted, this, [this](const Found &found) {
-        if (BusViews *views = viewsOf(m_currentOf.value(found.kind)))
+        const BusId bus = m_currentOf.value(found.kind);
+        if (BusViews *views = viewsOf(bus)) {
             views->connectFound(found.plan);
+            m_structure->choose(bus);
+        }
     });
 }
 

@@ -640,11 +640,22 @@ QString fileText(const Refusal &refusal)
     return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
+// A name rather than a number: not grouped.
+QString serverPortText(const Refusal &refusal)
+{
+    const auto *port =
+        refusal.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&refusal.arguments.front());
+    return sentence(refusalPattern(refusalRow(refusal.id).text), {QString::number(port ? *port : 0)});
+}
+
 } // namespace
 
 QString refusalText(const Refusal &refusal)
 {
     switch (refusal.id) {
+    case RefusalId::serverPortTaken:
+    case RefusalId::serverPortPrivileged:
+        return serverPortText(refusal);
     case RefusalId::wrongParameterData:
     case RefusalId::unknownParameterNumber:
         return suspectsText(refusal);

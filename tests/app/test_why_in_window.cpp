@@ -120,6 +120,15 @@ TEST_F(WhyInWindowTest, AClickOnARedStateOpensItAndThatOnAnotherDoesNot)
     EXPECT_TRUE(told().contains(QStringLiteral("between 3.0 and 4.0"))) << told().toStdString();
 }
 
+TEST_F(WhyInWindowTest, SoDoesAClickOnAYellowOne)
+{
+    send(fraba, 0x0200'1000);
+    clickState(fraba);
+    ASSERT_TRUE(isOpen());
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: State of the encoder"));
+    EXPECT_TRUE(told().contains(QStringLiteral("80000000 (run)"))) << told().toStdString();
+}
+
 TEST_F(WhyInWindowTest, ADoubleClickOnAnyOtherRowOpensItsMonitor)
 {
     window().showTrend();

@@ -36,6 +36,9 @@ TEST(RefusalText, SaysWhatWasWrongAndWhatWouldBeRight)
          {Parameter::coding, fraba},
          "The FRABA OCD-IB K3 does not have the parameter \"Coding\". Leave it out, or check which encoder "
          "it is."},
+        {RefusalId::serverPortTaken,
+         {std::int64_t{15'020}},
+         "Port 15020 is used by another program. End it, or take another port."},
         {RefusalId::unknownDevice,
          {QStringLiteral("7.0"), QStringLiteral("1.0, 2.0")},
          "There is no device at 7.0. There are devices at: 1.0, 2.0."},

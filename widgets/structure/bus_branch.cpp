@@ -44,6 +44,7 @@ BusBranch::Row BusBranch::make(quintptr rowId, std::size_t node, const BusNode &
     return {.id = rowId,
             .node = what,
             .station = stationOf(what, project),
+            .isOther = isOther(what, project),
             .state = outline().state(node),
             .children = {}};
 }
@@ -55,6 +56,24 @@ QString BusBranch::stationOf(const BusNode &node, const ProjectDocument *project
         return {};
     const ProjectDevice &device = project->device({bus, node.node});
     return device.participant.deviceCode == node.deviceCode ? device.station : QString();
+}
+
+bool BusBranch::isOther(const BusNode &node, const ProjectDocument *project) const
+{
+    if (project == nullptr || connected == nullptr)
+        return false;
+    const unsigned wanted = project->device({bus, node.node}).participant.deviceCode;
+    return wanted != 0 && wanted != node.deviceCode;
+}
+
+// It may be in order by itself, and yet not what belongs there.
+NodeState BusBranch::stateOf(std::size_t row) const
+{
+    NodeState its = outline().state(row);
+    if (rows[row].isOther && its.shown.role == Role::running)
+        its.shown = {Role::attention, QCoreApplication::translate("codewheel::BusBranch", "other kind",
+                                                                  "of device than planned")};
+    return its;
 }
 
 QString calledText(const QString &station, const QString &name)

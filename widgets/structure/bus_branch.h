@@ -19,7 +19,8 @@ struct BusBranch
     {
         quintptr id = 0; // by which views know it, while it exists
         BusNode node;
-        QString station; // from the project; empty: none
+        QString station;      // from the project; empty: none
+        bool isOther = false; // than the project plans there, by its device code
         NodeState state;
         std::vector<std::size_t> children; // in `rows`
         std::size_t place = 0;             // among its siblings
@@ -44,6 +45,8 @@ struct BusBranch
     void arrange();
     Row make(quintptr rowId, std::size_t node, const BusNode &what, const ProjectDocument *project) const;
     QString stationOf(const BusNode &node, const ProjectDocument *project) const;
+    bool isOther(const BusNode &node, const ProjectDocument *project) const;
+    NodeState stateOf(std::size_t row) const;
 };
 
 // "hoist: Kübler 5882", or only the latter: the station comes first, as people at the plant use it.

@@ -234,6 +234,7 @@ void StructureModel::showNames(BusBranch &branch, const std::vector<BusNode> &no
 {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         Row &row = branch.rows[i];
+        row.isOther = branch.isOther(nodes[i], m_project);
         const QString station = branch.stationOf(nodes[i], m_project);
         if (row.node == nodes[i] && row.station == station)
             continue;
@@ -258,7 +259,7 @@ void StructureModel::refresh(BusId bus)
         Q_EMIT dataChanged(indexOf(*branch, deviceColumn), indexOf(*branch, positionColumn));
     }
     for (std::size_t i = 0; i < branch->rows.size(); ++i)
-        refreshRow(*branch, branch->rows[i], branch->outline().state(i));
+        refreshRow(*branch, branch->rows[i], branch->stateOf(i));
 }
 
 void StructureModel::refreshRow(const BusBranch &branch, Row &row, const NodeState &state)

@@ -33,6 +33,7 @@ public:
         detailRole,              // place and name behind a station
         isBehindBreakRole,       // the fault of the bus is between it and the device before it
         isFaultRole,             // the state of the row is a fault
+        isAttentionRole,         // it asks for attention
     };
 
     explicit StructureModel(QObject *parent = nullptr);

@@ -57,9 +57,11 @@ QVariant stateIcon(const StateWord &state)
 // How to ask about a fault.
 QString withWhy(const QString &toolTip, const StateWord &state)
 {
-    return state.role == Role::fault
-               ? toolTip + u'\n' + StructureModel::tr("Double click or Enter: why there is no data")
-               : toolTip;
+    if (state.role == Role::fault)
+        return toolTip + u'\n' + StructureModel::tr("Double click or Enter: why there is no data");
+    if (state.role == Role::attention)
+        return toolTip + u'\n' + StructureModel::tr("Click on the state: why it is so");
+    return toolTip;
 }
 
 } // namespace
@@ -105,6 +107,8 @@ QVariant StructureModel::busCell(const BusBranch &branch, int column, int role)
         return withWhy(branch.outline().toolTip(), branch.state);
     if (role == isFaultRole)
         return branch.state.role == codewheel::Role::fault;
+    if (role == isAttentionRole)
+        return branch.state.role == codewheel::Role::attention;
     if (column == deviceColumn && role == Qt::DisplayRole)
         return branch.title;
     if (column == deviceColumn && role == Qt::DecorationRole)
@@ -131,6 +135,8 @@ QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int
         return row.state.isBehindBreak;
     if (role == isFaultRole)
         return row.state.shown.role == codewheel::Role::fault;
+    if (role == isAttentionRole)
+        return row.state.shown.role == codewheel::Role::attention;
     if (role == nameRole)
         return row.station.isEmpty() ? placeAndName(row.node) : row.station;
     if (role == detailRole)

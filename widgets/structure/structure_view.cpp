@@ -48,6 +48,11 @@ void listBelow(const StructureModel &model, const QModelIndex &parent, std::vect
     }
 }
 
+bool asksForAttention(const QModelIndex &index)
+{
+    return index.data(StructureModel::isAttentionRole).toBool();
+}
+
 bool isFault(const QModelIndex &index)
 {
     return index.data(StructureModel::isFaultRole).toBool();
@@ -106,7 +111,7 @@ StructureView::StructureView(QWidget *parent)
             });
     connect(m_tree, &QTreeView::activated, this, &StructureView::open);
     connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex &index) {
-        if (index.column() == StructureModel::stateColumn && isFault(index))
+        if (index.column() == StructureModel::stateColumn && (isFault(index) || asksForAttention(index)))
             Q_EMIT whyRequested(*rowOf(index));
     });
     connect(m_tree, &QTreeView::customContextMenuRequested, this, [this](const QPoint &position) {

@@ -64,7 +64,8 @@ TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
     EXPECT_EQ(text(fraba, StructureModel::profileColumn), QStringLiteral("K3"));
     EXPECT_EQ(text(fraba, StructureModel::codeColumn), QStringLiteral("37h = 55"));
     EXPECT_EQ(text(baumer, StructureModel::wordsColumn), QStringLiteral("2 / 2"));
-    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("no position")) << "mode not known";
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
     EXPECT_EQ(text(test::singleTurn, StructureModel::profileColumn), QStringLiteral("K1"));
     EXPECT_EQ(text(test::singleTurn, StructureModel::wordsColumn), QStringLiteral("1 / 0"));
 }
@@ -120,6 +121,9 @@ TEST_F(StructureTest, StatesFollowTheBus)
     ASSERT_TRUE(ring.channel(fraba).write());
     ring.bus.advance(10);
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("parameters"));
+    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("no position")) << "coding not known";
+    ring.encoder(baumer).tell(Parameter::coding, 0);
+    ring.bus.advance(10);
     EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
     ring.bus.setRunning(false);
     ring.bus.advance(1);
@@ -149,7 +153,24 @@ TEST_F(StructureTest, OfflineItShowsWhatTheProjectPlans)
     project.setProject({}, {});
     EXPECT_EQ(model.rowCount(), 0);
     model.addBus(ring.bus);
-    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(StructureTest, ADeviceOfAnotherKindThanPlannedIsNotOk)
+{
+    Project plan = projectOf(ring.bus.structure());
+    const auto terminal = std::ranges::find(plan.devices, test::busTerminal, &ProjectDevice::place);
+    ASSERT_NE(terminal, plan.devices.end());
+    terminal->participant.deviceCode = 0x0004;
+    ProjectDocument project;
+    project.setProject(plan, {});
+    model.addBus(ring.bus);
+    model.setProject(project, ring.catalog);
+    ring.bus.advance(1);
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("other kind"));
+    project.setProject(projectOf(ring.bus.structure()), {});
+    ring.bus.advance(1);
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
 }
 
 TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
@@ -171,7 +192,7 @@ TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
                     .startsWith(QStringLiteral("slide  esc:05  Kübler")));
     EXPECT_EQ(text(encoder.place(), StructureModel::stateColumn), QStringLiteral("planned"));
     EXPECT_EQ(text(encoder.place(), StructureModel::codeColumn), QStringLiteral("05h (5)"));
-    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
 }
 
 TEST_F(StructureTest, BusesThatLookTheSameAreToldApartByTheirNames)
