@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/hindrance_of_refusal.h"
 #include "doctor/port_hindrances.h"
 #include "tests/doctor/made_computer.h"
+#include "tests/support/port_holder.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"
 
@@ -18,30 +20,25 @@ TEST(PortHindrances, APortThatIsNotThereIsLookedForByName)
     EXPECT_EQ(found[0].command, QStringLiteral("ls -l /dev/serial/by-id"));
 }
 
-// A real port without rights: its group is that of the test, in which nobody is.
 TEST(PortHindrances, TellsTheGroupThatMayUseAPort)
 {
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root can give a port to another group";
     const PtyPair pty;
     const QByteArray path = QFile::encodeName(pty.path());
-    if (::getuid() == 0) {
-        constexpr gid_t dialout = 20; // on Debian
-        ASSERT_EQ(::chown(path.constData(), 0, dialout), 0);
-        ASSERT_EQ(::chmod(path.constData(), 0660), 0);
-    } else {
-        ASSERT_EQ(::chmod(path.constData(), 0060), 0);
-    }
+    constexpr gid_t dialout = 20; // on Debian
+    ASSERT_EQ(::chown(path.constData(), 0, dialout), 0);
+    ASSERT_EQ(::chmod(path.constData(), 0660), 0);
     Hindrances found;
     {
         const WithoutRights without;
         found = portHindrances(pty.path(), Computer());
     }
     ASSERT_FALSE(found.empty());
-    EXPECT_EQ(found[0].id, ::getuid() == 0 ? HindranceId::noRights : found[0].id);
+    EXPECT_EQ(found[0].id, HindranceId::noRights);
     EXPECT_EQ(found[0].weight, Hindrance::Weight::prevents);
-    if (::getuid() == 0) {
-        EXPECT_EQ(found[0].command, QStringLiteral("sudo usermod -aG dialout $USER"));
-        EXPECT_TRUE(found[0].sentence.contains(u"its group dialout")) << found[0].sentence.toStdString();
-    }
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo usermod -aG dialout $USER"));
+    EXPECT_TRUE(found[0].sentence.contains(u"its group dialout")) << found[0].sentence.toStdString();
 }
 
 TEST(PortHindrances, ThatNoGroupMayUseAPortIsNoReasonToJoinRoot)
@@ -60,20 +57,26 @@ TEST(PortHindrances, ThatNoGroupMayUseAPortIsNoReasonToJoinRoot)
     EXPECT_EQ(found[0].command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
 }
 
+// A user without root's rights cannot change the group: then it is the one that the system gives to
+// terminals.
 TEST(PortHindrances, AGroupThatIsNotForPortsIsNamedButNotToBeJoined)
 {
-    if (::getuid() != 0)
-        GTEST_SKIP() << "only root can give a port to another group";
     const PtyPair pty;
     constexpr gid_t disk = 6; // on Debian
     const QByteArray path = QFile::encodeName(pty.path());
-    ASSERT_EQ(::chown(path.constData(), 0, disk), 0);
-    ASSERT_EQ(::chmod(path.constData(), 0660), 0);
+    if (::getuid() == 0) {
+        ASSERT_EQ(::chown(path.constData(), 0, disk), 0);
+    }
+    ASSERT_EQ(::chmod(path.constData(), 0060), 0);
+    const QString group = QFileInfo(pty.path()).group();
     const WithoutRights without;
-    const Hindrance found = rightsHindrance(pty.path(), Computer());
-    EXPECT_EQ(found.id, HindranceId::noRightsForAnyone);
-    EXPECT_TRUE(found.sentence.contains(u"Its group disk may, but")) << found.sentence.toStdString();
-    EXPECT_EQ(found.command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
+    const auto found = portHindrances(pty.path(), Computer());
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0].id, HindranceId::noRightsForAnyone);
+    EXPECT_EQ(found[0].weight, Hindrance::Weight::prevents);
+    EXPECT_TRUE(found[0].sentence.contains(QStringLiteral("Its group %1 may, but").arg(group)))
+        << found[0].sentence.toStdString();
+    EXPECT_EQ(found[0].command, QStringLiteral("sudo setfacl -m u:$USER:rw %1").arg(pty.path()));
 }
 
 TEST(PortHindrances, WhatIsNoPortIsSaidAndNeverGivenAway)
@@ -119,6 +122,24 @@ TEST(PortHindrances, NamesTheProgramThatHasThePort)
     EXPECT_EQ(found[0].command, QStringLiteral("sudo systemctl stop ModemManager.service"));
     EXPECT_TRUE(found[1].sentence.contains(u"minicom (process 4711)")) << found[1].sentence.toStdString();
     EXPECT_EQ(found[1].command, QStringLiteral("kill 4711"));
+}
+
+TEST(PortHindrances, ARealProgramThatHasThePortIsNamedAndCanBeEnded)
+{
+    PtyPair pty;
+    PortHolder holder(QStringLiteral(CODEWHEEL_PYTHON), pty.path());
+    pty.leave();
+    const Hindrances found = portHindrances(pty.path(), Computer());
+    ASSERT_EQ(idsOf(found), std::vector{QStringLiteral("portTaken")});
+    EXPECT_TRUE(found[0].sentence.contains(u"the program python")) << found[0].sentence.toStdString();
+    EXPECT_TRUE(found[0].sentence.contains(QStringLiteral("(process %1)").arg(holder.id())))
+        << found[0].sentence.toStdString();
+    EXPECT_EQ(found[0].command, QStringLiteral("kill %1").arg(holder.id()));
+    const auto refused = hindranceOf({RefusalKind::link, RefusalId::portInUse, {pty.path()}});
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(*refused, found[0]);
+    holder.end();
+    EXPECT_TRUE(portHindrances(pty.path(), Computer()).empty());
 }
 
 // What a process of root has open cannot be seen, but the terminal that controls it can.

@@ -28,7 +28,7 @@ PtyPair::PtyPair()
 PtyPair::~PtyPair()
 {
     unplug();
-    ::close(m_near);
+    leave();
 }
 
 void PtyPair::send(const QByteArray &bytes)
@@ -50,6 +50,12 @@ QByteArray PtyPair::receive(qsizetype count)
         received.append(bytes.data(), got);
     }
     return received;
+}
+
+void PtyPair::leave()
+{
+    if (m_near >= 0)
+        ::close(std::exchange(m_near, -1));
 }
 
 // The near end stays open, so that the number of the terminal is not reused by a concurrent test, which would

@@ -21,6 +21,8 @@ public:
     void send(const QByteArray &bytes);
     // This many bytes sent by the program; fewer if they do not come within 20 s.
     QByteArray receive(qsizetype count);
+    // This program no longer has the near end open. Another one has to have it by then.
+    void leave();
     // The far end disappears, as when an adapter is unplugged.
     void unplug();
 
