@@ -5,6 +5,7 @@
 #include "drivers/esc_driver.h"
 #include "esc_line/line_session.h"
 #include "simulator/simulated_line_link.h"
+#include "tests/line/scripted_line.h"
 
 #include <gtest/gtest.h>
 
@@ -96,14 +97,46 @@ TEST_F(LineChecks, NoBytesAtAllAreTold)
         expectFirst(node, DataCheck::Id::bytes, "No encoder answers on ", DataCheck::Action::connection);
 }
 
-TEST_F(LineChecks, AtAWrongRateTheRateIsNamed)
+// The encoders do not understand the requests, so nothing comes.
+TEST_F(LineChecks, AtAWrongRateNothingComesAndTheRateThatIsSetIsNamed)
 {
     open({.baudRate = 9'600});
     session.advance(30s);
+    expectFirst(asked.node(), DataCheck::Id::bytes, "No encoder answers on training line at 9600 Bd.",
+                DataCheck::Action::connection);
     const DataChecks checks = of();
-    ASSERT_NE(firstDifference(checks), nullptr);
-    EXPECT_TRUE(firstDifference(checks)->remedy.contains(QStringLiteral("baud rate")));
-    EXPECT_EQ(firstDifference(checks)->action, DataCheck::Action::connection);
+    EXPECT_TRUE(firstDifference(checks)->remedy.endsWith(QStringLiteral("and the baud rate.")));
+    EXPECT_TRUE(firstDifference(checks)->came.startsWith(QStringLiteral("none for ")))
+        << firstDifference(checks)->came.toStdString();
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::sense)->outcome, DataCheck::Outcome::notKnown);
+}
+
+// Its answer, as it looks at another rate.
+TEST(LineChecksAtAWrongRate, GarbageThatComesIsCountedAndTheRateThatIsSetIsNamed)
+{
+    const Catalog catalog = Catalog::builtIn();
+    auto link = std::make_unique<ScriptedLink>();
+    link->answers["\x1B"
+                  "05P\r\n"] = "\xF3\x80\xFE\x9C\x80";
+    link->answersAt = 9'600;
+    LineSession session(std::move(link), catalog, QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
+                        [](const DeviceDescription &device, LineAddress address) {
+                            return std::make_unique<EscDriver>(device, address);
+                        });
+    EXPECT_TRUE(
+        session.open({.baudRate = 9'600}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    EXPECT_TRUE(session.add(asked, QStringLiteral("kuebler-esc-rs485")));
+    session.advance(30s);
+    const DataChecks checks = session.dataChecks(asked.node(), {});
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::bytes)->outcome, DataCheck::Outcome::asExpected);
+    const DataCheck *first = firstDifference(checks);
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(first->id, DataCheck::Id::sense) << first->what.toStdString();
+    EXPECT_TRUE(first->expected.contains(QStringLiteral("9600 Bd"))) << first->expected.toStdString();
+    EXPECT_TRUE(first->came.endsWith(QStringLiteral(" bytes that are no answer")))
+        << first->came.toStdString();
+    EXPECT_TRUE(first->remedy.contains(QStringLiteral("Check baud rate and format")));
+    EXPECT_EQ(first->action, DataCheck::Action::connection);
 }
 
 TEST_F(LineChecks, BytesThatMakeNoSenseAreTold)

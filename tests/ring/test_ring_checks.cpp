@@ -158,7 +158,7 @@ TEST_F(RingChecks, ParameterizationIsTold)
                 DataCheck::Action::monitor);
 }
 
-TEST_F(RingChecks, ReadOutAndSelfTestAreTold)
+TEST_F(RingChecks, AReadOutValueIsNotTakenForAPosition)
 {
     frames();
     write("1.0"_ring, 0x2021'0001);
