@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
 #include "tests/support/plans.h"
+#include "tests/support/port_holder.h"
+#include "tests/support/without_rights.h"
 #include "widgets/connect/check_list.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_terminal.h"
@@ -21,6 +23,7 @@
 #include <QWidget>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <vector>
 
 namespace codewheel {
@@ -99,6 +102,41 @@ TEST_F(LineAtPort, APortThatIsMissingIsToldWithACommandToCopy)
     ASSERT_NE(told, messages.end());
     click(connection(), QStringLiteral("Copy command"));
     EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("ls -l /dev/serial/by-id"));
+}
+
+TEST_F(LineAtPort, APortThatAnotherProgramHasIsToldWithTheCommandThatEndsIt)
+{
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
+    const QString port = startPeer(QStringLiteral("--addresses 03"));
+    PortHolder holder(QStringLiteral(CODEWHEEL_PYTHON), port);
+    connectPort(port);
+    const QString process = QString::number(holder.id());
+    EXPECT_TRUE(said().contains(port + QStringLiteral(" is in use by the program python")))
+        << said().toStdString();
+    EXPECT_TRUE(said().contains(QStringLiteral("(process %1)").arg(process))) << said().toStdString();
+    click(connection(), QStringLiteral("Copy command"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("kill ") + process);
+    holder.end();
+    connectNow();
+    EXPECT_TRUE(answers(at3));
+}
+
+TEST_F(LineAtPort, APortThatTheUserMayNotUseIsToldWithTheCommandThatGivesTheRights)
+{
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
+    const QString port = startPeer(QStringLiteral("--addresses 03"));
+    ASSERT_EQ(::chmod(QFile::encodeName(port).constData(), 0), 0);
+    {
+        const WithoutRights without;
+        connectPort(port);
+    }
+    EXPECT_TRUE(said().contains(QStringLiteral("You may not use %1, and no group").arg(port)))
+        << said().toStdString();
+    click(connection(), QStringLiteral("Copy command"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("sudo setfacl -m u:$USER:rw ") + port);
+    ASSERT_EQ(::chmod(QFile::encodeName(port).constData(), 0600), 0);
+    connectNow();
+    EXPECT_TRUE(answers(at3));
 }
 
 TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
