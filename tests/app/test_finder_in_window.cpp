@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/gateway_plan.h"
+#include "project/ring_plan.h"
 #include "tests/app/line_at_port_test.h"
 #include "tests/app/press_connect.h"
+#include "tests/support/modbus_server.h"
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
 #include "widgets/line/line_search.h"
+
+#include <QSpinBox>
 
 namespace codewheel {
 namespace {
@@ -39,6 +44,34 @@ TEST_F(FinderInWindowTest, AnEncoderIsFoundAndConnectedWithItsSettings)
     EXPECT_EQ(line().linkName(), port);
     EXPECT_FALSE(line().isOperating());
     EXPECT_TRUE(window().findChild<LineSearch *>()->isVisible()) << "its encoders are taken over there";
+}
+
+TEST_F(FinderInWindowTest, AGatewayIsFoundAtAHostAndConnected)
+{
+    ModbusServer server;
+    actions().findEncoders->trigger();
+    advance(50);
+    page().setPorts({}, {});
+    QTest::keyClicks(page().findChild<QLineEdit *>(QStringLiteral("findHost")), QStringLiteral("127.0.0.1"));
+    page().findChild<QSpinBox *>()->setValue(server.port());
+    click(page(), QStringLiteral("Search"));
+    ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
+    EXPECT_EQ(server.requests(4), 0) << "nothing is sent before that was agreed to";
+    click(page(), QStringLiteral("Ask"));
+    ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
+    EXPECT_GT(server.requests(4), 0);
+    click(page(), QStringLiteral("Connect"));
+    const auto &ring = *window().findChild<ConnectPage *>(QStringLiteral("ringConnection"));
+    EXPECT_TRUE(bus().isSimulated()) << "only after asking";
+    test::agreeToReplace(ring);
+    ASSERT_TRUE(comes([&] { return bus().isOpen() && !bus().isSimulated(); }));
+    EXPECT_FALSE(bus().isOperating());
+    const ProjectLink link = ringPlan(project(), firstRing).link;
+    EXPECT_EQ(link.kind, QStringLiteral("modbus-tcp"));
+    const auto planned = plannedGateway(project(), firstRing);
+    ASSERT_TRUE(planned && *planned);
+    EXPECT_EQ((*planned)->tcpPort, server.port());
+    ringActions().disconnectBus->trigger();
 }
 
 TEST_F(FinderInWindowTest, ASearchCanBeCancelled)
