@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "links/serial_ports.h"
 #include "links/server_socket.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/pty_pair.h"
@@ -7,6 +8,7 @@
 #include <QFile>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -79,10 +81,21 @@ TEST(DoctorCommand, AGatewayIsConnectedAndLeft)
 
 TEST(DoctorCommand, WithoutALinkTheComputerIsLookedAt)
 {
+    const auto ports = serialPorts();
     const CliRun run = runLine(QStringLiteral("doctor --json"));
-    EXPECT_TRUE(run.json()[u"hindrances"].isArray());
-    EXPECT_TRUE(run.json()[u"ports"].isArray());
-    for (const auto &hindrance : run.json()[u"hindrances"].toArray())
+    QStringList told;
+    for (const auto &port : run.json()[u"ports"].toArray())
+        told << port.toObject()[u"port"].toString();
+    QStringList there;
+    for (const PortInfo &port : ports)
+        there << port.path;
+    EXPECT_EQ(told, there);
+    const QJsonArray hindrances = run.json()[u"hindrances"].toArray();
+    const bool hasNoPort = std::ranges::any_of(hindrances, [](const auto &hindrance) {
+        return hindrance.toObject()[u"id"].toString() == QStringLiteral("noPort");
+    });
+    EXPECT_EQ(hasNoPort, ports.empty());
+    for (const auto &hindrance : hindrances)
         EXPECT_FALSE(hindrance.toObject()[u"text"].toString().isEmpty());
 }
 
