@@ -25,9 +25,9 @@ class ByteLink
 public:
     virtual ~ByteLink() = default;
 
-    // Opens the line with these settings. Sends nothing. What was left in the receive buffer is dropped. Once
-    // opened, it is only ever opened again at the same adapter: portOfOther if the one there is not known to
-    // be the same.
+    // Opens the line with these settings, one that is open anew. Sends nothing. What was left in the receive
+    // buffer is dropped. Once opened, it is only ever opened again at the same adapter: portOfOther if the
+    // one there is not known to be the same.
     virtual Result<void> open(const SerialSettings &settings) = 0;
     virtual void close() = 0;
     // Another baud rate from now on; what was received before remains to be read.

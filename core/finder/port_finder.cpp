@@ -115,9 +115,7 @@ Result<void> PortFinder::open(const SerialSettings &settings)
 {
     if (m_opened == settings)
         return {};
-    if (m_opened)
-        m_link.close();
-    auto opened = m_link.open(settings);
+    auto opened = m_link.open(settings); // anew at once: a master may poll in between
     if (opened)
         m_opened = settings;
     return opened;

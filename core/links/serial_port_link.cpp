@@ -105,11 +105,12 @@ Result<QString> SerialPortLink::findPort()
 
 Result<void> SerialPortLink::open(const SerialSettings &settings)
 {
+    const bool wasOurs = m_port != nullptr; // for us alone, so nobody else has it now
     close();
     const Result<QString> path = findPort();
     if (!path)
         return tl::unexpected(path.error());
-    if (const auto hindrance = openingHindrance(*path))
+    if (const auto hindrance = wasOurs ? portHindrance(*path) : openingHindrance(*path))
         return tl::unexpected(*hindrance);
     auto port = std::make_unique<Port>();
     if (auto prepared = prepare(port->serial, *path, settings); !prepared)
