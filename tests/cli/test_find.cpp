@@ -26,10 +26,11 @@ using testing::Not;
 class EscPeerOnLine
 {
 public:
-    explicit EscPeerOnLine(const QString &addresses)
+    // "--addresses 12 --echo"
+    explicit EscPeerOnLine(const QString &options)
     {
         m_peer.start(QStringLiteral(CODEWHEEL_PYTHON),
-                     {QStringLiteral(CODEWHEEL_ESC_PEER), QStringLiteral("--addresses"), addresses});
+                     QStringList{QStringLiteral(CODEWHEEL_ESC_PEER)} + options.split(u' '));
         while (!m_peer.canReadLine() && m_peer.waitForReadyRead(60'000))
             ;
         m_port = QString::fromLocal8Bit(m_peer.readLine()).trimmed();
@@ -58,7 +59,7 @@ bool wasSentAnything(const PtyPair &pty)
 
 TEST(FindCommand, FindsTheEncoderOfALineAndTheLinkThatLeadsThere)
 {
-    const EscPeerOnLine peer(QStringLiteral("12"));
+    const EscPeerOnLine peer(QStringLiteral("--addresses 12"));
     const CliRun run = runLine(QStringLiteral("find --yes --json ") + peer.port());
     EXPECT_EQ(run.exit, 0) << run.err;
     const QJsonArray found = run.json()[u"found"].toArray();
@@ -69,6 +70,51 @@ TEST(FindCommand, FindsTheEncoderOfALineAndTheLinkThatLeadsThere)
     const QString link = found[0][u"link"].toString();
     EXPECT_EQ(link, QStringLiteral("esc:%1,baud=19200").arg(peer.port()));
     EXPECT_EQ(runLine(QStringLiteral("read 12 --link ") + link).exit, 0) << "the link is right";
+}
+
+// What the adapter hears of itself is not taken for somebody else.
+TEST(FindCommand, FindsAnEncoderBehindAnAdapterThatEchoes)
+{
+    const EscPeerOnLine peer(QStringLiteral("--addresses 12 --echo"));
+    const CliRun run = runLine(QStringLiteral("find --yes --json ") + peer.port());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const QJsonArray found = run.json()[u"found"].toArray();
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0][u"link"].toString(), QStringLiteral("esc:%1,baud=19200").arg(peer.port()));
+    EXPECT_EQ(found[0][u"certainty"].toString(), QStringLiteral("certain"));
+    EXPECT_FALSE(found[0][u"masterAtWork"].toBool());
+    EXPECT_THAT(run.out + run.err, Not(HasSubstr("A master")));
+}
+
+// At the others, stray bytes come: no more than when a line changes its direction.
+TEST(FindCommand, FindsAnEncoderAtTheRateThatItHas)
+{
+    const EscPeerOnLine peer(QStringLiteral("--addresses 05 --baud 9600 --stray 2"));
+    const CliRun run = runLine(QStringLiteral("find --yes --json ") + peer.port());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const QJsonArray found = run.json()[u"found"].toArray();
+    ASSERT_EQ(found.size(), 1);
+    const QString link = found[0][u"link"].toString();
+    EXPECT_EQ(link, QStringLiteral("esc:%1,baud=9600").arg(peer.port()));
+    EXPECT_FALSE(found[0][u"masterAtWork"].toBool());
+    EXPECT_EQ(runLine(QStringLiteral("read 05 --link ") + link).exit, 0) << "the rate is right";
+    EXPECT_EQ(runLine(QStringLiteral("read 05 --link esc:%1,baud=19200").arg(peer.port())).exit, 1);
+}
+
+TEST(FindCommand, FindsAGatewayOnASerialLine)
+{
+    GatewayPeer peer(QStringLiteral("--rtu"));
+    const CliRun run = runLine(QStringLiteral("find --yes --json ") + peer.where());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const QJsonArray found = run.json()[u"found"].toArray();
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0][u"kind"].toString(), QStringLiteral("interbus"));
+    EXPECT_FALSE(found[0][u"masterAtWork"].toBool());
+    const QString link = found[0][u"link"].toString();
+    EXPECT_EQ(link, peer.link());
+    EXPECT_EQ(peer.writes(), 0);
+    const RingProject ring;
+    EXPECT_EQ(ring.run(QStringLiteral("monitor 1.0 --for 1"), link).exit, 0) << "the link is right";
 }
 
 TEST(FindCommand, SendsNothingUnlessThatIsAgreedTo)

@@ -12,6 +12,7 @@ import os
 import random
 import select
 import sys
+import termios
 import time
 import tty
 
@@ -96,8 +97,16 @@ class Line:
         tty.setraw(self.slave)
         self.request = None
 
+    def noise(self, count):
+        return bytes(self.random.randrange(0x80, 0x100) for _ in range(count))
+
     def junk(self):
-        return bytes(self.random.randrange(0x80, 0x100) for _ in range(self.options.garbage))
+        return self.noise(self.options.garbage)
+
+    def is_at_its_rate(self):
+        """Whether the program has set the terminal to the rate that the encoders have."""
+        rates = termios.tcgetattr(self.slave)[4:6]
+        return not self.options.baud or rates == 2 * [getattr(termios, f"B{self.options.baud}")]
 
     def answer_to(self, request):
         """The bytes on the line in answer to the text between ESC and CR LF."""
@@ -111,8 +120,11 @@ class Line:
         if not answers:
             return b""
         if len(answers) > 1:  # they collide
-            return bytes(self.random.randrange(0x80, 0x100) for _ in range(12))
-        return self.junk() + answers[0].encode() + b"\r\n" + self.junk()
+            return self.noise(12)
+        answer = answers[0].encode() + b"\r\n"
+        if not self.is_at_its_rate():
+            return self.noise(self.options.stray)
+        return self.junk() + answer + self.junk()
 
     def hear(self, byte):
         """The request that this byte completes, or None."""
@@ -171,6 +183,9 @@ def main():
     parser.add_argument("--byte-time", type=float, default=0, help="us for a byte; 573 is 19200 Bd 8N2 (0)")
     parser.add_argument("--warnings", type=lambda digits: int(digits, 16), default=READS["E"][1],
                         help="of all encoders, hexadecimal (8000)")
+    parser.add_argument("--baud", type=int, default=0,
+                        help="of the encoders; set to any other, the line has no answers (0: they have every rate)")
+    parser.add_argument("--stray", type=int, default=0, help="so many bytes of garbage instead of such an answer (0)")
     parser.add_argument("--seed", type=int, default=1, help="of the garbage (1)")
     Line(parser.parse_args()).serve()
 
