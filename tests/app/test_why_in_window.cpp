@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page that says why there is no data: what opens it, what it says, and what its button does.
 #include "app/window/line_at_work.h"
+#include "app/window/plant.h"
+#include "app/window/ring_at_work.h"
 #include "language.h"
+#include "modbus/gateway_settings.h"
 #include "project/line_plan.h"
+#include "project/ring_plan.h"
 #include "simulator/simulated_line.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
+#include "tests/support/pty_pair.h"
+#include "tests/support/register_bank.h"
+#include "widgets/comparison/comparison_page.h"
+#include "widgets/gateway/registers_page.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
@@ -87,6 +95,31 @@ protected:
         const QAbstractItemModel &model = *why().findChild<QTableView *>()->model();
         return model.index(row, model.columnCount() - 1).data().toString();
     }
+    QString allThatCame()
+    {
+        QStringList all;
+        for (int row = 0; row < why().findChild<QTableView *>()->model()->rowCount(); ++row)
+            all << came(row);
+        return all.join(u'\n');
+    }
+    QString stateOf(Place place)
+    {
+        const auto &model = *static_cast<const StructureModel *>(tree().model());
+        return model.indexOf(place).siblingAtColumn(StructureModel::stateColumn).data().toString();
+    }
+    // Instead of the training bus, a gateway with these registers.
+    void connectGateway(const std::shared_ptr<test::RegisterBank> &bank)
+    {
+        ringActions().disconnectBus->trigger();
+        shown->plant().first<RingAtWork>()->setPorts(
+            [bank](const GatewaySettings &) { return std::make_unique<test::RegisterBankPort>(bank); });
+        const GatewaySettings gateway{.host = QStringLiteral("gateway.hall")};
+        Project planned = shown->project().project();
+        changeRing(planned, [&](RingPlan &ring) { ring.link = {linkKindOf(gateway), linkTexts(gateway)}; });
+        shown->project().setProject(planned, {});
+        ringActions().connectBus->trigger();
+        ASSERT_TRUE(bus().isOpen());
+    }
 };
 
 TEST_F(WhyInWindowTest, ADoubleClickOnARedRowOpensItWithThePlace)
@@ -150,6 +183,58 @@ TEST_F(WhyInWindowTest, OfARedEncoderItNamesTheState)
     EXPECT_EQ(page(), &monitors());
 }
 
+TEST_F(WhyInWindowTest, OfAnErrorItSaysTheNumberAndTheWord)
+{
+    befall(TrainingFault::codeDiscFault, baumer);
+    doubleClick(baumer);
+    ASSERT_TRUE(isOpen());
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: State of the encoder"));
+    EXPECT_TRUE(told().startsWith(QStringLiteral("2.0: Error 15: "))) << told().toStdString();
+    EXPECT_TRUE(allThatCame().contains(QStringLiteral("error 15 (IN 9E000000)")))
+        << allThatCame().toStdString();
+}
+
+TEST_F(WhyInWindowTest, ParameterizationIsTold)
+{
+    send(baumer, 0x0200'00FF);
+    advance(200);
+    ask(baumer);
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: State of the encoder"));
+    EXPECT_TRUE(told().startsWith(QStringLiteral("The encoder is in parameterization")))
+        << told().toStdString();
+    press(plainLabel(actions().openMonitor->text()));
+    EXPECT_EQ(page(), &monitors());
+}
+
+TEST_F(WhyInWindowTest, AnotherIdCodeThanTheProjectHasIsToldWithTheComparison)
+{
+    befall(TrainingFault::wrongDevice, baumer);
+    ringActions().readIn->trigger();
+    advance(500);
+    ASSERT_TRUE(bus().isRunning());
+    ask(baumer);
+    EXPECT_TRUE(told().startsWith(QStringLiteral("2.0: configured is "))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QStringLiteral("found was K2"))) << told().toStdString();
+    EXPECT_TRUE(allThatCame().contains(QStringLiteral("36h"))) << allThatCame().toStdString();
+    press(plainLabel(actions().compare->text()));
+    EXPECT_NE(qobject_cast<const ComparisonPage *>(page()), nullptr);
+}
+
+TEST_F(WhyInWindowTest, AWrongWordOrderOfAGatewayIsSeenInTheTreeAndLeadsToItsRegisters)
+{
+    const auto bank = std::make_shared<test::RegisterBank>();
+    bank->input[0] = 0x04D2; // 1234 with its low word first
+    connectGateway(bank);
+    advance(50);
+    EXPECT_NE(stateOf(fraba), QStringLiteral("doubtful")) << "one word may be torn";
+    advance(1'500);
+    EXPECT_EQ(stateOf(fraba), QStringLiteral("doubtful"));
+    ask(fraba);
+    EXPECT_TRUE(told().contains(QStringLiteral("It can with low word first"))) << told().toStdString();
+    press(plainLabel(ringActions().registers->text()));
+    EXPECT_NE(qobject_cast<const RegistersPage *>(page()), nullptr);
+}
+
 TEST_F(WhyInWindowTest, OfADeviceBehindABreakItNamesThePlaceToo)
 {
     befall(TrainingFault::wireBreak, "4.0"_ring);
@@ -206,6 +291,46 @@ TEST_F(WhyInWindowTest, ASilentEncoderOfALineIsNamed)
     EXPECT_TRUE(told().contains(QStringLiteral("05"))) << told().toStdString();
     press(plainLabel(lineActions().settings->text()));
     EXPECT_EQ(page()->objectName(), QStringLiteral("lineSettings"));
+}
+
+TEST_F(WhyInWindowTest, OfASilentLineItSaysWhatItsEncodersShare)
+{
+    shown->line().training()->setSilent(true);
+    advance(5'000);
+    ask(Place{firstLine});
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: Bytes"));
+    EXPECT_TRUE(told().startsWith(QStringLiteral("No encoder answers on training line at 19200 Bd.")))
+        << told().toStdString();
+    press(plainLabel(lineActions().settings->text()));
+    EXPECT_EQ(page()->objectName(), QStringLiteral("lineSettings"));
+}
+
+TEST_F(WhyInWindowTest, OfAnAdapterThatWasUnpluggedItNamesThePort)
+{
+    PtyPair adapter;
+    shown->line().setPortList([] { return std::vector<PortInfo>(); });
+    shown->line().close();
+    Project planned = shown->project().project();
+    LinePlan line;
+    line.settings.port = adapter.path();
+    setLinePlan(planned, firstLine, line);
+    shown->project().setProject(planned, {});
+    shown->line().openPort(line);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
+    ASSERT_EQ(shown->line().session()->state(), BusState::open);
+    adapter.unplug();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] {
+            advance(33);
+            return shown->line().session()->state() == BusState::lost;
+        },
+        20'000));
+    ask(Place{firstLine});
+    EXPECT_EQ(outcome(), QStringLiteral("What differs first: Link"));
+    EXPECT_TRUE(told().contains(adapter.path())) << told().toStdString();
+    ASSERT_NE(button(), nullptr);
+    EXPECT_EQ(button()->text(), plainLabel(lineActions().settings->text()));
+    shown->line().close();
 }
 
 TEST_F(WhyInWindowTest, ABusThatIsOfflineOffersToConnectIt)
