@@ -104,7 +104,7 @@ private:
         const auto &answer = exchange->result.answer;
         if (answer || asked.others.all.size() > glitches) {
             m_atMaster = answer ? answer->text : QByteArray();
-            m_knocks.clear();
+            std::erase(m_knocks, rate);
             m_scan.emplace(ScanWish{.baudRates = {rate}});
         }
         return asked;
@@ -144,7 +144,9 @@ private:
     // That somebody answered at the master address, but nobody at any other, is to be told.
     void endScan(OtherBytes &others)
     {
-        if (m_scan->found().empty() && others.all.isEmpty())
+        if (!m_scan->found().empty())
+            m_knocks.clear(); // nobody speaks at another rate
+        else if (others.all.isEmpty())
             others.all = m_atMaster;
         m_scan.reset();
     }

@@ -101,6 +101,16 @@ TEST(FindCommand, FindsAnEncoderAtTheRateThatItHas)
     EXPECT_EQ(runLine(QStringLiteral("read 05 --link esc:%1,baud=19200").arg(peer.port())).exit, 1);
 }
 
+// Somebody answers there, but nobody who makes sense: the other rates are still asked at.
+TEST(FindCommand, FindsAnEncoderThoughGarbageComesAtAnotherRate)
+{
+    const EscPeerOnLine peer(QStringLiteral("--addresses 05 --baud 9600 --stray 12"));
+    const QJsonArray found =
+        runLine(QStringLiteral("find --yes --json ") + peer.port()).json()[u"found"].toArray();
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0][u"link"].toString(), QStringLiteral("esc:%1,baud=9600").arg(peer.port()));
+}
+
 TEST(FindCommand, FindsAGatewayOnASerialLine)
 {
     GatewayPeer peer(QStringLiteral("--rtu"));
