@@ -2,6 +2,8 @@
 #include "app/screenshots/finder_picture.h"
 
 #include "app/screenshots/scene.h"
+#include "app/window/trouble_of.h"
+#include "doctor/hindrance_of_refusal.h"
 #include "widgets/find/find_page.h"
 
 #include <QAction>
@@ -38,11 +40,27 @@ QWidget *findingIn(TrainingWindow &shown)
     return page;
 }
 
+// Of a computer of which nothing more is known, so that the picture is the same everywhere.
+QWidget *portThatIsMissing(TrainingWindow &shown)
+{
+    shown.window().actions().findEncoders->trigger();
+    auto *page = shown.window().findChild<FindPage *>();
+    page->setPorts({{port, QStringLiteral("FT232R USB UART"), {}}}, {});
+    const Refusal missing{RefusalKind::link, RefusalId::portNotFound, {port}};
+    const Computer unknown(QStringLiteral("/there-is-none"));
+    page->begin();
+    page->add(refusedNews(port, missing));
+    page->tell(troubleOf(*hindranceOf(missing, unknown)));
+    page->end();
+    shown.advance(whileMilliseconds);
+    return page;
+}
+
 } // namespace
 
 std::vector<Picture> finderPictures()
 {
-    return {pictureOf("find", findingIn)};
+    return {pictureOf("find", findingIn), pictureOf("doctor", portThatIsMissing)};
 }
 
 } // namespace codewheel

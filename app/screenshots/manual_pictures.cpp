@@ -11,6 +11,8 @@
 #include "app/screenshots/scene.h"
 #include "app/screenshots/trend_pictures.h"
 #include "app/screenshots/wizard_pictures.h"
+#include "app/window/line_actions.h"
+#include "app/window/ring_actions.h"
 #include "bus/word_channel.h"
 #include "ring/ring_session.h"
 #include "widgets/cams/cam_editor.h"
@@ -218,6 +220,15 @@ std::vector<Picture> views()
                       busFault(shown);
                       return &shown.window();
                   }),
+        pictureOf(
+            "start",
+            [](TrainingWindow &shown) {
+                shown.window().findChild<RingActions *>()->disconnectBus->trigger();
+                shown.window().findChild<LineActions *>()->disconnectLine->trigger();
+                shown.advance(whileMilliseconds);
+                return &shown.window();
+            },
+            low),
         pictureOf(
             "why",
             [](TrainingWindow &shown) {
