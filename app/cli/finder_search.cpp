@@ -5,7 +5,6 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "doctor/hindrance_of_refusal.h"
 #include "encoder/sentence.h"
 #include "encoder/shown_text.h"
 #include "links/port_search.h"
@@ -123,10 +122,8 @@ QStringList FinderSearch::runAt(const QStringList &ports, bool mayAsk)
 
 void FinderSearch::take(const FinderNews &news)
 {
-    const auto hindrance = news.why ? hindranceOf(*news.why) : std::nullopt;
-    const QString said = hindrance ? hindrance->sentence : news.sentence;
-    const QString command = hindrance ? hindrance->command : QString();
-    const QString line = shownInLine(news.place + QStringLiteral(": ") + said);
+    const Complaint told = news.why ? complaintAbout(*news.why) : Complaint{.key = {}, .text = news.sentence};
+    const QString line = shownInLine(news.place + QStringLiteral(": ") + told.text);
     if (news.found)
         m_found.push_back(*news.found);
     const bool isShown = !m_call.arguments.has("--json");
@@ -137,10 +134,10 @@ void FinderSearch::take(const FinderNews &news)
     }
     m_call.terminal.showProgress({});
     if (isShown)
-        m_call.terminal.print(line + u'\n' + commandToCopy(command));
+        m_call.terminal.print(line + u'\n' + commandToCopy(told.command));
     m_news.append(QJsonObject{{QStringLiteral("place"), news.place},
-                              {QStringLiteral("text"), said},
-                              {QStringLiteral("command"), textJson(command)}});
+                              {QStringLiteral("text"), told.text},
+                              {QStringLiteral("command"), textJson(told.command)}});
 }
 
 Answer FinderSearch::answer()

@@ -17,14 +17,15 @@ namespace {
 // be opened cannot. What only slows, such as ModemManager, comes last.
 Trouble troubleWith(const std::vector<PortInfo> &ports)
 {
-    const Hindrances adapters = usbHindrances(Computer());
+    const Computer computer; // looks at the processes once
+    const Hindrances adapters = usbHindrances(computer);
     const auto without = std::ranges::find(adapters, Hindrance::Weight::prevents, &Hindrance::weight);
     if (without != adapters.end())
         return troubleOf(*without);
     if (ports.empty())
         return noSerialPortsText();
     for (const PortInfo &port : ports)
-        if (const auto hindrance = openingHindrance(port.path))
+        if (const auto hindrance = openingHindrance(port.path, computer))
             return troubleOf(*hindrance);
     return adapters.empty() ? Trouble() : troubleOf(adapters.front());
 }

@@ -2,7 +2,6 @@
 #include "links/port_access.h"
 
 #include "encoder/shell_command.h"
-#include "links/computer.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -127,11 +126,11 @@ std::optional<Refusal> portHindrance(const QString &path)
     return portRefusal(portRefusalOf(reason), path, QString::fromLocal8Bit(std::strerror(reason)));
 }
 
-std::optional<Refusal> openingHindrance(const QString &path)
+std::optional<Refusal> openingHindrance(const QString &path, const Computer &computer)
 {
     if (auto hindrance = portHindrance(path))
         return hindrance;
-    const auto holders = Computer().holdersOf(path);
+    const auto holders = computer.holdersOf(path);
     const bool isHeld = !std::ranges::all_of(holders, &Process::isOurs); // locks keep us from ourselves
     return isHeld ? std::optional(portRefusal(RefusalId::portInUse, path, {})) : std::nullopt;
 }

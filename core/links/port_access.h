@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/refusal.h"
+#include "links/computer.h"
 
 namespace codewheel {
 
@@ -36,7 +37,7 @@ std::optional<Refusal> portHindrance(const QString &path);
 
 // Why it must not be opened: as above, or another program has it open (portInUse). A port has one rate for
 // all who have it open, so that program would be disturbed, even where the system allows it.
-std::optional<Refusal> openingHindrance(const QString &path);
+std::optional<Refusal> openingHindrance(const QString &path, const Computer &computer = Computer());
 
 // A setting that no serial port has (lineSettingWrong).
 Refusal lineSettingRefusal(const QString &setting);

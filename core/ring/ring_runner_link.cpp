@@ -9,6 +9,11 @@ namespace {
 
 constexpr std::chrono::seconds betweenTries{1}; // of opening a lost link
 
+Refusal ofLink(const Refusal &why)
+{
+    return {RefusalKind::link, why.id, why.arguments};
+}
+
 } // namespace
 
 Result<RingFound> RingRunner::Private::find()
@@ -42,7 +47,7 @@ void RingRunner::Private::loseLink(const Refusal &why)
     runsAgain = ring.state == MasterState::run;
     leaveRun(MasterState::busFail);
     ring.operate = false;
-    ring.whyLost = Refusal{RefusalKind::link, why.id, why.arguments};
+    ring.whyLost = ofLink(why);
     refuseOfRing(*ring.whyLost);
     if (zerosAreDue)
         tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
@@ -64,7 +69,7 @@ void RingRunner::Private::tryToReopen()
     reopenAt = ring.at + betweenTries;
     auto there = find();
     if (!there) {
-        ring.whyLost = Refusal{RefusalKind::link, there.error().id, there.error().arguments};
+        ring.whyLost = ofLink(there.error());
         return;
     }
     ring.connected = true;

@@ -12,6 +12,12 @@ namespace {
 
 constexpr Instant cycleByHand = std::chrono::milliseconds(1);
 
+// By a word that was judged; empty: nothing.
+QString wrongBy(const std::optional<DataCheck> &judged)
+{
+    return judged && judged->outcome == DataCheck::Outcome::differs ? judged->remedy : QString();
+}
+
 } // namespace
 
 command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingFound &found)
@@ -212,10 +218,7 @@ void RingSession::showLatest()
             const auto &session = d->sessions[place];
             return session ? std::optional(session->device().profile) : std::nullopt;
         },
-        [this](std::size_t place) {
-            const auto check = checkWord(place);
-            return check && check->outcome == DataCheck::Outcome::differs ? check->remedy : QString();
-        });
+        [this](std::size_t place) { return wrongBy(checkWord(place)); });
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
     tellState(std::exchange(d->toldState, shown->state) != shown->state);
@@ -273,8 +276,7 @@ void RingSession::dispatch(const RingEvent &event)
 
 bool RingSession::isWordDoubtful(std::size_t device) const
 {
-    const auto check = checkWord(device);
-    return (check && check->outcome == DataCheck::Outcome::differs) || !d->doubts.wrongWord(device).isEmpty();
+    return !wrongBy(checkWord(device)).isEmpty() || !d->doubts.wrongWord(device).isEmpty();
 }
 
 void RingSession::dispatch(Message message, std::optional<std::size_t> device)
