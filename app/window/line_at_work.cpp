@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::milliseconds betweenLooks{5}; // to see whether the port is open
+constexpr std::chrono::milliseconds betweenTries{5}; // to see whether the port is open
 
 const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
 
@@ -159,7 +159,7 @@ void LineAtWork::open(const LinePlan &line)
             [this](const Refusal &why) { m_opening.refusal = why; });
     (void)session.open(line.settings.serial, line.settings.timing, LineSession::Start::watching,
                        LineSession::Drive::byThread);
-    m_openingTurns.start(betweenLooks);
+    m_openingTurns.start(betweenTries);
     Q_EMIT openingChanged();
 }
 

@@ -69,6 +69,14 @@ std::optional<Place> Place::parse(QStringView text)
     return std::nullopt;
 }
 
+std::optional<Place> Place::ofKey(QStringView key)
+{
+    if (!key.endsWith(u'/'))
+        return parse(key);
+    const int bus = key.chopped(1).toInt();
+    return bus > 0 ? std::optional(Place{{bus}, {}}) : std::nullopt;
+}
+
 QString Place::shown() const
 {
     if (!isEmpty())

@@ -79,6 +79,8 @@ struct Place
     QString key() const;
     // From a key, or from what a user types: "12" on the first line. Empty for anything else.
     static std::optional<Place> parse(QStringView text);
+    // The same, and of the key of a bus itself: "3/".
+    static std::optional<Place> ofKey(QStringView key);
     // As shown to people: "1.0", or "Crane 2/1.0" where another bus may have it too; for a bus its name, or
     // nothing where it has none (setBusNames()).
     QString shown() const;

@@ -32,21 +32,12 @@ Severity severityOf(int number)
     return number <= 0 ? Severity::information : number == 1 ? Severity::attention : Severity::fault;
 }
 
-// "6.1"; "3/": the bus itself.
-std::optional<Place> placeOf(const QString &key)
-{
-    if (!key.endsWith(u'/'))
-        return Place::parse(key);
-    const int bus = key.chopped(1).toInt();
-    return bus > 0 ? std::optional(Place{{bus}, {}}) : std::nullopt;
-}
-
 StoredMessage messageOf(const QSqlQuery &query)
 {
     return {.id = query.value(0).toLongLong(),
             .at = query.value(1).toLongLong(),
             .severity = severityOf(query.value(2).toInt()),
-            .place = placeOf(query.value(3).toString()),
+            .place = Place::ofKey(query.value(3).toString()),
             .code = query.value(4).toString(),
             .arguments = query.value(5).toString(),
             .refusal = query.value(6).toString()};
@@ -209,7 +200,7 @@ std::vector<Place> MessageTable::places() const
     std::vector<Place> places;
     (void)m_database.run(query);
     while (query.next())
-        if (const auto place = placeOf(query.value(0).toString()))
+        if (const auto place = Place::ofKey(query.value(0).toString()))
             places.push_back(*place);
     std::ranges::sort(places);
     return places;

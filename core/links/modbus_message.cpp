@@ -17,13 +17,13 @@ constexpr std::uint8_t exceptionBit = 0x80;
 constexpr std::size_t readCountAt = 3; // in the requests 3, 4 and 23
 constexpr std::size_t echoLength = 5;  // function, first register, count
 
-void append(Message &message, std::size_t number)
+void append(Pdu &message, std::size_t number)
 {
     message.push_back(static_cast<std::uint8_t>(number >> 8 & 0xFF));
     message.push_back(static_cast<std::uint8_t>(number & 0xFF));
 }
 
-void appendRegisters(Message &message, std::span<const Register> registers)
+void appendRegisters(Pdu &message, std::span<const Register> registers)
 {
     append(message, registers.size());
     message.push_back(static_cast<std::uint8_t>(2 * registers.size()));
@@ -45,25 +45,25 @@ Done takeException(std::span<const std::uint8_t> answer)
 
 } // namespace
 
-Message read(int function, int first, std::size_t count)
+Pdu read(int function, int first, std::size_t count)
 {
-    Message message{static_cast<std::uint8_t>(function)};
+    Pdu message{static_cast<std::uint8_t>(function)};
     append(message, static_cast<std::size_t>(first));
     append(message, count);
     return message;
 }
 
-Message write(int first, std::span<const Register> registers)
+Pdu write(int first, std::span<const Register> registers)
 {
-    Message message{writeFunction};
+    Pdu message{writeFunction};
     append(message, static_cast<std::size_t>(first));
     appendRegisters(message, registers);
     return message;
 }
 
-Message writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst, std::size_t count)
+Pdu writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst, std::size_t count)
 {
-    Message message{writeAndReadFunction};
+    Pdu message{writeAndReadFunction};
     append(message, static_cast<std::size_t>(readFirst));
     append(message, count);
     append(message, static_cast<std::size_t>(writeFirst));
@@ -71,14 +71,14 @@ Message writeAndRead(int writeFirst, std::span<const Register> registers, int re
     return message;
 }
 
-std::size_t answerLength(const Message &request)
+std::size_t answerLength(const Pdu &request)
 {
     if (request.front() == writeFunction)
         return echoLength;
     return 2 + 2 * std::size_t{registerAt(request, readCountAt)};
 }
 
-Done take(const Message &request, std::span<const std::uint8_t> answer, std::span<Register> registers)
+Done take(const Pdu &request, std::span<const std::uint8_t> answer, std::span<Register> registers)
 {
     const std::uint8_t function = request.front();
     if (!answer.empty() && answer[0] == (function | exceptionBit))

@@ -9,18 +9,18 @@
 // "PDU" of Modbus Application Protocol V1.1b3, 6).
 namespace codewheel::modbus_message {
 
-using Message = std::vector<std::uint8_t>;
+using Pdu = std::vector<std::uint8_t>;
 
-Message read(int function, int first, std::size_t count);      // 3, 4
-Message write(int first, std::span<const Register> registers); // 16
-Message writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst,
-                     std::size_t count); // 23
+Pdu read(int function, int first, std::size_t count);      // 3, 4
+Pdu write(int first, std::span<const Register> registers); // 16
+Pdu writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst,
+                 std::size_t count); // 23
 
 // Of the answer to it that is no exception.
-std::size_t answerLength(const Message &request);
+std::size_t answerLength(const Pdu &request);
 
 // The registers of an answer; none are changed unless it is the right one.
-RegisterPort::Done take(const Message &request, std::span<const std::uint8_t> answer,
+RegisterPort::Done take(const Pdu &request, std::span<const std::uint8_t> answer,
                         std::span<Register> registers);
 
 // An answer that cannot be used; `text` says why.

@@ -14,8 +14,8 @@ using std::chrono::steady_clock;
 // Modbus Messaging on TCP/IP V1.0b, 3.1.3: transaction, protocol (0), length of what follows, unit.
 constexpr std::size_t headerBytes = 7;
 constexpr std::size_t lengthOfUnit = 1;
-constexpr std::size_t shortest = lengthOfUnit + 1;
-constexpr std::size_t longest = lengthOfUnit + 253;
+constexpr std::size_t shortestRequest = lengthOfUnit + 1;
+constexpr std::size_t longestRequest = lengthOfUnit + 253;
 
 std::uint16_t numberAt(const ModbusBytes &bytes, std::size_t place)
 {
@@ -50,7 +50,7 @@ std::optional<TcpRequest> TcpRequests::next()
             until = steady_clock::now() + m_patience.halfRequest;
         if (m_received.size() >= headerBytes) {
             const std::size_t length = numberAt(m_received, 4);
-            if (numberAt(m_received, 2) != 0 || length < shortest || length > longest)
+            if (numberAt(m_received, 2) != 0 || length < shortestRequest || length > longestRequest)
                 return std::nullopt;
             const auto end = static_cast<std::ptrdiff_t>(headerBytes - lengthOfUnit + length);
             if (std::ssize(m_received) >= end) {

@@ -18,15 +18,6 @@ Instant timeOf(const QSqlQuery &row, int column)
     return recordedTime(row.value(column).toLongLong());
 }
 
-// "6.1"; "3/": the bus itself. A file may contain anything.
-std::optional<Place> placeOf(const QString &key)
-{
-    if (!key.endsWith(u'/'))
-        return Place::parse(key);
-    const int bus = key.chopped(1).toInt();
-    return bus > 0 ? std::optional(Place{{bus}, {}}) : std::nullopt;
-}
-
 std::optional<TrafficKind> kindOf(const QString &word)
 {
     for (const TrafficKind kind :
@@ -56,14 +47,14 @@ RecordingReader::Description descriptionOf(const QSqlQuery &row)
     return {timeOf(row, 0), row.value(1).toString().toUtf8()};
 }
 
-RecordingReader::StoredAt messageOf(const QSqlQuery &row)
+RecordingReader::StoredAt storedAt(const QSqlQuery &row)
 {
     const int severity = std::clamp(row.value(2).toInt(), 0, static_cast<int>(Severity::fault));
     return {timeOf(row, 0),
             {.id = row.value(1).toLongLong(),
              .at = std::chrono::duration_cast<std::chrono::milliseconds>(timeOf(row, 0)).count(),
              .severity = static_cast<Severity>(severity),
-             .place = placeOf(row.value(3).toString()),
+             .place = Place::ofKey(row.value(3).toString()),
              .code = row.value(4).toString(),
              .arguments = row.value(5).toString(),
              .refusal = row.value(6).toString()}};
@@ -80,7 +71,7 @@ RecordedTraffic trafficOf(const QSqlQuery &row)
     entry.row.at = entry.at;
     entry.row.time = QDateTime::fromMSecsSinceEpoch(
         std::chrono::duration_cast<std::chrono::milliseconds>(entry.at).count());
-    entry.row.place = placeOf(row.value(2).toString());
+    entry.row.place = Place::ofKey(row.value(2).toString());
     entry.row.kind = kindOf(row.value(3).toString());
     entry.row.cycle = static_cast<std::uint64_t>(row.value(4).toLongLong());
     entry.row.out = static_cast<Word>(row.value(5).toLongLong());
@@ -221,7 +212,7 @@ Result<std::vector<RecordingReader::Device>> RecordingReader::devices() const
         return tl::unexpected(found.error());
     std::vector<Device> devices;
     for (const DeviceAndChannel &row : *found) {
-        const auto place = placeOf(row.place);
+        const auto place = Place::ofKey(row.place);
         if (!place)
             continue;
         if (devices.empty() || devices.back().id != row.device)
@@ -242,7 +233,7 @@ Result<std::vector<RecordingReader::StoredAt>> RecordingReader::messages(const T
 {
     return rows(QStringLiteral("SELECT at, id, severity, place, code, arguments, refusal FROM message "
                                "WHERE at >= ? AND at < ? ORDER BY at, id LIMIT ?"),
-                {qint64{span.from.count()}, qint64{span.to.count()}, most}, messageOf);
+                {qint64{span.from.count()}, qint64{span.to.count()}, most}, storedAt);
 }
 
 Result<std::vector<RecordedNote>> RecordingReader::notes(const TimeSpan &span, int most) const

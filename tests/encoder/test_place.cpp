@@ -58,6 +58,15 @@ TEST(Place, IsKeptWithTheNumberOfItsBus)
         EXPECT_FALSE(Place::parse(wrong)) << QString::fromUtf16(wrong).toStdString();
 }
 
+TEST(Place, OfABusItselfHasAKeyToo)
+{
+    EXPECT_EQ((Place{BusId{3}, {}}.key()), QStringLiteral("3/"));
+    EXPECT_EQ(Place::ofKey(u"3/"), (Place{BusId{3}, {}}));
+    EXPECT_EQ(Place::ofKey(u"6.1"), (Place{firstRing, NodeId("6.1")}));
+    for (const char16_t *wrong : {u"/", u"0/", u"-3/", u"x/", u"3//", u""})
+        EXPECT_FALSE(Place::ofKey(wrong)) << QString::fromUtf16(wrong).toStdString();
+}
+
 TEST(Place, IsToldWithTheNameOfItsBusWhereAnotherMayHaveItToo)
 {
     const Place place{BusId{3}, NodeId("1.0")};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "esc_line/line_session.h"
 #include "tests/line/scripted_line.h"

@@ -9,7 +9,7 @@ namespace {
 
 using Registers = std::vector<Register>;
 
-RegisterError::Kind kindOf(const Message &request, const Message &answer)
+RegisterError::Kind kindOf(const Pdu &request, const Pdu &answer)
 {
     Registers registers(3, 0xBEEF);
     const auto taken = take(request, answer, registers);
@@ -19,9 +19,9 @@ RegisterError::Kind kindOf(const Message &request, const Message &answer)
 
 TEST(ModbusMessage, ReadsAreThoseOfTheStandard)
 {
-    const Message request = read(3, 107, 3);
-    EXPECT_EQ(request, (Message{0x03, 0x00, 0x6B, 0x00, 0x03}));
-    const Message answer{0x03, 0x06, 0x02, 0x2B, 0x00, 0x00, 0x00, 0x64};
+    const Pdu request = read(3, 107, 3);
+    EXPECT_EQ(request, (Pdu{0x03, 0x00, 0x6B, 0x00, 0x03}));
+    const Pdu answer{0x03, 0x06, 0x02, 0x2B, 0x00, 0x00, 0x00, 0x64};
     EXPECT_EQ(answerLength(request), answer.size());
     Registers registers(3);
     EXPECT_TRUE(take(request, answer, registers));
@@ -30,19 +30,19 @@ TEST(ModbusMessage, ReadsAreThoseOfTheStandard)
 
 TEST(ModbusMessage, WritesAreThoseOfTheStandard)
 {
-    const Message request = write(1, Registers{0x000A, 0x0102});
-    EXPECT_EQ(request, (Message{0x10, 0x00, 0x01, 0x00, 0x02, 0x04, 0x00, 0x0A, 0x01, 0x02}));
-    const Message answer{0x10, 0x00, 0x01, 0x00, 0x02};
+    const Pdu request = write(1, Registers{0x000A, 0x0102});
+    EXPECT_EQ(request, (Pdu{0x10, 0x00, 0x01, 0x00, 0x02, 0x04, 0x00, 0x0A, 0x01, 0x02}));
+    const Pdu answer{0x10, 0x00, 0x01, 0x00, 0x02};
     EXPECT_EQ(answerLength(request), answer.size());
     EXPECT_TRUE(take(request, answer, {}));
 }
 
 TEST(ModbusMessage, WritesWithAReadAreThoseOfTheStandard)
 {
-    const Message request = writeAndRead(14, Registers{0xFF, 0xFF, 0xFF}, 3, 6);
-    EXPECT_EQ(request, (Message{0x17, 0x00, 0x03, 0x00, 0x06, 0x00, 0x0E, 0x00, 0x03, 0x06, 0x00, 0xFF, 0x00,
-                                0xFF, 0x00, 0xFF}));
-    const Message answer{0x17, 0x0C, 0x00, 0xFE, 0x0A, 0xCD, 0x00, 0x01, 0x00, 0x03, 0x00, 0x0D, 0x00, 0xFF};
+    const Pdu request = writeAndRead(14, Registers{0xFF, 0xFF, 0xFF}, 3, 6);
+    EXPECT_EQ(request, (Pdu{0x17, 0x00, 0x03, 0x00, 0x06, 0x00, 0x0E, 0x00, 0x03, 0x06, 0x00, 0xFF, 0x00,
+                            0xFF, 0x00, 0xFF}));
+    const Pdu answer{0x17, 0x0C, 0x00, 0xFE, 0x0A, 0xCD, 0x00, 0x01, 0x00, 0x03, 0x00, 0x0D, 0x00, 0xFF};
     EXPECT_EQ(answerLength(request), answer.size());
     Registers registers(6);
     EXPECT_TRUE(take(request, answer, registers));
@@ -51,7 +51,7 @@ TEST(ModbusMessage, WritesWithAReadAreThoseOfTheStandard)
 
 TEST(ModbusMessage, NothingIsTakenFromAWrongAnswer)
 {
-    const Message request = read(3, 107, 3);
+    const Pdu request = read(3, 107, 3);
     using Kind = RegisterError::Kind;
     EXPECT_EQ(kindOf(request, {}), Kind::wrongAnswer);
     EXPECT_EQ(kindOf(request, {0x03}), Kind::wrongAnswer);

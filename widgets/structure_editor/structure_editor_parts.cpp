@@ -35,7 +35,7 @@ namespace {
 constexpr int widestColumn = 44 * grid::unit;
 constexpr int narrowestStation = 28 * grid::unit;
 constexpr int rowsMeasured = 100; // for the width of columns, even before the page is shown
-constexpr int rowsInSight = 4;    // however low the window; one is hidden by the scroll bar
+constexpr int lowestRows = 4;     // however low the window; one is hidden by the scroll bar
 
 } // namespace
 
@@ -155,7 +155,7 @@ void StructureEditor::makeTree()
     m_tree->setDefaultDropAction(Qt::MoveAction);
     m_tree->setAutoExpandDelay(500);
     m_tree->setMinimumHeight(m_tree->header()->sizeHint().height() +
-                             rowsInSight * (m_tree->fontMetrics().height() + grid::unit));
+                             lowestRows * (m_tree->fontMetrics().height() + grid::unit));
     m_tree->header()->setResizeContentsPrecision(rowsMeasured);
     m_tree->header()->setStretchLastSection(true);
     m_tree->expandAll();
