@@ -36,7 +36,7 @@ endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
     # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build keeps both.
-    target_compile_options(codewheel_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
+    target_compile_options(codewheel_options INTERFACE -Wno-array-bounds $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
     # The same sources give the same programs, in whatever folder they are built.
     target_compile_options(codewheel_options INTERFACE
@@ -49,9 +49,15 @@ function(codewheel_resources)
     qt_add_resources(${ARGV} OPTIONS ${codewheel_rcc_options})
 endfunction()
 
+# Qt's moc as the libraries use it.
+configure_file("${PROJECT_SOURCE_DIR}/cmake/moc.sh.in" "${PROJECT_BINARY_DIR}/moc.sh.in" @ONLY)
+file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/moc.sh" INPUT "${PROJECT_BINARY_DIR}/moc.sh.in"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
 # codewheel_library(NAME PUBLIC_LIBRARIES...): a static library; its folders add their own sources.
 function(codewheel_library name)
     add_library(${name} STATIC)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE "${PROJECT_BINARY_DIR}/moc.sh")
     target_link_libraries(${name} PUBLIC codewheel_options ${ARGN})
     if("Qt6::Widgets" IN_LIST ARGN OR "codewheel_widgets" IN_LIST ARGN)
         target_precompile_headers(${name} REUSE_FROM codewheel_gui_pch)

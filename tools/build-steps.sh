@@ -11,6 +11,11 @@ if command -v ccache >/dev/null; then
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
 fi
 
+# clang++ compiles these sources in half the time of g++. A preset or folder that has its compiler keeps it.
+if [[ -z ${CXX:-} ]] && command -v clang++ >/dev/null; then
+    export CXX=clang++
+fi
+
 # install_packages PURPOSE...: see tools/packages.
 install_packages() {
     "$root/tools/install-packages" "$@"
