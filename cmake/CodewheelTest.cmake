@@ -20,7 +20,19 @@ function(codewheel_gui_test name)
     codewheel_test_program(${name} codewheel_gui_test_support codewheel_gui_test_pch ${ARGN})
 endfunction()
 
-# With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side.
+# codewheel_starts_no_thread(NAME): says so of a test program, which ThreadSanitizer then has nothing to tell about. Elsewhere a
+# thread ends it.
+function(codewheel_starts_no_thread name)
+    if(CODEWHEEL_SANITIZERS STREQUAL "thread")
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+        set_tests_properties(${name} PROPERTIES DISABLED ON)
+    elseif(NOT CODEWHEEL_SANITIZERS)
+        target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/support/no_thread.cpp")
+    endif()
+endfunction()
+
+# With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side; those that match CODEWHEEL_TESTS_OF_LAYOUT, which take
+# long and only measure, not under a sanitizer. Programs with a large CODEWHEEL_TEST_COST (s) begin first.
 function(codewheel_test_program name support precompiled)
     add_executable(${name})
     target_link_libraries(${name} PRIVATE ${support} codewheel_test_options ${ARGN})
@@ -31,14 +43,20 @@ function(codewheel_test_program name support precompiled)
     if(NOT CODEWHEEL_TEST_PARTS)
         set(CODEWHEEL_TEST_PARTS 1)
     endif()
+    if(CODEWHEEL_SANITIZERS AND CODEWHEEL_TESTS_OF_LAYOUT)
+        set(filter "--gtest_filter=-${CODEWHEEL_TESTS_OF_LAYOUT}")
+    endif()
+    if(NOT CODEWHEEL_TEST_COST)
+        set(CODEWHEEL_TEST_COST 1)
+    endif()
     foreach(part RANGE 1 ${CODEWHEEL_TEST_PARTS})
         set(test ${name})
         if(CODEWHEEL_TEST_PARTS GREATER 1)
             set(test ${name}_${part})
         endif()
         math(EXPR index "${part} - 1")
-        add_test(NAME ${test} COMMAND ${name} --gtest_brief=0)
-        set_tests_properties(${test} PROPERTIES TIMEOUT 600 ENVIRONMENT
+        add_test(NAME ${test} COMMAND ${name} --gtest_brief=0 ${filter})
+        set_tests_properties(${test} PROPERTIES TIMEOUT 600 COST ${CODEWHEEL_TEST_COST} ENVIRONMENT
             "${codewheel_test_environment};GTEST_TOTAL_SHARDS=${CODEWHEEL_TEST_PARTS};GTEST_SHARD_INDEX=${index}")
     endforeach()
 endfunction()
