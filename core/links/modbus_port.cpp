@@ -3,11 +3,15 @@
 
 #include "links/modbus_rtu_wire.h"
 #include "links/modbus_tcp_wire.h"
-#include "links/wait_for.h"
 
 namespace codewheel {
 
-using std::chrono::steady_clock;
+namespace {
+
+constexpr int readHoldingFunction = 3;
+constexpr int readInputFunction = 4;
+
+} // namespace
 
 struct ModbusPort::Private
 {
@@ -15,15 +19,13 @@ struct ModbusPort::Private
         : settings(all)
     {
         if (settings.transport == GatewaySettings::Transport::tcp)
-            wire = std::make_unique<ModbusTcpWire>(settings, wake);
+            wire = std::make_unique<ModbusTcpWire>(settings);
         else
-            wire = std::make_unique<ModbusRtuWire>(settings, wake);
+            wire = std::make_unique<ModbusRtuWire>(settings);
     }
 
-    Done transact(const modbus_message::Message &request, std::span<Register> to)
+    Done transact(const modbus_message::Pdu &request, std::span<Register> to)
     {
-        if (wake.lower())
-            return tl::unexpected(registerError(RegisterError::Kind::stopped));
         const auto answer = wire->exchange(request);
         if (!answer)
             return tl::unexpected(answer.error());
@@ -34,9 +36,7 @@ struct ModbusPort::Private
     }
 
     const GatewaySettings settings;
-    WakeFlag wake;
     std::unique_ptr<ModbusWire> wire;
-    const steady_clock::time_point begin = steady_clock::now();
 };
 
 ModbusPort::ModbusPort(const GatewaySettings &settings)
@@ -47,10 +47,6 @@ ModbusPort::~ModbusPort() = default;
 
 Result<void> ModbusPort::open()
 {
-    if (d->wake.lower()) {
-        close();
-        return refuse(RefusalKind::stopped, RefusalId::cancelled);
-    }
     return d->wire->open();
 }
 
@@ -61,8 +57,7 @@ void ModbusPort::close()
 
 RegisterPort::Done ModbusPort::read(RegisterArea area, int first, std::span<Register> to)
 {
-    const int function =
-        area == RegisterArea::input ? MODBUS_FC_READ_INPUT_REGISTERS : MODBUS_FC_READ_HOLDING_REGISTERS;
+    const int function = area == RegisterArea::input ? readInputFunction : readHoldingFunction;
     return d->transact(modbus_message::read(function, first, to.size()), to);
 }
 
@@ -79,17 +74,17 @@ RegisterPort::Done ModbusPort::writeAndRead(int writeFirst, std::span<const Regi
 
 Instant ModbusPort::now() const
 {
-    return std::chrono::duration_cast<Instant>(steady_clock::now() - d->begin);
+    return d->wire->now();
 }
 
 void ModbusPort::wait(Instant until)
 {
-    waitFor(-1, 0, d->wake, d->begin + until);
+    d->wire->wait(until);
 }
 
 void ModbusPort::interrupt()
 {
-    d->wake.raise();
+    d->wire->interrupt();
 }
 
 QString ModbusPort::name() const

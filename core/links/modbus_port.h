@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// The registers of a gateway, over TCP or a serial line, by libmodbus.
+// The registers of a gateway, over TCP or a serial line.
 class ModbusPort final : public RegisterPort
 {
 public:

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/modbus_rtu_wire.h"
 
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "links/line_rate.h"
-#include "links/low_latency.h"
 #include "links/port_access.h"
-#include "links/wait_for.h"
 #include "modbus/gateway_texts.h"
-
-#include <QFile>
-
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/file.h>
-#include <sys/ioctl.h>
-#include <sys/select.h>
-#include <termios.h>
+#include "modbus/rtu_frame.h"
 
 namespace codewheel {
 namespace {
 
 using namespace std::chrono_literals;
-using modbus_message::Message;
-using std::chrono::steady_clock;
+using modbus_message::Pdu;
 using ErrorKind = RegisterError::Kind;
 
 constexpr int gapCharacters = 4;     // 3.5, MODBUS over Serial Line, 2.5.1.1
@@ -33,213 +19,181 @@ constexpr Instant shortestGap = 2ms; // 1.75 ms, there
 constexpr int longestQuietWait = 5;  // times the time-out
 constexpr int frameOverhead = 3;     // unit and checksum
 
-Refusal systemRefusal(int errorNumber, const QString &path)
+// Whichever adapter is at the path: a gateway's is the one that its settings name.
+KeptAdapter adapterAt(const QString &port)
 {
-    return portRefusal(portRefusalOf(errorNumber), path,
-                       QString::fromLocal8Bit(modbus_strerror(errorNumber)));
+    return KeptAdapter(portPath(port));
 }
 
-char parityLetter(SerialSettings::Parity parity)
+std::vector<PortInfo> noneIsKept()
 {
-    return std::array{'N', 'E', 'O'}.at(static_cast<std::size_t>(parity));
+    return {};
 }
 
-// A unit that always answers twice is one to live with.
-bool isSame(const Message &answer, const tl::expected<Message, RegisterError> &second)
+std::span<const std::uint8_t> octetsOf(const QByteArray &bytes)
 {
-    return second && *second == answer;
+    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
+    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
+            static_cast<std::size_t>(bytes.size())};
+}
+
+QByteArray bytesOf(const ModbusBytes &octets)
+{
+    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
+    return {reinterpret_cast<const char *>(octets.data()), static_cast<qsizetype>(octets.size())};
 }
 
 } // namespace
 
-ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings, WakeFlag &wake)
+ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings)
     : m_settings(settings)
-    , m_wake(wake)
+    , m_line(adapterAt(settings.serialPort), noneIsKept)
 {}
-
-ModbusRtuWire::~ModbusRtuWire()
-{
-    close();
-}
 
 Result<void> ModbusRtuWire::open()
 {
-    close();
-    const QString path = portPath(m_settings.serialPort);
-    if (const auto hindrance = openingHindrance(path))
-        return tl::unexpected(*hindrance);
-    auto opened = lock(path);
-    if (opened)
-        opened = setUp(path);
-    if (!opened)
-        close();
+    m_doubt = Doubt::none;
+    m_answers.begin({});
+    auto opened = m_line.open(m_settings.serial);
+    m_lastByte = m_line.now();
     return opened;
 }
 
-// By a descriptor of its own: the library changes the settings of a port as soon as it opens it, so nobody
-// else may have it then. The system lets root open a port that is in use; a lock does not.
-Result<void> ModbusRtuWire::lock(const QString &path)
-{
-    m_lock =
-        Descriptor(::open(QFile::encodeName(path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-    if (!m_lock || ::flock(m_lock.get(), LOCK_EX | LOCK_NB) != 0)
-        return tl::unexpected(systemRefusal(errno, path));
-    return {};
-}
-
-Result<void> ModbusRtuWire::setUp(const QString &path)
-{
-    const SerialSettings &serial = m_settings.serial;
-    m_modbus.reset(modbus_new_rtu(QFile::encodeName(path).constData(), serial.baudRate,
-                                  parityLetter(serial.parity), serial.dataBits, serial.stopBits));
-    if (!m_modbus)
-        return tl::unexpected(lineSettingRefusal(QString::number(serial.baudRate)));
-    if (modbus_set_slave(m_modbus.get(), m_settings.unit) != 0)
-        return tl::unexpected(lineSettingRefusal(QString::number(m_settings.unit)));
-    if (modbus_connect(m_modbus.get()) != 0)
-        return tl::unexpected(systemRefusal(errno, path));
-    const int port = modbus_get_socket(m_modbus.get());
-    if (port >= FD_SETSIZE) // the library waits by select(2), which has no place for more
-        return tl::unexpected(systemRefusal(EMFILE, path));
-    // The library takes a rate that it does not know for 9600.
-    if (!setLineRate(port, serial.baudRate))
-        return tl::unexpected(lineSettingRefusal(QString::number(serial.baudRate)));
-    ::ioctl(port, TIOCEXCL);
-    if (serial.lowLatency)
-        askForLowLatency(port);
-    ::tcflush(port, TCIOFLUSH);
-    m_doubt = Doubt::none;
-    m_lastByte = steady_clock::now();
-    return {};
-}
-
-void ModbusRtuWire::close()
-{
-    if (m_modbus) // which is there only if the port is ours
-        ::ioctl(m_lock.get(), TIOCNXCL);
-    m_modbus.reset();
-    m_lock.close();
-}
-
-ModbusRtuWire::Failed ModbusRtuWire::failed(RegisterError error)
-{
-    if (error.kind == ErrorKind::closed)
-        close();
-    return tl::unexpected(std::move(error));
-}
-
 // The time-out is that of the unit; what the characters need on the line comes on top of it.
-tl::expected<Message, RegisterError> ModbusRtuWire::exchange(const Message &request)
+tl::expected<Pdu, RegisterError> ModbusRtuWire::exchange(const Pdu &request)
 {
-    if (!m_modbus)
-        return failed(registerError(ErrorKind::closed));
-    if (auto gap = waitForGap(); !gap)
-        return failed(gap.error());
-    if (auto quiet = m_doubt == Doubt::none ? RegisterPort::Done() : waitForQuiet(); !quiet)
-        return failed(quiet.error());
-    const bool mayOldOneCome = std::exchange(m_doubt, Doubt::unanswered) == Doubt::unanswered;
-    auto answer = ask(request);
-    if (!answer)
-        return failed(answer.error());
-    m_doubt = Doubt::none;
-    m_lastByte = steady_clock::now();
-    if (auto gap = mayOldOneCome ? waitForGap() : RegisterPort::Done(); !gap) {
-        m_doubt = Doubt::unanswered;
-        return failed(gap.error());
+    auto another = waitForGap();
+    if (!another)
+        return tl::unexpected(another.error());
+    if (*another && m_doubt == Doubt::none)
+        m_doubt = Doubt::another;
+    if (auto quiet = m_doubt == Doubt::unanswered ? waitForQuiet() : Done(); !quiet)
+        return tl::unexpected(quiet.error());
+    const bool isCertain = std::exchange(m_doubt, Doubt::unanswered) == Doubt::none;
+    Answer answer = ask(request);
+    if (!answer || isCertain) {
+        m_doubt = answer ? Doubt::none : Doubt::unanswered;
+        return answer;
     }
-    if (m_doubt == Doubt::noise && !isSame(*answer, receive(m_settings.timeOut))) {
-        m_doubt = Doubt::unanswered; // whichever of the two is the right one
+    another = waitForGap();
+    if (!another)
+        return tl::unexpected(another.error());
+    if (*another && **another != *answer) // whichever of the two is the right one
         return modbus_message::wrongAnswer(GatewayTexts::tr("another one follows it"));
-    }
+    m_doubt = *another ? Doubt::another : Doubt::none; // a unit that always answers twice is one to live with
     return answer;
 }
 
-tl::expected<Message, RegisterError> ModbusRtuWire::ask(const Message &request)
+tl::expected<Pdu, RegisterError> ModbusRtuWire::ask(const Pdu &request)
 {
     const auto timeOf = [this](std::size_t length) {
         return m_settings.serial.timeOf(static_cast<int>(length) + frameOverhead);
     };
-    const Time until = steady_clock::now() + timeOf(request.size()) + m_settings.timeOut;
+    const Instant until = m_line.now() + timeOf(request.size()) + m_settings.timeOut;
     if (auto sent = send(request); !sent)
         return tl::unexpected(sent.error());
-    const auto silent = isQuietUntil(until);
-    if (!silent)
-        return tl::unexpected(silent.error());
-    if (*silent)
-        return tl::unexpected(registerError(ErrorKind::noAnswer));
-    return receive(std::chrono::ceil<Instant>(until - steady_clock::now()) +
-                   timeOf(modbus_message::answerLength(request)));
+    return receive(until, until + timeOf(modbus_message::answerLength(request)));
 }
 
-tl::expected<bool, RegisterError> ModbusRtuWire::isQuietUntil(Time time)
+RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
 {
-    const Waited waited = waitFor(modbus_get_socket(m_modbus.get()), POLLIN, m_wake, time);
-    if (waited == Waited::woken)
-        return tl::unexpected(registerError(ErrorKind::stopped));
-    return waited == Waited::timeOut;
+    const ModbusBytes frame = rtuFrame(m_settings.unit, request);
+    m_answers.begin(frame);
+    m_otherUnit = -1;
+    m_hasCome = false;
+    const auto written = m_line.write(bytesOf(frame));
+    if (written)
+        return {};
+    // A line that takes no more, or not all: nobody will answer that.
+    const bool isFull = written.error().id == RefusalId::linkFailed;
+    return tl::unexpected(RegisterError{isFull ? ErrorKind::noAnswer : ErrorKind::closed, 0,
+                                        isFull ? QString() : refusalText(written.error())});
 }
 
-RegisterPort::Done ModbusRtuWire::waitForGap()
+// An answer that has begun by the first time may come until the second.
+ModbusRtuWire::Answer ModbusRtuWire::receive(Instant firstUntil, Instant until)
 {
-    const auto isQuiet =
-        isQuietUntil(m_lastByte + std::max(m_settings.serial.timeOf(gapCharacters), shortestGap));
-    if (!isQuiet)
-        return tl::unexpected(isQuiet.error());
-    if (!*isQuiet && m_doubt == Doubt::none)
-        m_doubt = Doubt::noise;
-    return {};
-}
-
-RegisterPort::Done ModbusRtuWire::waitForQuiet()
-{
-    const Time end = steady_clock::now() + longestQuietWait * m_settings.timeOut;
     for (;;) {
-        const auto isQuiet = isQuietUntil(steady_clock::now() + m_settings.timeOut);
-        if (!isQuiet)
-            return tl::unexpected(isQuiet.error());
-        if (*isQuiet)
-            return {};
-        if (auto dropped = drop(); !dropped)
-            return dropped;
-        if (steady_clock::now() >= end)
+        if (auto answer = nextAnswer())
+            return *std::move(answer);
+        const Instant end = m_answers.isWithin() ? until : firstUntil;
+        if (m_line.now() >= end)
+            return tl::unexpected(whyNone());
+        if (const auto came = takeBytes(end); !came)
+            return tl::unexpected(came.error());
+    }
+}
+
+// Frames of other units are passed over.
+std::optional<Pdu> ModbusRtuWire::nextAnswer()
+{
+    while (auto frame = m_answers.next()) {
+        if (frame->unit == m_settings.unit)
+            return std::move(frame->pdu);
+        m_otherUnit = frame->unit;
+    }
+    return std::nullopt;
+}
+
+RegisterError ModbusRtuWire::whyNone() const
+{
+    if (m_otherUnit >= 0)
+        return {ErrorKind::wrongAnswer, 0,
+                sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(m_otherUnit)})};
+    if (m_hasCome)
+        return {ErrorKind::wrongAnswer, 0, GatewayTexts::tr("it is damaged or incomplete")};
+    return {.kind = ErrorKind::noAnswer};
+}
+
+// Whether something came by then.
+tl::expected<bool, RegisterError> ModbusRtuWire::takeBytes(Instant until)
+{
+    const auto bytes = m_line.read(until);
+    if (!bytes)
+        return tl::unexpected(RegisterError{ErrorKind::closed, 0, refusalText(bytes.error())});
+    if (m_line.wasInterrupted())
+        return tl::unexpected(RegisterError{.kind = ErrorKind::stopped});
+    if (bytes->isEmpty())
+        return false;
+    m_lastByte = m_line.now();
+    m_hasCome = true;
+    m_answers.take(octetsOf(*bytes));
+    return true;
+}
+
+// An answer that comes in it, if any.
+tl::expected<std::optional<Pdu>, RegisterError> ModbusRtuWire::waitForGap()
+{
+    const Instant end = m_line.now() + longestQuietWait * m_settings.timeOut;
+    const Instant gap = std::max(m_settings.serial.timeOf(gapCharacters), shortestGap);
+    std::optional<Pdu> another;
+    for (;;) {
+        const auto came = takeBytes(m_lastByte + gap);
+        if (!came)
+            return tl::unexpected(came.error());
+        while (auto answer = nextAnswer())
+            another = std::move(answer);
+        if (!*came)
+            return another;
+        if (m_line.now() >= end)
             return modbus_message::wrongAnswer(
                 GatewayTexts::tr("something on the line does not stop sending"));
     }
 }
 
-RegisterPort::Done ModbusRtuWire::drop()
+RegisterPort::Done ModbusRtuWire::waitForQuiet()
 {
-    std::array<char, MODBUS_RTU_MAX_ADU_LENGTH> bytes{};
-    const auto dropped = ::read(modbus_get_socket(m_modbus.get()), bytes.data(), bytes.size());
-    if (dropped > 0 || (dropped < 0 && errno == EAGAIN))
-        return {};
-    return tl::unexpected(closedError(dropped < 0 ? errno : EIO));
-}
-
-RegisterPort::Done ModbusRtuWire::send(const Message &request)
-{
-    Message raw{static_cast<std::uint8_t>(m_settings.unit)};
-    raw.insert(raw.end(), request.begin(), request.end());
-    if (modbus_send_raw_request(m_modbus.get(), raw.data(), static_cast<int>(raw.size())) >= 0)
-        return {};
-    // A line that takes no more, or not all: nobody will answer that.
-    if (errno == EAGAIN || errno > MODBUS_ENOBASE)
-        return tl::unexpected(registerError(ErrorKind::noAnswer));
-    return tl::unexpected(closedError(errno));
-}
-
-// What has begun to come. The library checks its checksum, and answers 0 if another unit sent it.
-tl::expected<Message, RegisterError> ModbusRtuWire::receive(Instant time)
-{
-    std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> frame{};
-    setAnswerTime(m_modbus.get(), time);
-    const int received = modbus_receive_confirmation(m_modbus.get(), frame.data());
-    if (received < 0)
-        return tl::unexpected(answerError(errno));
-    if (received == 0 || frame[0] != m_settings.unit)
-        return modbus_message::wrongAnswer(
-            sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(frame[0])}));
-    return Message(frame.begin() + 1, frame.begin() + received - 2);
+    const Instant end = m_line.now() + longestQuietWait * m_settings.timeOut;
+    for (;;) {
+        const auto came = takeBytes(m_line.now() + m_settings.timeOut);
+        if (!came)
+            return tl::unexpected(came.error());
+        if (!*came)
+            return {};
+        if (m_line.now() >= end)
+            return modbus_message::wrongAnswer(
+                GatewayTexts::tr("something on the line does not stop sending"));
+    }
 }
 
 } // namespace codewheel

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "links/descriptor.h"
-#include "links/modbus_library.h"
 #include "links/modbus_wire.h"
-#include "links/wake_flag.h"
+#include "links/serial_port_link.h"
 #include "modbus/gateway_settings.h"
-
-#include <chrono>
+#include "modbus/rtu_answers.h"
 
 namespace codewheel {
 
@@ -20,41 +17,41 @@ namespace codewheel {
 class ModbusRtuWire final : public ModbusWire
 {
 public:
-    ModbusRtuWire(const GatewaySettings &settings, WakeFlag &wake);
-    ~ModbusRtuWire() override;
+    explicit ModbusRtuWire(const GatewaySettings &settings);
 
     Result<void> open() override;
-    void close() override;
-    tl::expected<modbus_message::Message, RegisterError>
-    exchange(const modbus_message::Message &request) override;
+    void close() override { m_line.close(); }
+    tl::expected<modbus_message::Pdu, RegisterError> exchange(const modbus_message::Pdu &request) override;
     void distrust() override { m_doubt = Doubt::unanswered; }
+    Instant now() const override { return m_line.now(); }
+    void wait(Instant until) override { m_line.wait(until); }
+    void interrupt() override { m_line.interrupt(); }
 
 private:
-    using Time = std::chrono::steady_clock::time_point;
     enum class Doubt : std::uint8_t {
         none,
-        noise,      // something came that nobody asked for
+        another,    // an answer came that nobody had asked for
         unanswered, // the answer to the last request may still come
     };
-    using Failed = tl::unexpected<RegisterError>;
+    using Done = RegisterPort::Done;
+    using Answer = tl::expected<modbus_message::Pdu, RegisterError>;
 
-    Result<void> lock(const QString &path);
-    Result<void> setUp(const QString &path);
-    tl::expected<bool, RegisterError> isQuietUntil(Time time);
-    RegisterPort::Done waitForGap(); // what comes meanwhile is noise
-    RegisterPort::Done waitForQuiet();
-    RegisterPort::Done drop();
-    RegisterPort::Done send(const modbus_message::Message &request);
-    tl::expected<modbus_message::Message, RegisterError> ask(const modbus_message::Message &request);
-    tl::expected<modbus_message::Message, RegisterError> receive(Instant time);
-    Failed failed(RegisterError error);
+    Answer ask(const modbus_message::Pdu &request);
+    Done send(const modbus_message::Pdu &request);
+    Answer receive(Instant firstUntil, Instant until);
+    std::optional<modbus_message::Pdu> nextAnswer();
+    RegisterError whyNone() const;
+    tl::expected<std::optional<modbus_message::Pdu>, RegisterError> waitForGap();
+    Done waitForQuiet();
+    tl::expected<bool, RegisterError> takeBytes(Instant until);
 
     const GatewaySettings m_settings;
-    WakeFlag &m_wake;
-    Descriptor m_lock;
-    Modbus m_modbus; // null: closed
+    SerialPortLink m_line;
+    RtuAnswers m_answers;
+    int m_otherUnit = -1;   // that answered in place of ours
+    bool m_hasCome = false; // something, since the last request
     Doubt m_doubt = Doubt::none;
-    Time m_lastByte{};
+    Instant m_lastByte{};
 };
 
 } // namespace codewheel

@@ -2,55 +2,63 @@
 #pragma once
 
 #include "links/connect_to_host.h"
-#include "links/modbus_library.h"
 #include "links/modbus_wire.h"
 #include "modbus/gateway_settings.h"
 
+#include <chrono>
+#include <optional>
+
 namespace codewheel {
 
-// A connection to a gateway (MODBUS Messaging on TCP/IP Implementation Guide V1.0b).
+// A connection to a gateway (MODBUS Messaging on TCP/IP Implementation Guide V1.0b). TCP is a stream: an
+// answer may come in any pieces.
 //
 // Answers are told apart by their transaction. After silence the connection stays: a late answer has the
 // number of a transaction that is over and is dropped, while connecting anew would lose nothing but time, and
-// many gateways have room for few connections and give up an old one slowly. After a damaged or foreign
-// answer nobody knows where the next one begins; then the wire connects anew before the next request.
-//
-// What libmodbus does not check is checked here and by modbus_message::take(). Its version 3.1.6 takes an
-// answer of another unit, one whose header has another length or protocol, and one about a write to other
-// registers.
+// many gateways have room for few connections and give up an old one slowly. After half an answer or a
+// foreign one nobody knows where the next one begins; then the wire connects anew before the next request.
 class ModbusTcpWire final : public ModbusWire
 {
 public:
-    ModbusTcpWire(const GatewaySettings &settings, WakeFlag &wake);
+    explicit ModbusTcpWire(const GatewaySettings &settings);
 
     Result<void> open() override;
     void close() override;
-    tl::expected<modbus_message::Message, RegisterError>
-    exchange(const modbus_message::Message &request) override;
+    tl::expected<modbus_message::Pdu, RegisterError> exchange(const modbus_message::Pdu &request) override;
     void distrust() override { m_isOutOfStep = true; }
+    Instant now() const override;
+    void wait(Instant until) override;
+    void interrupt() override { m_wake.raise(); }
 
 private:
     using Time = std::chrono::steady_clock::time_point;
     using Failed = tl::unexpected<RegisterError>;
+    struct Answer
+    {
+        std::uint16_t transaction = 0;
+        int unit = 0;
+        modbus_message::Pdu pdu{};
+    };
 
     Result<void> connect(Instant timeOut);
-    RegisterPort::Done send(const modbus_message::Message &request);
-    tl::expected<modbus_message::Message, RegisterError> receive(Time until);
-    tl::expected<std::size_t, RegisterError> waitForAnswer(Time until);
-    void wakeAt(std::size_t bytes);
+    RegisterPort::Done send(const modbus_message::Pdu &request);
+    tl::expected<modbus_message::Pdu, RegisterError> receive(Time until);
+    RegisterPort::Done receiveMore(Time until);
+    tl::expected<std::optional<Answer>, RegisterError> nextAnswer();
     bool isOver(std::uint16_t transaction) const;
     Failed failed(RegisterError error);
     Failed outOfStep(const QString &text);
 
     const GatewaySettings m_settings;
-    WakeFlag &m_wake;
+    WakeFlag m_wake;
     std::vector<SocketAddress> m_addresses;
     bool m_isOpen = false;
-    Modbus m_modbus; // null: to be connected anew
+    Descriptor m_socket;                  // none: to be connected anew
+    std::vector<std::uint8_t> m_received; // and not yet an answer
     bool m_isOutOfStep = false;
     std::uint16_t m_transaction = 0; // the last one
     int m_before = -1;               // transactions before it on this connection
-    std::size_t m_wakesAt = 1;       // bytes that have come
+    const Time m_begin = std::chrono::steady_clock::now();
 };
 
 } // namespace codewheel

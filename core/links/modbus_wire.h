@@ -15,10 +15,14 @@ public:
     virtual void close() = 0;
     // Sends the request once. The answer is that of the unit, undamaged, and of this request as far as the
     // way can tell; nobody has looked at what it says.
-    virtual tl::expected<modbus_message::Message, RegisterError>
-    exchange(const modbus_message::Message &request) = 0;
+    virtual tl::expected<modbus_message::Pdu, RegisterError> exchange(const modbus_message::Pdu &request) = 0;
     // The last answer was not one to its request after all: what comes before the next request is dropped.
     virtual void distrust() = 0;
+
+    // See RegisterPort.
+    virtual Instant now() const = 0;
+    virtual void wait(Instant until) = 0;
+    virtual void interrupt() = 0;
 };
 
 } // namespace codewheel

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/serial_port_link.h"
 
+#include "links/descriptor.h"
 #include "links/low_latency.h"
 #include "links/port_access.h"
 
 #include <QEventLoop>
+#include <QFile>
 #include <QSerialPort>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
 
@@ -64,6 +67,7 @@ bool isFailure(QSerialPort::SerialPortError error)
 struct SerialPortLink::Port
 {
     QEventLoop dispatcher;
+    Descriptor lock;
     QSerialPort serial;
 };
 
@@ -115,13 +119,16 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
     auto port = std::make_unique<Port>();
     if (auto prepared = prepare(port->serial, *path, settings); !prepared)
         return prepared;
+    // The system lets root open a port that is in use; a lock does not. By a descriptor of its own: Qt
+    // changes the settings of a port as soon as it opens it, so nobody else may have it then.
+    port->lock =
+        Descriptor(::open(QFile::encodeName(*path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    if (!port->lock || ::flock(port->lock.get(), LOCK_EX | LOCK_NB) != 0)
+        return tl::unexpected(
+            portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
     if (!port->serial.open(QIODevice::ReadWrite))
         return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), *path,
                                           port->serial.errorString()));
-    // The system lets root open a port that is in use; a lock does not.
-    if (::flock(static_cast<int>(port->serial.handle()), LOCK_EX | LOCK_NB) != 0)
-        return tl::unexpected(
-            portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
     if (port->serial.baudRate() != settings.baudRate)
         return settingRefused(settings.baudRate);
     port->serial.clear();
@@ -188,12 +195,12 @@ Result<QByteArray> SerialPortLink::read(Instant until)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     QSerialPort &serial = m_port->serial;
     while (true) {
-        const Waited waited = waitUntil(until);
-        if (waited.woken)
+        const bool hasHungUp = waitUntil(until);
+        if (m_wasInterrupted)
             return QByteArray();
         if (serial.waitForReadyRead(0) || serial.bytesAvailable() > 0)
             return serial.readAll();
-        if (waited.hungUp || isFailure(serial.error()))
+        if (hasHungUp || isFailure(serial.error()))
             return lost();
         if (now() >= until)
             return QByteArray();
@@ -206,7 +213,7 @@ void SerialPortLink::wait(Instant until)
 }
 
 // For bytes, the flag, or the end of the port. Another thread cannot end Qt's own wait.
-SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
+bool SerialPortLink::waitUntil(Instant until)
 {
     using namespace std::chrono;
     const nanoseconds left = std::max(until - now(), Instant{});
@@ -215,8 +222,8 @@ SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
         {{m_port ? static_cast<int>(m_port->serial.handle()) : -1, POLLIN, 0}, // -1 is ignored
          {m_wake.descriptor(), POLLIN, 0}}};
     ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
-    const bool woken = m_wake.lower();
-    return {woken, (waited[0].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0};
+    m_wasInterrupted = m_wake.lower();
+    return (waited[0].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0;
 }
 
 tl::unexpected<Refusal> SerialPortLink::lost()

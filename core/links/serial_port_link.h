@@ -46,18 +46,14 @@ public:
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;
     void interrupt() override { m_wake.raise(); }
+    // The last read() or wait() ended early because of it.
+    bool wasInterrupted() const { return m_wasInterrupted; }
 
 private:
     struct Port;
-    struct Waited
-    {
-        bool woken = false;
-        bool hungUp = false;
-    };
-
     Result<QString> findPort();
     static Result<void> prepare(QSerialPort &port, const QString &path, const SerialSettings &settings);
-    Waited waitUntil(Instant until);
+    bool waitUntil(Instant until); // whether the port has hung up
     tl::unexpected<Refusal> lost();
 
     const PortList m_ports;
@@ -65,6 +61,7 @@ private:
     KeptAdapter m_adapter;
     std::unique_ptr<Port> m_port; // null: not open
     WakeFlag m_wake;
+    bool m_wasInterrupted = false;
     std::atomic<LowLatency> m_lowLatency = LowLatency::notApplicable;
     const std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
 };

@@ -94,6 +94,12 @@ void append(ModbusBytes &bytes, Register value)
     bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
 }
 
+// Of an answer to a write: address and count, address and value, or address and both masks.
+std::size_t confirmedBytes(std::uint8_t function)
+{
+    return function == maskWrite ? 7 : 5;
+}
+
 } // namespace
 
 std::optional<std::size_t> modbusRequestLength(Bytes begin)
@@ -110,6 +116,20 @@ std::optional<std::size_t> modbusRequestLength(Bytes begin)
     return layout->fixed + begin[layout->fixed - 1];
 }
 
+std::size_t modbusAnswerLength(Bytes begin)
+{
+    if (begin.size() < 2)
+        return 0;
+    if ((begin[0] & exceptionBit) != 0)
+        return 2;
+    const Layout *layout = layoutOf(begin);
+    if (layout == nullptr)
+        return 0;
+    const bool isRead =
+        layout->function == readHolding || layout->function == readInput || layout->function == readAndWrite;
+    return isRead ? 2U + begin[1] : confirmedBytes(layout->function);
+}
+
 tl::expected<ModbusRequest, ModbusException> ModbusRequest::parse(Bytes pdu)
 {
     if (pdu.empty() || layoutOf(pdu) == nullptr)
@@ -122,10 +142,9 @@ tl::expected<ModbusRequest, ModbusException> ModbusRequest::parse(Bytes pdu)
 
 ModbusBytes modbusAnswer(Bytes request, const std::vector<Register> &read)
 {
-    if (read.empty()) { // address and count, address and value, or address and both masks
-        const std::size_t confirmed = request.front() == maskWrite ? 7 : 5;
-        return {request.begin(), request.begin() + static_cast<std::ptrdiff_t>(confirmed)};
-    }
+    if (read.empty())
+        return {request.begin(),
+                request.begin() + static_cast<std::ptrdiff_t>(confirmedBytes(request.front()))};
     ModbusBytes answer{request.front(), static_cast<std::uint8_t>(2 * read.size())};
     for (const Register value : read)
         append(answer, value);

@@ -49,6 +49,10 @@ struct ModbusRequest
 // function is none of ours.
 std::optional<std::size_t> modbusRequestLength(std::span<const std::uint8_t> begin);
 
+// The whole length of an answer, from its first bytes; 0: they do not tell it yet, or its function is none of
+// ours.
+std::size_t modbusAnswerLength(std::span<const std::uint8_t> begin);
+
 // The answer to a request that was carried out: `read` is what it reads; writing is confirmed by what was
 // asked.
 ModbusBytes modbusAnswer(std::span<const std::uint8_t> request, const std::vector<Register> &read);

@@ -107,9 +107,27 @@ void CrookedPeer::serve(int descriptor)
             const std::scoped_lock lock(m_mutex);
             return m_react(request);
         }();
-        sendAll(descriptor, reaction.bytes);
+        send(descriptor, reaction);
         if (reaction.hangsUp)
             return;
+    }
+}
+
+void CrookedPeer::send(int descriptor, const Reaction &reaction) const
+{
+    for (const char byte : reaction.inPieces ? reaction.bytes : QByteArray()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        sendAll(descriptor, QByteArray(1, byte));
+    }
+    if (!reaction.inPieces && !reaction.endlessly)
+        sendAll(descriptor, reaction.bytes);
+    while (reaction.endlessly) {
+        std::array<pollfd, 2> waited{{{descriptor, POLLIN | POLLOUT, 0}, {m_ended, POLLIN, 0}}};
+        ::poll(waited.data(), waited.size(), -1);
+        if ((waited[0].revents & ~POLLOUT) != 0 || waited[1].revents != 0)
+            return;
+        ::send(descriptor, reaction.bytes.constData(), static_cast<std::size_t>(reaction.bytes.size()),
+               MSG_NOSIGNAL | MSG_DONTWAIT);
     }
 }
 

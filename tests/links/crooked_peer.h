@@ -22,6 +22,8 @@ struct Reaction
 {
     QByteArray bytes{}; // sent as they are
     bool hangsUp = false;
+    bool inPieces = false;  // each byte by itself, a moment after the one before
+    bool endlessly = false; // again and again, until there is another request
 };
 
 // Answers Modbus requests as the test wants it to, in a thread of its own: over TCP, for one client after the
@@ -49,6 +51,7 @@ private:
     void serveClients();
     void serve(int descriptor);
     bool waitFor(int descriptor) const;
+    void send(int descriptor, const Reaction &reaction) const;
     QByteArray receive(int descriptor, qsizetype count) const;
     bool receiveOverTcp(int descriptor, SeenRequest &request) const;
     bool receiveOverLine(int descriptor, SeenRequest &request) const;

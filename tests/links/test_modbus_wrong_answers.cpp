@@ -139,9 +139,23 @@ TYPED_TEST(WrongAnswers, RightOnesAreTaken)
     EXPECT_TRUE(this->m_port.write(40, Registers{1, 2, 3}));
 }
 
+TYPED_TEST(WrongAnswers, AnAnswerMayComeInPieces)
+{
+    this->m_way.peer.reactBy([](const SeenRequest &request) {
+        Reaction reaction = WrongAnswers<TypeParam>::rightReaction(request);
+        reaction.inPieces = true;
+        return reaction;
+    });
+    this->nextAnswersAreRight();
+    EXPECT_TRUE(this->m_port.write(40, Registers{1, 2, 3}));
+    Registers one(1);
+    EXPECT_TRUE(this->m_port.read(RegisterArea::holding, 7, one));
+    EXPECT_EQ(one.front(), 7);
+}
+
 TYPED_TEST(WrongAnswers, ExceptionsAreToldByTheirCode)
 {
-    for (int code = 1; code <= 11; ++code) {
+    for (const int code : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 255}) {
         this->m_way.peer.reactBy([code](const SeenRequest &request) {
             const QByteArray exception{QByteArray(1, static_cast<char>(request.message[0] | 0x80)) +
                                        static_cast<char>(code)};
@@ -372,7 +386,60 @@ TEST_F(WrongTcp, AllUnitsCanBeAsked)
     }
 }
 
+// However much of it comes: the time-out is that of the answer that is awaited.
+TEST_F(WrongTcp, AnOldAnswerThatIsRepeatedWithoutAPauseIsNoAnswer)
+{
+    nextAnswersAreRight();
+    m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{.bytes = CrookedPeer::tcpFrame(static_cast<quint16>(request.transaction - 1), unit,
+                                                       rightAnswer(request.message)),
+                        .endlessly = true};
+    });
+    Registers read(2);
+    const Instant begun = m_port.now();
+    EXPECT_FALSE(m_port.read(RegisterArea::input, 20, read));
+    EXPECT_LT(m_port.now() - begun, 10 * m_way.settings.timeOut);
+}
+
 using WrongLine = WrongAnswers<CrookedLine>;
+
+// From a driver that is switched late, before and behind.
+TEST_F(WrongLine, StrayBytesAroundAnAnswerArePassedOver)
+{
+    for (const QByteArray &stray : {QByteArray(1, '\0'), QByteArray(1, '\xFF'),
+                                    QByteArray(1, static_cast<char>(unit)), QByteArray(5, '\x04')}) {
+        for (const bool isBehind : {false, true}) {
+            m_way.peer.reactBy([stray, isBehind](const SeenRequest &request) {
+                const QByteArray right = rightReaction(request).bytes;
+                return Reaction{isBehind ? right + stray : stray + right};
+            });
+            nextAnswersAreRight();
+            EXPECT_TRUE(m_port.write(40, Registers{1, 2, 3}));
+        }
+    }
+}
+
+TEST_F(WrongLine, TheEchoOfAnAdapterIsPassedOver)
+{
+    m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{CrookedPeer::lineFrame(unit, request.message) + rightReaction(request).bytes};
+    });
+    nextAnswersAreRight();
+    EXPECT_TRUE(m_port.write(40, Registers{1, 2, 3}));
+    Registers read(1);
+    EXPECT_TRUE(m_port.read(RegisterArea::holding, 0x300, read));
+    EXPECT_EQ(read.front(), 0x300);
+}
+
+// An echo alone is no answer.
+TEST_F(WrongLine, AnEchoWithoutAnAnswerIsNone)
+{
+    m_way.peer.reactBy(
+        [](const SeenRequest &request) { return Reaction{CrookedPeer::lineFrame(unit, request.message)}; });
+    Registers read(2);
+    EXPECT_FALSE(m_port.read(RegisterArea::input, 20, read));
+    EXPECT_FALSE(m_port.write(40, Registers{1, 2, 3}));
+}
 
 TEST_F(WrongLine, ADamagedAnswer)
 {
@@ -383,7 +450,6 @@ TEST_F(WrongLine, ADamagedAnswer)
             return damaged;
         });
         const RegisterError error = readingFails();
-        EXPECT_EQ(error.text, QStringLiteral("Invalid CRC"));
         isWrong(error);
     }
 }
