@@ -26,8 +26,8 @@ GatewayLink::GatewayLink(std::unique_ptr<RegisterPort> port, GatewaySettings set
 {
     for (const GatewayDevice &device : ring) {
         m_ring.push_back(device.participant);
-        m_devices.push_back({WordGate(device.profile, device.participant.inWords),
-                             WordGate(std::nullopt, device.participant.outWords)});
+        m_devices.push_back({WordGate(device.profile, device.participant.inWords, m_settings.copyTime),
+                             WordGate(std::nullopt, device.participant.outWords, m_settings.copyTime)});
     }
 }
 

@@ -74,6 +74,7 @@ private:
     void showIn(std::span<Word> in);
     bool isDoubtful(std::size_t device) const;
     bool hasDoubtful(const RegisterBlock &block) const;
+    bool needsTime(const RegisterBlock &block) const;
     void countDoubts();
     Result<void> readStatus();
 
@@ -81,6 +82,8 @@ private:
     Result<void> readOut(std::vector<Word> &words);
     Result<void> readOutUntilItAgrees(std::vector<Word> &words);
     bool cannotReadBack(const Refusal &why) const;
+    bool canReadSomeOut();
+    Result<void> waitUntilOwnWordsShow();
     Result<void> checkIsOurs();
     std::vector<std::size_t> notOurs(const std::vector<Word> &there);
     void showOut(std::size_t device, Word there, Word &out);
@@ -98,7 +101,14 @@ private:
                      const std::function<RegisterPort::Done()> &call);
     Result<bool> send(int function, const RegisterBlock &block,
                       const std::function<RegisterPort::Done()> &call, Overwrites overwrites);
-    bool isToBeRepeated(const RegisterPort::Done &done, int failures) const;
+    struct Tries
+    {
+        int sent = 0;
+        int failures = 0; // without a valid answer
+        Instant pause{};  // until a busy gateway is asked again
+        Instant busyUntil{};
+    };
+    bool goesOn(RegisterPort::Done &done, Tries &tries);
 
     const std::unique_ptr<RegisterPort> m_port;
     const GatewaySettings m_settings;
@@ -115,6 +125,7 @@ private:
     Instant m_nextExchange{};
     bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};
+    std::optional<Instant> m_lastWriteAt{}; // tried, on whatever connection
 };
 
 } // namespace codewheel

@@ -39,6 +39,8 @@ Result<void> GatewayLink::readOutUntilItAgrees(std::vector<Word> &words)
     std::vector<bool> agrees(m_devices.size());
     for (int reads = 0; reads < readsToAgree && std::ranges::find(agrees, false) != agrees.end(); ++reads) {
         std::vector<Word> read;
+        if (reads > 0)
+            m_port->wait(m_answeredAt + m_settings.copyTime);
         if (auto done = readOut(read); !done)
             return done;
         words.resize(read.size());
@@ -58,6 +60,37 @@ bool GatewayLink::cannotReadBack(const Refusal &why) const
     return !m_hasReadBack && isOfMap(why);
 }
 
+// After a reconnection: a gateway that shows OUT late would show what was there before the last words of
+// ours, and that would be taken for the present state and sent again.
+Result<void> GatewayLink::waitUntilOwnWordsShow()
+{
+    if (!m_lastWriteAt)
+        return {};
+    const Instant until = *m_lastWriteAt + OwnWord::gatewayLag;
+    if (m_port->now() < until)
+        m_port->wait(until);
+    if (m_port->now() < until)
+        return refuse(RefusalKind::stopped, RefusalId::cancelled);
+    m_lastWriteAt.reset();
+    return {};
+}
+
+// Then an OUT area that was refused is shorter than the ring, and must not be written as if nothing were
+// there.
+bool GatewayLink::canReadSomeOut()
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        const RegisterBlock &its = m_map->out(i);
+        if (its.count == 0)
+            continue;
+        const auto registers = gateway::part(m_backRegisters, its, m_settings.outFirst);
+        return ask(gateway::readHolding, its,
+                   [&] { return m_port->read(RegisterArea::holding, its.first, registers); })
+            .has_value();
+    }
+    return false;
+}
+
 Result<std::vector<Word>> GatewayLink::readBackOut()
 {
     if (!m_map)
@@ -65,10 +98,14 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
     const auto notRead = refuse(RefusalKind::notSupported, RefusalId::outNotReadBack);
     if (!m_readsBack)
         return notRead;
+    if (auto shown = waitUntilOwnWordsShow(); !shown)
+        return tl::unexpected(shown.error());
     std::vector<Word> words;
     auto read = readOutUntilItAgrees(words);
     for (int refusals = 1; !read && cannotReadBack(read.error()); ++refusals) {
         if (refusals == refusalsOfReadBack) {
+            if (canReadSomeOut())
+                return tl::unexpected(read.error());
             m_readsBack = false;
             return notRead;
         }

@@ -12,7 +12,9 @@
 namespace codewheel {
 namespace {
 
-constexpr int readsInDoubt = 2; // more in one exchange, while words are not believed (assumed)
+constexpr Instant shortestPause =
+    std::chrono::milliseconds(20); // until a busy gateway is asked again (assumed)
+constexpr int readsInDoubt = 2;    // more in one exchange, while words are not believed (assumed)
 constexpr Instant betweenStatus = std::chrono::milliseconds(500); // two looks at the status register
 
 } // namespace
@@ -27,9 +29,25 @@ RegisterPort::Done GatewayLink::transact(const std::function<RegisterPort::Done(
     return done;
 }
 
-bool GatewayLink::isToBeRepeated(const RegisterPort::Done &done, int failures) const
+// Whether a transaction that failed is to be repeated: at once where no valid answer came, after a pause that
+// doubles each time where the gateway is busy.
+bool GatewayLink::goesOn(RegisterPort::Done &done, Tries &tries)
 {
-    return isWorthRepeating(done.error()) && failures <= m_settings.retries;
+    ++tries.sent;
+    if (!isBusy(done.error()))
+        return isWorthRepeating(done.error()) && ++tries.failures <= m_settings.retries;
+    const Instant now = m_port->now();
+    if (tries.pause == Instant())
+        tries.busyUntil = now + m_settings.patience;
+    tries.pause = tries.pause == Instant() ? shortestPause : 2 * tries.pause;
+    if (now >= tries.busyUntil)
+        return false;
+    const Instant until = std::min(now + tries.pause, tries.busyUntil);
+    m_port->wait(until);
+    if (m_port->now() >= until)
+        return true;
+    done = tl::unexpected(RegisterError{RegisterError::Kind::stopped, 0, {}});
+    return false;
 }
 
 // A read. The first answer after one that was missing may be that one, come late, which a serial line cannot
@@ -37,15 +55,15 @@ bool GatewayLink::isToBeRepeated(const RegisterPort::Done &done, int failures) c
 Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
                               const std::function<RegisterPort::Done()> &call)
 {
-    int failures = 0;
+    Tries tries;
     bool mayBeLate = false;
     for (;;) {
-        const RegisterPort::Done done = transact(call, failures > 0);
+        RegisterPort::Done done = transact(call, tries.sent > 0);
         if (done && !mayBeLate)
             return {};
-        if (!done && !isToBeRepeated(done, ++failures))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, failures));
-        mayBeLate = !done;
+        mayBeLate = !done && !isBusy(done.error());
+        if (!done && !goesOn(done, tries))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
     }
 }
 
@@ -54,12 +72,13 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
 Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
                                const std::function<RegisterPort::Done()> &call, Overwrites overwrites)
 {
-    for (int failures = 0;;) {
-        const RegisterPort::Done done = transact(call, failures > 0);
+    for (Tries tries;;) {
+        RegisterPort::Done done = transact(call, tries.sent > 0);
+        m_lastWriteAt = m_port->now();
         if (done)
-            return failures == 0;
-        if (!isToBeRepeated(done, ++failures))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, failures));
+            return tries.failures == 0;
+        if (!goesOn(done, tries))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
         for (Device &device : m_devices)
             device.own.wasNotAnswered(m_port->now());
         if (m_readsBack && overwrites == Overwrites::ours)
@@ -115,6 +134,14 @@ bool GatewayLink::hasDoubtful(const RegisterBlock &block) const
     return false;
 }
 
+bool GatewayLink::needsTime(const RegisterBlock &block) const
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)) && m_devices[i].in.needsTime())
+            return true;
+    return false;
+}
+
 // Whole blocks: their length is what tells late answers apart.
 Result<void> GatewayLink::readDoubtfulAgain()
 {
@@ -122,6 +149,8 @@ Result<void> GatewayLink::readDoubtfulAgain()
         for (const RegisterBlock &block : m_map->inBlocks()) {
             if (!hasDoubtful(block))
                 continue;
+            if (needsTime(block))
+                m_port->wait(m_answeredAt + m_settings.copyTime);
             if (auto read = readBlock(block); !read)
                 return read;
             takeBlock(block);

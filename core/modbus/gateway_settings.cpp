@@ -155,6 +155,8 @@ std::vector<Setting> makeSettings()
         time("delay", &GatewaySettings::reactionDelay, delay),
         time("time-out", &GatewaySettings::timeOut, timeOut),
         number("retries", &GatewaySettings::retries, retries),
+        time("copy-time", &GatewaySettings::copyTime, copyTime),
+        time("patience", &GatewaySettings::patience, patience),
     };
 }
 

@@ -43,6 +43,10 @@ struct GatewaySettings
     Instant reactionDelay{}; // after an exchange, until its words count as exchanged
     Instant timeOut = std::chrono::milliseconds(500);
     int retries = 2; // of a transaction without a valid answer
+    // How far apart the gateway may copy the two registers of a word (spec modbus-gateway.md; assumed).
+    Instant copyTime = std::chrono::milliseconds(3);
+    // How long a gateway may be busy (exceptions 5, 6, 10, 11) until that counts as no answer.
+    Instant patience = std::chrono::seconds(2);
 
     friend bool operator==(const GatewaySettings &, const GatewaySettings &) = default;
 };
@@ -69,6 +73,8 @@ inline constexpr Limits interval{0, 10'000}; // ms
 inline constexpr Limits delay{0, 1'000};     // ms
 inline constexpr Limits timeOut{10, 10'000}; // ms
 inline constexpr Limits retries{0, 20};
+inline constexpr Limits copyTime{0, 100};    // ms
+inline constexpr Limits patience{0, 60'000}; // ms
 } // namespace gateway_limits
 
 // The settings by name, as projects keep them and the command line takes them: "unit" = "1". Only what

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int exceptionOfAcknowledge = 5; // in progress
 constexpr int exceptionOfBusy = 6;
+constexpr int exceptionOfNoPath = 10;
 constexpr int exceptionOfSilentTarget = 11;
 constexpr int lastExceptionOfMap = 3; // illegal function, address, or value
 
@@ -19,13 +20,17 @@ int readFunction(RegisterArea area)
     return area == RegisterArea::input ? 4 : 3;
 }
 
+bool isBusy(const RegisterError &error)
+{
+    return error.kind == RegisterError::Kind::exception &&
+           (error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
+            error.exception == exceptionOfNoPath || error.exception == exceptionOfSilentTarget);
+}
+
 bool isWorthRepeating(const RegisterError &error)
 {
     using Kind = RegisterError::Kind;
-    if (error.kind == Kind::exception)
-        return error.exception == exceptionOfAcknowledge || error.exception == exceptionOfBusy ||
-               error.exception == exceptionOfSilentTarget;
-    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer;
+    return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer || isBusy(error);
 }
 
 QString registersText(int function, const RegisterBlock &block)

@@ -15,6 +15,8 @@ QString exceptionText(int code);
 
 int readFunction(RegisterArea area);
 
+// The unit answers that it cannot do it yet: it is asked again after a pause.
+bool isBusy(const RegisterError &error);
 // Whether another try may give a valid answer.
 bool isWorthRepeating(const RegisterError &error);
 

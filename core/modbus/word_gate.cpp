@@ -15,9 +15,10 @@ bool isNear(std::int64_t steps)
 
 } // namespace
 
-WordGate::WordGate(std::optional<Profile> profile, int registers)
+WordGate::WordGate(std::optional<Profile> profile, int registers, Instant copyTime)
     : m_profile(profile)
     , m_canTear(registers > 1)
+    , m_copyTime(copyTime)
 {}
 
 // K1, K2 and K4 have nothing but their position.
@@ -73,7 +74,10 @@ bool WordGate::take(Word word, Instant at)
     const Read read{word, at};
     const auto last = std::exchange(m_last, read);
     const auto beforeLast = std::exchange(m_beforeLast, last);
-    const bool isSame = last && last->word == word;
+    const bool isEqual = last && last->word == word;
+    if (!isEqual)
+        m_sameSince = at;
+    const bool isSame = isEqual && at - m_sameSince >= m_copyTime;
     const bool isSameThrice = isSame && beforeLast && beforeLast->word == word;
     if (!m_canTear || isSameThrice || (isSame && !isJump(read, beforeLast)))
         return believe(read);

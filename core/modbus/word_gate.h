@@ -10,12 +10,13 @@
 namespace codewheel {
 
 // Whether a word read from a gateway can be believed. The gateway may tear a 32-bit word: one register is
-// from before a change, the other from after it. A word of a handshake is believed when two reads in a row
-// give it (spec modbus-gateway.md). A position that moves never does that; it is believed when it is the
-// middle one of three reads in a row that are positions, one behind the other and near each other: a word
-// torn at the carry from one register into the other is not between its neighbours, or 65536 steps away. A
-// shaft that trembles there may tear two reads in a row alike, so a position that is not near the last one
-// believed, and near the read before, needs three equal reads.
+// from before a change, the other from after it, for as long as its copy takes. A word of a handshake is
+// believed when two reads in a row give it, with that time between them (spec modbus-gateway.md). A position
+// that moves never does that; it is believed when it is the middle one of three reads in a row that are
+// positions, one behind the other and near each other: a word torn at the carry from one register into the
+// other is not between its neighbours, or 65536 steps away. A shaft that trembles there may tear two reads in
+// a row alike, so a position that is not near the last one believed, and near the read before, needs three
+// equal reads.
 class WordGate
 {
 public:
@@ -24,13 +25,17 @@ public:
     static constexpr Instant longestMovement = std::chrono::milliseconds(500);
 
     // Empty: not known, so no word is taken for a moving position. `registers`: a word of one cannot be torn.
-    WordGate(std::optional<Profile> profile, int registers);
+    // `copyTime`: so far apart the gateway may copy the registers of a word.
+    WordGate(std::optional<Profile> profile, int registers, Instant copyTime);
 
     // Takes what one read gave, and says whether there is a word that can be believed; it is word() then.
     bool take(Word read, Instant at);
     Word word() const { return m_word; } // the last one that could be believed; 0: none yet
     Instant readAt() const { return m_wordAt; }
     bool hasWord() const { return m_hasWord; }
+    // The last read counts once it has stood for the copy time; a position that moves needs another read, and
+    // no time.
+    bool needsTime() const { return m_canTear && m_last && !mayMove(m_last->word); }
     // The reads so far say nothing any more: the connection was interrupted.
     void forget();
 
@@ -48,6 +53,8 @@ private:
 
     std::optional<Profile> m_profile;
     bool m_canTear;
+    Instant m_copyTime;
+    Instant m_sameSince{}; // the first of the equal reads that end with the last one
     std::optional<Read> m_last;
     std::optional<Read> m_beforeLast;
     Word m_word = 0;

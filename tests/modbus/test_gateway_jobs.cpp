@@ -190,6 +190,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(GatewayKind{"usual", {.ways = {.tears = 0.2, .lag = 5ms}}},
                     GatewayKind{"late", {.ways = {.tears = 0.5, .lag = 120ms}}},
                     GatewayKind{"slow", {.ways = {.tears = 0.2, .lag = 30ms}, .transaction = 12ms}},
+                    GatewayKind{"copies registers apart",
+                                {.ways = {.copyApart = 2ms}, .transaction = std::chrono::microseconds(300)}},
                     GatewayKind{"delayed",
                                 {.ways = {.tears = 0.2},
                                  .settings = {.pollInterval = 20ms, .reactionDelay = 10ms}}}));

@@ -19,7 +19,7 @@ std::vector<Word> believed(WordGate gate, const std::vector<Word> &reads)
     return words;
 }
 
-const WordGate k3(Profile::k3, 2);
+const WordGate k3(Profile::k3, 2, {});
 
 TEST(WordGate, AHandshakeWordCountsAfterTwoEqualReads)
 {
@@ -105,12 +105,13 @@ TEST(WordGate, AWordTornBetweenPositionAndHandshakeIsNotBelieved)
 
 TEST(WordGate, WithoutAProfileOnlyEqualReadsCount)
 {
-    EXPECT_EQ(believed(WordGate(std::nullopt, 2), {100, 110, 120, 120}), (std::vector<Word>{0, 0, 0, 120}));
+    EXPECT_EQ(believed(WordGate(std::nullopt, 2, {}), {100, 110, 120, 120}),
+              (std::vector<Word>{0, 0, 0, 120}));
 }
 
 TEST(WordGate, OneRegisterCannotBeTorn)
 {
-    EXPECT_EQ(believed(WordGate(Profile::k1, 1), {100, 50'000, 7}), (std::vector<Word>{100, 50'000, 7}));
+    EXPECT_EQ(believed(WordGate(Profile::k1, 1, {}), {100, 50'000, 7}), (std::vector<Word>{100, 50'000, 7}));
 }
 
 TEST(WordGate, AfterAnInterruptionWhatWasReadBeforeSaysNothing)

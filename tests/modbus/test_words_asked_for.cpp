@@ -129,6 +129,25 @@ TEST_F(WordsAskedFor, AMomentInWatchDoesNotBringBackWhatWasReplaced)
     EXPECT_TRUE(latest.operate);
 }
 
+// The gateway still shows the word of before the stop when it is connected again.
+TEST_F(WordsAskedFor, AQuickReconnectionDoesNotBringBackWhatWasStopped)
+{
+    operate();
+    post(command::SetOut{0, askedWord}, 2s);
+    trouble.lag = 700ms;
+    post(command::AlarmStop{}, 50ms);
+    trouble.isAway = true;
+    advance(50ms);
+    ASSERT_FALSE(latest.connected);
+    trouble.isAway = false;
+    post(command::StartBus{}, 2s); // tries at once
+    ASSERT_TRUE(latest.connected);
+    EXPECT_EQ(latest.devices[0].out, 0u);
+    post(command::SetOperate{true}, 2s);
+    EXPECT_EQ(outOf(0), 0u);
+    EXPECT_EQ(countOf(RefusalId::outNotOurs), 0u);
+}
+
 TEST_F(WordsAskedFor, OutOfAnEncoderWhoseWordIsInDoubtIsKnownAllTheSame)
 {
     operate();

@@ -18,6 +18,8 @@ struct RegisterBank
     int inputEnd = 65'536; // the first register that does not exist
     int holdingEnd = 65'536;
     int writes = 0;
+    Instant busyUntil{}; // it refuses everything with busyCode
+    int busyCode = 6;
     std::function<void()> onWrite; // after each one
 
     std::map<int, Register> &of(RegisterArea area) { return area == RegisterArea::input ? input : holding; }
@@ -85,7 +87,7 @@ private:
         if (!m_open)
             return failed(RegisterError::Kind::closed);
         m_now += std::chrono::milliseconds(1);
-        return {};
+        return m_now < m_bank->busyUntil ? exception(m_bank->busyCode) : Done();
     }
     void put(int first, std::span<const Register> from)
     {

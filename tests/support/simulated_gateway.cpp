@@ -91,7 +91,9 @@ Register SimulatedGateway::read(RegisterArea area, int number)
     if (area == RegisterArea::input) {
         const auto &changes = m_inChanges[half.device];
         const bool isNew = !changes.empty() && changes.back().at == m_now;
-        return half.of(isNew && isTorn() ? changes.back().before : m_in[half.device]);
+        const bool isCopiedLater =
+            !half.isHigh && !changes.empty() && m_now - changes.back().at < m_ways.copyApart;
+        return half.of(isCopiedLater || (isNew && isTorn()) ? changes.back().before : m_in[half.device]);
     }
     const Change &change = m_outChanges[half.device];
     const Instant since = m_now - change.at;

@@ -23,6 +23,7 @@ public:
     struct Ways
     {
         double tears = 0;        // of the words that change: how many a read finds torn
+        Instant copyApart{};     // from the copy of the high register of a word to that of the low one
         Instant lag{};           // until a word that was written can be read back
         unsigned seed = 1;       // of the tears
         bool passesOver = false; // long times, in which nothing is read: only the shafts turn

@@ -100,18 +100,26 @@ std::vector<SettingField> ofImage()
 std::vector<SettingField> ofTimes()
 {
     const QString ms = SettingFieldTexts::tr(" ms", "unit of a time");
-    return {{QStringLiteral("interval"), SettingFieldTexts::tr("Poll interval"),
-             SettingFieldTexts::tr("From one exchange to the next; 0: as fast as the link is"),
-             gateway_limits::interval, ms},
-            {QStringLiteral("delay"), SettingFieldTexts::tr("Delay after an exchange"),
-             SettingFieldTexts::tr("How long the gateway needs to pass words on to the ring and back"),
-             gateway_limits::delay, ms},
-            {QStringLiteral("time-out"), SettingFieldTexts::tr("Time-out"),
-             SettingFieldTexts::tr("How long an answer is waited for"), gateway_limits::timeOut, ms},
-            {QStringLiteral("retries"), SettingFieldTexts::tr("Number of retries"),
-             SettingFieldTexts::tr(
-                 "How often a request without a valid answer is repeated before the link counts as lost"),
-             gateway_limits::retries}};
+    return {
+        {QStringLiteral("interval"), SettingFieldTexts::tr("Poll interval"),
+         SettingFieldTexts::tr("From one exchange to the next; 0: as fast as the link is"),
+         gateway_limits::interval, ms},
+        {QStringLiteral("delay"), SettingFieldTexts::tr("Delay after an exchange"),
+         SettingFieldTexts::tr("How long the gateway needs to pass words on to the ring and back"),
+         gateway_limits::delay, ms},
+        {QStringLiteral("time-out"), SettingFieldTexts::tr("Time-out"),
+         SettingFieldTexts::tr("How long an answer is waited for"), gateway_limits::timeOut, ms},
+        {QStringLiteral("retries"), SettingFieldTexts::tr("Number of retries"),
+         SettingFieldTexts::tr(
+             "How often a request without a valid answer is repeated before the link counts as lost"),
+         gateway_limits::retries},
+        {QStringLiteral("copy-time"), SettingFieldTexts::tr("Copy time"),
+         SettingFieldTexts::tr("How far apart the gateway may copy the two registers of a word: a new word "
+                               "counts once it has stood that long"),
+         gateway_limits::copyTime, ms},
+        {QStringLiteral("patience"), SettingFieldTexts::tr("Patience"),
+         SettingFieldTexts::tr("How long the gateway may say that it is busy before the link counts as lost"),
+         gateway_limits::patience, ms}};
 }
 
 } // namespace
