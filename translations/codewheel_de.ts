@@ -940,6 +940,14 @@
         <source>cam program %1</source>
         <translation>Nockenprogramm %1</translation>
     </message>
+    <message>
+        <source>factory settings</source>
+        <translation>Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
 </context>
 <context>
     <name>JournalFiles</name>
@@ -1986,6 +1994,14 @@
     <message>
         <source>The ring of seat %1 starts afresh, with factory settings.</source>
         <translation>Der Ring von Sitzplatz %1 beginnt neu, mit Werkseinstellungen.</translation>
+    </message>
+    <message>
+        <source>Sent, and not answered: %1. Whether the encoder has it is not known until it is read (EEPROM writes: perhaps %2 more).</source>
+        <translation>Gesendet und nicht beantwortet: %1. Ob der Geber es hat, ist nicht bekannt, bis er ausgelesen wird (EEPROM-Schreibvorgänge: vielleicht %2 mehr).</translation>
+    </message>
+    <message>
+        <source>OUT may still hold %1: the encoder may give no position. Bring it back once the link is there again.</source>
+        <translation>In OUT steht vielleicht noch %1: Der Geber liefert dann womöglich keine Position. Zurücksetzen, sobald die Verbindung wieder da ist.</translation>
     </message>
 </context>
 <context>
@@ -3575,6 +3591,10 @@
     <message>
         <source>State afterwards</source>
         <translation>Zustand danach</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -7544,6 +7564,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>No encoder or gateway was found.</source>
         <translation>Kein Geber und kein Gateway gefunden.</translation>
     </message>
+    <message>
+        <source>In which state the encoder is, is not known until it is seen again.</source>
+        <translation>In welchem Zustand der Geber ist, ist nicht bekannt, bis er wieder zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -9015,10 +9039,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1</translation>
     </message>
     <message>
-        <source>(and perhaps %1 more, which it began before it was ended)</source>
-        <translation>(und vielleicht %1 weitere, die es vor seinem Ende begonnen hat)</translation>
-    </message>
-    <message>
         <source>%1 writes from here since %2</source>
         <translation>%1-mal von hier geschrieben seit %2</translation>
     </message>
@@ -9045,6 +9065,14 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>1 write from here</source>
         <translation>1-mal von hier geschrieben</translation>
+    </message>
+    <message>
+        <source>%1, perhaps %2 more</source>
+        <translation>%1, vielleicht %2 mehr</translation>
+    </message>
+    <message>
+        <source>(and perhaps %1 more, which it began and did not see the end of)</source>
+        <translation>(und vielleicht %1 weitere, die es begonnen und deren Ende es nicht gesehen hat)</translation>
     </message>
 </context>
 <context>
@@ -10064,10 +10092,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>sie kommt von Unit %1</translation>
     </message>
     <message>
-        <source>its length does not fit its function</source>
-        <translation>ihre Länge passt nicht zu ihrer Funktion</translation>
-    </message>
-    <message>
         <source>it is for transaction %1, not %2</source>
         <translation>sie gehört zu Transaktion %1, nicht %2</translation>
     </message>
@@ -10326,6 +10350,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>no IN word</source>
         <translation>kein IN-Wort</translation>
+    </message>
+    <message>
+        <source>it is damaged or incomplete</source>
+        <translation>sie ist beschädigt oder unvollständig</translation>
     </message>
 </context>
 <context>
@@ -16307,10 +16335,6 @@ Zustand: %3 (%4)</translation>
         <translation>nur diese Verbindung; von anderen ist nichts aufbewahrt</translation>
     </message>
     <message>
-        <source>%1, perhaps %2 more</source>
-        <translation>%1, vielleicht %2 mehr</translation>
-    </message>
-    <message>
         <source>not compared with a connected one</source>
         <translation>nicht mit einem angeschlossenen verglichen</translation>
     </message>
@@ -18375,6 +18399,22 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Number of retries</source>
         <translation>Anzahl der Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Copy time</source>
+        <translation>Kopierzeit</translation>
+    </message>
+    <message>
+        <source>How far apart the gateway may copy the two registers of a word: a new word counts once it has stood that long</source>
+        <translation>Wie weit auseinander das Gateway die zwei Register eines Wortes kopieren darf: Ein neues Wort zählt, wenn es so lange gestanden hat</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Geduld</translation>
+    </message>
+    <message>
+        <source>How long the gateway may say that it is busy before the link counts as lost</source>
+        <translation>Wie lange das Gateway melden darf, dass es beschäftigt ist, bevor die Verbindung als verloren gilt</translation>
     </message>
 </context>
 <context>

@@ -70,9 +70,11 @@ QString whatIsKnown(const FinishedJob &job, const Reading &before, const Encoder
                    ? sentence(pattern, {positionText(position, shown, rodScale(encoder))}) + u'\n'
                    : QString();
     };
+    const int mostWrites = outcome.eepromWrites + outcome.inDoubt.eepromWrites;
     return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
            line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
-           (outcome.result || outcome.eepromWrites > 0 ? eepromWritesLine(outcome.eepromWrites) : QString()) +
+           (outcome.result || mostWrites > 0 ? eepromWritesLine(outcome) : QString()) +
+           doubtLines(encoder, outcome.inDoubt) +
            (outcome.result || outcome.eepromWrites == 0 || outcome.positionAfter
                 ? QString()
                 : CommandLine::tr("Whether the position was set is not known: read it.") + u'\n');
@@ -95,6 +97,7 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
     answer.json = {{QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += whatIsKnown(job, before, encoder);
     if (!job.outcome.result) {

@@ -68,7 +68,9 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.json.insert(QStringLiteral("eepromWrites"), job.outcome.eepromWrites);
     answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
     if (!job.outcome.result) {
+        answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt);
         answer.complaint = complaintAbout(job.outcome.result.error());
         if (job.outcome.leftIn == EncoderState::parameterization)
             answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
@@ -81,7 +83,7 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     answer.text +=
         (device.capabilities.reads ? CommandLine::tr("Read back:")
                                    : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
-        u'\n' + valueLines(encoder, values) + eepromWritesLine(job.outcome.eepromWrites) +
+        u'\n' + valueLines(encoder, values) + eepromWritesLine(job.outcome) +
         sentence(CommandLine::tr("Position after:  %1"),
                  {positionText(encoder.latest().position, encoder.latest())}) +
         u'\n';

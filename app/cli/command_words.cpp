@@ -84,12 +84,14 @@ Checked<Answer> runWords(const Call &call)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.text = job.trace->text((*encoder)->place()) + u'\n' + eepromWritesLine(job.outcome.eepromWrites);
+    answer.text = job.trace->text((*encoder)->place()) + u'\n' + eepromWritesLine(job.outcome) +
+                  doubtLines(**encoder, job.outcome.inDoubt);
     answer.json = {{QStringLiteral("device"), (*encoder)->device().key},
                    {QStringLiteral("trace"), job.trace->json((*encoder)->place())},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("leftIn"), stateKey(job.outcome.leftIn)}};
     addPlace(answer.json, call, (*encoder)->place());
+    addDoubt(answer.json, **encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
         answer.complaint = complaintAbout(job.outcome.result.error());
     return answer;

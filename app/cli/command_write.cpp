@@ -66,7 +66,7 @@ bool showsPosition(const Reading &reading)
 
 QString accountText(const Outcome &outcome, const Stand &before, const Stand &after)
 {
-    QString text = eepromWritesLine(outcome.eepromWrites);
+    QString text = eepromWritesLine(outcome);
     if (showsPosition(before.reading))
         text += sentence(CommandLine::tr("Position before: %1"),
                          {positionText(before.reading.position, before.reading, before.scale)}) +
@@ -112,14 +112,17 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     Stand after = standOf(encoder);
     if (encoder.agreesOnPositions())
         takePositions(job.outcome, before, after);
+    if (endedOutOfSight(job.outcome))
+        after.reading = {};
     const auto account = bus.account(encoder, plan.job.values, job);
     answer.text += u'\n';
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += account->toText() + accountText(job.outcome, before, after) +
-                   bus.whereItIsNow(encoder, plan.job.values);
+                   doubtLines(encoder, job.outcome.inDoubt) + bus.whereItIsNow(encoder, plan.job.values);
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before, after);
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
     merge(answer.json, account->toJson());
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());

@@ -2,10 +2,16 @@
 #include "cli/jobs.h"
 
 #include "cli/bus_access.h"
+#include "cli/json.h"
 #include "cli/stop_signals.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
+#include "cli/value_lines.h"
+#include "drivers/job_report.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "journal/eeprom_cost.h"
 
 namespace codewheel {
 namespace {
@@ -83,9 +89,35 @@ void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answ
     answer.json.insert(QStringLiteral("trace"), trace.json(place));
 }
 
-QString eepromWritesLine(int writes)
+QString eepromWritesLine(const Outcome &outcome)
 {
-    return sentence(CommandLine::tr("EEPROM writes:   %1"), argumentTexts({std::int64_t{writes}})) + u'\n';
+    return sentence(CommandLine::tr("EEPROM writes:   %1"),
+                    {eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites)}) +
+           u'\n';
+}
+
+QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt)
+{
+    QString text;
+    for (const Message &message : doubtReport(doubt, encoder.device()))
+        text += messageText(message) + u'\n';
+    return text;
+}
+
+void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &doubt)
+{
+    if (!doubt.hasSomething())
+        return;
+    QJsonArray programs;
+    for (const unsigned program : doubt.camPrograms)
+        programs.append(static_cast<int>(program));
+    json.insert(QStringLiteral("inDoubt"),
+                QJsonObject{{QStringLiteral("values"), valuesJson(encoder, doubt.values)},
+                            {QStringLiteral("reset"), doubt.reset},
+                            {QStringLiteral("position"), doubt.position},
+                            {QStringLiteral("camPrograms"), programs},
+                            {QStringLiteral("eepromWrites"), doubt.eepromWrites},
+                            {QStringLiteral("out"), hexWord(doubt.out.value_or(0))}});
 }
 
 Complaint aboutCancelling()

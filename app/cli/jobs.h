@@ -37,7 +37,11 @@ Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 // With --trace: the words or requests that went over the bus, before what the answer already says.
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
-QString eepromWritesLine(int writes); // "EEPROM writes:   1"
+QString eepromWritesLine(const Outcome &outcome); // "EEPROM writes:   1"
+// What was sent and not answered, in lines; empty: nothing.
+QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt);
+// Adds it as "inDoubt", where there is something.
+void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &doubt);
 Complaint aboutCancelling();
 // About a job that was refused, and about its link if that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);

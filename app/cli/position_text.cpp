@@ -22,6 +22,13 @@ QString positionText(std::optional<std::int64_t> position, const Reading &shown,
     return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(shown.in)});
 }
 
+QString whereItWasLeft(const Outcome &outcome, const Reading &left)
+{
+    if (endedOutOfSight(outcome))
+        return CommandLine::tr("In which state the encoder is, is not known until it is seen again.");
+    return whereItWasLeft(left);
+}
+
 QString whereItWasLeft(const Reading &left)
 {
     switch (left.state) {

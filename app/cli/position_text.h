@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/reading.h"
+#include "encoder/event.h"
 #include "encoder/rod_scale.h"
 
 #include <QString>
@@ -18,5 +18,6 @@ QString positionText(std::optional<std::int64_t> position, const Reading &shown,
 
 // The state a job has left the encoder in, and what that means for its position.
 QString whereItWasLeft(const Reading &left);
+QString whereItWasLeft(const Outcome &outcome, const Reading &left);
 
 } // namespace codewheel

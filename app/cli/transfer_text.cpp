@@ -12,6 +12,7 @@
 #include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
 
 namespace codewheel {
@@ -176,17 +177,17 @@ QString accountText(const Call &call, const TransferAccount &account)
         text += heading(encoder) + table.toString(2) + positionLine(encoder) + QStringLiteral("  ") +
                 transfer_words::outcome(encoder) + u'\n';
         if (encoder.isBegun)
-            text +=
-                QStringLiteral("  ") +
-                sentence(CommandLine::tr("EEPROM writes: %1. Afterwards: %2."),
-                         {QString::number(encoder.eepromWrites), transfer_words::leftIn(encoder.leftIn)}) +
-                u'\n';
+            text += QStringLiteral("  ") +
+                    sentence(CommandLine::tr("EEPROM writes: %1. Afterwards: %2."),
+                             {eepromWritesText(encoder.eepromWrites, encoder.eepromWritesPerhaps),
+                              transfer_words::leftIn(encoder.leftIn)}) +
+                    u'\n';
     }
     return text +
            sentence(CommandLine::tr("Written: %1. Already there: %2. EEPROM writes: %3."),
                     {QString::number(account.count(Became::written)),
                      QString::number(account.count(Became::alreadyThere)),
-                     QString::number(account.eepromWrites())}) +
+                     eepromWritesText(account.eepromWrites(), account.eepromWritesPerhaps())}) +
            u'\n';
 }
 
@@ -212,6 +213,7 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
                                    {QStringLiteral("values"), rows},
                                    {QStringLiteral("cams"), cams},
                                    {QStringLiteral("eepromWrites"), encoder.eepromWrites},
+                                   {QStringLiteral("eepromWritesPerhaps"), encoder.eepromWritesPerhaps},
                                    {QStringLiteral("positionWanted"), numberJson(encoder.positionWanted)},
                                    {QStringLiteral("positionSet"), encoder.positionSet},
                                    {QStringLiteral("positionUnknown"), encoder.positionUnknown},

@@ -24,8 +24,11 @@ QString WriteAccount::fateOf(const ParameterValue &value) const
                    ? CommandLine::tr("written, and read back")
                    : CommandLine::tr("written, confirmed by the handshake");
     }
-    return valueOf(m_outcome.alreadyThere, value.parameter) ? CommandLine::tr("already there")
-                                                            : CommandLine::tr("did not become active");
+    if (valueOf(m_outcome.alreadyThere, value.parameter))
+        return CommandLine::tr("already there");
+    if (valueOf(m_outcome.inDoubt.values, value.parameter))
+        return CommandLine::tr("sent: it is not known whether the encoder has it");
+    return CommandLine::tr("did not become active");
 }
 
 QString WriteAccount::toText() const
@@ -45,7 +48,7 @@ QString WriteAccount::toText() const
 
 QString WriteAccount::whereItWasLeft() const
 {
-    return codewheel::whereItWasLeft(m_encoder.latest());
+    return codewheel::whereItWasLeft(m_outcome, m_encoder.latest());
 }
 
 } // namespace codewheel

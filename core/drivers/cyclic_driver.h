@@ -25,8 +25,9 @@ public:
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) = 0;
     virtual void proceed() = 0; // Pace::byHand: send the next word
     virtual void cancel(OnCancel how, Instant now) = 0;
-    virtual void stop(RefusalId why,
-                      Instant now) = 0; // ALARM STOP, bus stopped: the job ends where it is
+    // ALARM STOP, bus stopped, link lost: the job ends where it is, and its outcome says what is in doubt
+    // then.
+    virtual void stop(const Refusal &why, Instant now) = 0;
 
     // Once per bus cycle: `in` came in while `out` was on the bus. Returns what OUT shall be in the next
     // cycle: `out` itself unless a job wants something else.

@@ -154,7 +154,35 @@ struct Success
     }
 };
 
+// "Steps = 255, position".
+QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
+{
+    QStringList texts;
+    if (!doubt.values.empty())
+        texts += valuesText(doubt.values, device);
+    if (doubt.reset)
+        texts += QCoreApplication::translate("JobReport", "factory settings");
+    if (doubt.position)
+        texts += QCoreApplication::translate("JobReport", "position");
+    for (const unsigned program : doubt.camPrograms)
+        texts += QCoreApplication::translate("JobReport", "cam program %1").arg(program);
+    return texts.join(QStringLiteral(", "));
+}
+
 } // namespace
+
+std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
+{
+    std::vector<Message> messages;
+    if (const QString text = doubtText(doubt, device); !text.isEmpty())
+        messages.push_back({.severity = Severity::attention,
+                            .id = MessageId::inDoubt,
+                            .arguments = {text, std::int64_t{doubt.eepromWrites}}});
+    if (doubt.out)
+        messages.push_back(
+            {.severity = Severity::attention, .id = MessageId::outLeft, .arguments = {*doubt.out}});
+    return messages;
+}
 
 std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device)
 {
@@ -162,6 +190,8 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
     std::vector<Message> messages = outcome.result ? std::visit(success, job) : success.whatWasWritten();
     if (!outcome.result)
         messages.push_back(refused(outcome.result.error()));
+    for (Message &message : doubtReport(outcome.inDoubt, device))
+        messages.push_back(std::move(message));
     if (outcome.onlyZeroSinceRun)
         messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
     if (outcome.leftIn == EncoderState::parameterization)

@@ -115,11 +115,14 @@ protected:
         m_isDone = true;
         Outcome &outcome = m_account.outcome;
         outcome.result = std::move(result);
-        outcome.leftIn = m_reading.state;
+        outcome.leftIn = m_isOutOfSight ? EncoderState::unknown : m_reading.state;
         complete(outcome);
         outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
         m_events.emplace_back(outcome);
     }
+
+    // Its state when the job ends is not known.
+    void leaveOutOfSight() { m_isOutOfSight = true; }
 
     void reportProgress(bool waitsForUser)
     {
@@ -147,6 +150,7 @@ private:
     bool m_hasAsked = false; // by hand: the user was told that the current step waits
     bool m_mayBegin = false; // and has said that it may begin
     bool m_hasLeftOff = false;
+    bool m_isOutOfSight = false;
     bool m_isDone = false;
 };
 

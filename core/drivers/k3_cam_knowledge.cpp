@@ -125,6 +125,17 @@ void K3CamKnowledge::doubtAsked()
     m_isDirty = true;
 }
 
+void K3CamKnowledge::loseSight(Word out, bool mayBeCamMode)
+{
+    if (out != m_out)
+        observeOut(out, mayBeCamMode);
+    doubtAsked();
+    loseChange(false);
+    m_asked.reset();
+    m_answerIsFresh = false;
+    m_in = m_out = k3::normalRunning;
+}
+
 // Power-off brings the program back as it was saved; if it is not certain, what differs is unknown.
 void K3CamKnowledge::loseChange(bool certainly)
 {

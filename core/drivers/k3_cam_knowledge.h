@@ -22,6 +22,8 @@ public:
     // write.
     bool leave();
     void forgetAll();
+    // Nobody sees any more what becomes of `out`, nor of what was changed and is not saved.
+    void loseSight(Word out, bool mayBeCamMode);
 
     // The program as the encoder has it now; empty while one of its values is not known.
     std::optional<KnownCams> known(unsigned program) const;

@@ -63,14 +63,27 @@ void K3Encoder::updateScale()
         speedScaleOf(device, [this](Parameter parameter) { return knowledge.value(parameter); }));
 }
 
+void K3Encoder::reportChanges()
+{
+    auto changes = knowledge.takeChanges();
+    if (!changes)
+        return;
+    events.emplace_back(std::move(*changes));
+    updateScale();
+}
+
+int K3Encoder::loseSight(Word out)
+{
+    const int perhaps = knowledge.loseSight(out);
+    reportChanges();
+    return perhaps;
+}
+
 // The jump of the position at a preset is not a movement of the shaft.
 void K3Encoder::observe(Word in, Word out, Instant now)
 {
     knowledge.observe(in, out, now);
-    if (auto changes = knowledge.takeChanges()) {
-        events.emplace_back(std::move(*changes));
-        updateScale();
-    }
+    reportChanges();
     reading = decodeReading(in, now,
                             {device.dialect, device.mayHaveModes(), knowledge.mode(), knowledge.coding(),
                              knowledge.camProgram()});

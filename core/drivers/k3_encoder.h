@@ -18,6 +18,9 @@ struct K3Encoder
     void setKnown(const std::vector<Known> &known);
     // One bus cycle.
     void observe(Word in, Word out, Instant now);
+    // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there.
+    // Returns how many writes that may cost which are not counted.
+    int loseSight(Word out);
     EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect); }
     bool isError(Word in) const { return isErrorAnswer(in, device.dialect); }
 
@@ -36,6 +39,7 @@ struct K3Encoder
 private:
     Result<void> checkMode(const Job &job) const;
     void updateScale();
+    void reportChanges();
 
     PositionSpeed m_speed;
 };

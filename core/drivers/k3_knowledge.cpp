@@ -228,6 +228,62 @@ void K3Knowledge::countConfirmed()
         m_known.countEepromWrite();
 }
 
+int K3Knowledge::loseSight(Word out)
+{
+    const int perhaps = writesInDoubt(out);
+    for (const auto &[number, data] : m_pending)
+        forgetNumber(number);
+    for (const auto &[number, data] : m_unproven)
+        forgetNumber(number);
+    if (m_asked)
+        forgetNumber(k3::number(*m_asked));
+    if (k3::isParameterWord(out))
+        forgetNumber(k3::number(out));
+    if (m_device.capabilities.cams)
+        m_cams.loseSight(out, mode().value_or(Mode::cam) == Mode::cam);
+    m_pending.clear();
+    m_unproven.clear();
+    m_asked.reset();
+    m_lastConfirmed.reset();
+    m_answerIsFresh = false;
+    m_hasSeenWords = false; // what is in OUT when it is seen again may have been sent by others
+    m_out = k3::normalRunning;
+    return perhaps;
+}
+
+// A word that was confirmed, and followed by another one, is certain.
+int K3Knowledge::writesInDoubt(Word out)
+{
+    int perhaps = 0;
+    const bool stands = out == m_out;
+    if (!stands)
+        countConfirmed();
+    else if (k3::isParameterWord(out) && (m_asked || m_pending.contains(k3::number(out))))
+        ++perhaps;
+    if (!stands && k3::isParameterWord(out))
+        ++perhaps;
+    const bool isPreset = !stands && (out & k3::presetBit) != 0 && (m_out & k3::presetBit) == 0 &&
+                          !k3::isParameterWord(out) && mode() != Mode::cam && mayTakePreset(m_in);
+    if (isPreset) {
+        m_known.forget(Parameter::zeroOffset);
+        m_known.forget(Parameter::presetFlag);
+        perhaps += mayStorePreset(m_device) && m_presetArmed.value_or(true) ? 1 : 0;
+        m_presetArmed.reset();
+    }
+    return perhaps;
+}
+
+void K3Knowledge::forgetNumber(unsigned number)
+{
+    if (number == resetNumber)
+        reset(false, {});
+    else if (const ParameterDescription *parameter = m_device.findNumber(number)) {
+        m_known.forget(parameter->parameter);
+        if (parameter->parameter == Parameter::preset)
+            m_presetArmed.reset();
+    }
+}
+
 void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant now)
 {
     if (number == resetNumber) {

@@ -25,6 +25,11 @@ public:
     void set(const std::vector<Known> &known);
     void setCams(const std::vector<KnownCams> &known) { m_cams.set(known); }
     void observe(Word in, Word out, Instant now);
+    // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there:
+    // what it may have changed, or what may become active by it, is not known from now on. Returns how many
+    // writes that may cost which are not counted.
+    int loseSight(Word out);
+    Word lastOut() const { return m_out; }
 
     const KnownValues &known() const { return m_known; }
     std::optional<std::int64_t> value(Parameter parameter) const { return m_known.value(parameter); }
@@ -57,6 +62,8 @@ private:
     void observePreset(Word out);
     void observeManufacturerPreset();
     void countConfirmed();
+    int writesInDoubt(Word out);
+    void forgetNumber(unsigned number);
     void activate(unsigned number, std::optional<Word> data, Instant now);
     void reset(bool isProven, Instant now);
     void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);

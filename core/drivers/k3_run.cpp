@@ -10,11 +10,6 @@
 namespace codewheel {
 namespace {
 
-bool setsPosition(const K3Step &step)
-{
-    return step.kind == StepKind::initialisePreset || step.kind == StepKind::manufacturerPreset;
-}
-
 // What was written is read back where the encoder can be read.
 Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
 {
@@ -279,7 +274,7 @@ Result<void> K3Run::resultAt(Word in)
 
 void K3Run::complete(Outcome &outcome)
 {
-    if (outcome.leftIn == EncoderState::parameterization)
+    if (outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::unknown)
         outcome.confirmed = m_confirmed.values;
     outcome.onlyZeroSinceRun = m_ranAtZero && m_reading.in == 0 && !m_encoder.device.capabilities.reads;
     outcome.camsRead = m_cams.read();

@@ -50,6 +50,30 @@ bool K3Run::hasTaken() const
            m_cams.hasTaken() || std::ranges::any_of(m_steps.sent(), mayBeTaken);
 }
 
+// The word that is in OUT, or on its way there, may be carried out; what it has confirmed may become active.
+void K3Run::doubt(InDoubt &doubt)
+{
+    const bool isSent = m_steps.begun && !m_steps.atEnd();
+    const Word out = isSent ? m_steps.current().out : m_encoder.knowledge.lastOut();
+    if (out == k3::run) {
+        doubt.values = std::exchange(m_confirmed.values, {});
+        doubt.reset = std::exchange(m_confirmed.reset, false);
+    }
+    if (isSent) {
+        const K3Step &step = m_steps.current();
+        if (const auto value = valueGivenBy(step))
+            doubt.values.push_back(*value);
+        else
+            doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter);
+        doubt.position = setsPosition(step);
+        if (step.kind == StepKind::camParameter)
+            doubt.camPrograms = {step.camProgram};
+    }
+    doubt.eepromWrites = m_encoder.loseSight(out);
+    if (out != k3::normalRunning)
+        doubt.out = out;
+}
+
 // What was under way when the job was cancelled may still be confirmed.
 void K3Run::lookForLateAnswer(Word in)
 {

@@ -35,6 +35,11 @@ struct K3Step : Step
 };
 using K3Steps = std::vector<K3Step>;
 
+inline bool setsPosition(const K3Step &step)
+{
+    return step.kind == StepKind::initialisePreset || step.kind == StepKind::manufacturerPreset;
+}
+
 inline K3Step k3Step(StepKind kind, Word out)
 {
     K3Step step;

@@ -23,6 +23,8 @@ struct La66Encoder
     void setKnown(const std::vector<Known> &known) { knowledge.values().set(known); }
     Result<void> check(const Job &job) const { return plan.check(job); }
     void observe(Word in, Word out, Instant now);
+    void forget(Parameter parameter);
+    void reportChanges();
 
     static constexpr double finestStepsIn100Millimetres = 20'000; // of 0.005 mm (assumed)
 

@@ -9,11 +9,22 @@
 
 namespace codewheel {
 
+void La66Encoder::forget(Parameter parameter)
+{
+    knowledge.values().forget(parameter);
+    reportChanges();
+}
+
+void La66Encoder::reportChanges()
+{
+    if (auto changes = knowledge.values().takeChanges())
+        events.emplace_back(std::move(*changes));
+}
+
 void La66Encoder::observe(Word in, Word /*out*/, Instant now)
 {
     knowledge.observe(in, now);
-    if (auto changes = knowledge.values().takeChanges())
-        events.emplace_back(std::move(*changes));
+    reportChanges();
     reading = decodeLa66(in, now);
     const bool isOfNow = reading.state == EncoderState::operation;
     reading.stepsPerSecond = speed.after(isOfNow ? reading.position : std::nullopt, now);
@@ -160,6 +171,23 @@ void La66Run::leaveOffAt(Instant /*now*/)
     m_steps.all.resize(m_steps.index + (isAsked ? 1 : 0));
     m_steps.begun = isAsked;
     m_steps.append(La66Plan::wayBack(m_out));
+}
+
+// A service is carried out once its service bit is set.
+void La66Run::doubt(InDoubt &doubt)
+{
+    if (m_out != la66::normalMode)
+        doubt.out = m_out;
+    const bool isAsked = m_steps.begun && !m_steps.atEnd() && m_steps.current().kind == StepKind::serviceBit;
+    if (!isAsked || !la66::isWrite(m_steps.current().out))
+        return;
+    const La66Step &step = m_steps.current();
+    doubt.eepromWrites = 1;
+    doubt.position = job<SetPreset>() != nullptr;
+    if (!step.parameter)
+        return;
+    doubt.values = {{*step.parameter, step.value}};
+    m_encoder.forget(*step.parameter);
 }
 
 // OUT is 0 again.

@@ -22,7 +22,7 @@ public:
     Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) override;
     void proceed() override {}
     void cancel(OnCancel, Instant) override {}
-    void stop(RefusalId, Instant) override {}
+    void stop(const Refusal &, Instant) override {}
     Word cycle(Word in, Word out, Instant now) override;
     std::vector<Event> takeEvents() override { return {}; }
 

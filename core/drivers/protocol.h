@@ -43,11 +43,12 @@ public:
         return false;
     }
     // Whether nobody knows if the encoder has what this job sent but did not report as written: the job ended
-    // before that was checked.
-    virtual bool isFateUnknown(const EncoderSession & /*encoder*/, std::optional<Parameter> /*parameter*/,
-                               const Outcome & /*outcome*/, const Progress & /*job*/) const
+    // before that was checked. Without a parameter, the position.
+    virtual bool isFateUnknown(const EncoderSession & /*encoder*/, std::optional<Parameter> parameter,
+                               const Outcome &outcome, const Progress & /*job*/) const
     {
-        return false;
+        const InDoubt &doubt = outcome.inDoubt;
+        return parameter ? doubt.reset || valueOf(doubt.values, *parameter) : doubt.position;
     }
 
     // The description with its range narrowed by the encoder's own values and the options.

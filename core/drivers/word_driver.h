@@ -52,7 +52,7 @@ public:
             m_run->cancel(how, now);
     }
 
-    void stop(RefusalId why, Instant) override
+    void stop(const Refusal &why, Instant) override
     {
         if (m_run)
             m_run->stop(why);

@@ -53,8 +53,16 @@ public:
         return out;
     }
 
-    // ALARM STOP, bus stopped.
-    void stop(RefusalId why) { finish(refuse(RefusalKind::stopped, why)); }
+    // ALARM STOP, bus stopped, link lost.
+    void stop(const Refusal &why)
+    {
+        if (endsOutOfSight(why)) {
+            this->leaveOutOfSight();
+            if (m_isPrepared)
+                doubt(m_account.outcome.inDoubt);
+        }
+        finish(tl::unexpected(why));
+    }
 
 protected:
     using Base::ask;
@@ -62,6 +70,7 @@ protected:
     using Base::beginStep;
     using Base::finish;
     using Base::goesByItself;
+    using Base::m_account;
     using Base::m_cancelled;
     using Base::m_steps;
     using Base::reportProgress;
@@ -81,6 +90,8 @@ protected:
     // Why the current step must not begin with this in IN.
     virtual std::optional<Refusal> whyNotNow(Word /*in*/) const { return std::nullopt; }
     virtual void begin(Word in, Instant now) = 0;
+    // Nobody sees what becomes of the words that were sent: what they may have done.
+    virtual void doubt(InDoubt &doubt) = 0;
 
     virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;
     virtual void stepDone(Word in) = 0;

@@ -56,6 +56,21 @@ struct Progress
     bool hasTaken = false;     // the encoder has taken something, or may have: cancel has to say how
 };
 
+// What was sent, or was on its way, when a job ended, and what nobody has seen the answer to: the link was
+// lost, or the computer slept. Whether the encoder has it is not known until it is read.
+struct InDoubt
+{
+    ParameterValues values; // perhaps active, or confirmed
+    bool reset = false;     // to default
+    bool position = false;  // perhaps set
+    std::vector<unsigned> camPrograms;
+    int eepromWrites = 0;    // that this may have cost, besides those counted
+    std::optional<Word> out; // a word that OUT may still hold; empty: 0
+
+    friend bool operator==(const InDoubt &, const InDoubt &) = default;
+    bool hasSomething() const { return *this != InDoubt(); }
+};
+
 struct Outcome
 {
     JobId job = 0;
@@ -77,7 +92,14 @@ struct Outcome
     // The previous values were restored: how it is known that the encoder has them again. They are in
     // `written` and `camsWritten`.
     std::optional<Evidence> restored{};
+    InDoubt inDoubt{};
 };
+
+// Whether nobody sees any more what a job that ends because of this has sent.
+inline bool endsOutOfSight(const Refusal &why)
+{
+    return why.kind == RefusalKind::link || why.id == RefusalId::computerSlept;
+}
 
 // What is known of the encoder changed, whatever caused it: a job, or words sent from the monitor.
 struct KnowledgeChanged
@@ -91,5 +113,10 @@ struct KnowledgeChanged
 };
 
 using Event = std::variant<Progress, Outcome, KnowledgeChanged>;
+
+inline bool endedOutOfSight(const Outcome &outcome)
+{
+    return !outcome.result && endsOutOfSight(outcome.result.error());
+}
 
 } // namespace codewheel

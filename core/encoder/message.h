@@ -33,6 +33,8 @@ enum class MessageId : std::uint8_t {
     presetDone,        // position before, position after (either may be missing: QString())
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
+    inDoubt,           // texts of what was sent and not answered, joined; EEPROM writes that it may have cost
+    outLeft,           // Word that OUT may still hold
     leftInParameterization,
     leftInService,            // LA-66: IN still holds the answer to a service
     onlyZeroSinceRun,         // success that would look the same from an encoder without power

@@ -66,6 +66,17 @@ constexpr std::array messageRows{
     MessageRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
     MessageRow{MessageId::broughtBack, "broughtBack",
                QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
+    MessageRow{MessageId::inDoubt, "inDoubt",
+               QT_TRANSLATE_NOOP(
+                   "Message",
+                   "Sent, and not answered: %1. Whether the encoder has it is not known until it is read "
+                   "(EEPROM writes: perhaps %2 more).")},
+    MessageRow{
+        MessageId::outLeft, "outLeft",
+        QT_TRANSLATE_NOOP(
+            "Message",
+            "OUT may still hold %1: the encoder may give no position. Bring it back once the link is there "
+            "again.")},
     MessageRow{MessageId::leftInParameterization, "leftInParameterization",
                QT_TRANSLATE_NOOP("Message",
                                  "The encoder was left in parameterization. Send run to bring it back to "

@@ -167,6 +167,13 @@ EepromConcern eepromConcern(const EncoderSession &encoder, int planned)
     return eepromConcern(encoder.eepromCount().atMost(), planned, encoder.can());
 }
 
+QString eepromWritesText(int writes, int perhaps)
+{
+    const QString certain = QLocale().toString(writes);
+    return perhaps > 0 ? Eeprom::tr("%1, perhaps %2 more").arg(certain, QLocale().toString(perhaps))
+                       : certain;
+}
+
 QString eepromCountText(const EepromCount &count)
 {
     QString text = count.since.isValid()
@@ -176,7 +183,8 @@ QString eepromCountText(const EepromCount &count)
                        : Eeprom::tr("EEPROM writes by this program so far: %1").arg(count.writes);
     if (count.perhaps > 0)
         text +=
-            u' ' + Eeprom::tr("(and perhaps %1 more, which it began before it was ended)").arg(count.perhaps);
+            u' ' +
+            Eeprom::tr("(and perhaps %1 more, which it began and did not see the end of)").arg(count.perhaps);
     return text + QStringLiteral(", ") + countedBy(count) + u'.';
 }
 

@@ -26,6 +26,8 @@ void askFromEepromShare(int percent);
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can);
 EepromConcern eepromConcern(const EncoderSession &encoder, int planned);
 
+// "3", "3, perhaps 1 more": of a job, or in all.
+QString eepromWritesText(int writes, int perhaps);
 // "12 writes by this program since 1 Mar 2026, by serial number 4711."
 QString eepromCountText(const EepromCount &count);
 // With the serial number as its encoder shows it: for a Kübler 8 hexadecimal digits.

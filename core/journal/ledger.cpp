@@ -193,7 +193,8 @@ Stored<void> Ledger::plan(qint64 id, int more)
     return m_database.run(query);
 }
 
-Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore)
+Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore,
+                            int perhaps)
 {
     return m_database.inTransaction([&]() -> Stored<void> {
         if (!readBefore.empty()) {
@@ -203,8 +204,13 @@ Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std
             if (auto added = m_database.run(before); !added)
                 return added;
         }
-        QSqlQuery query =
-            m_database.query(QStringLiteral("UPDATE entry SET settled = 1, written = ? WHERE id = ?"));
+        QSqlQuery query = m_database.query(QStringLiteral(
+            "UPDATE entry SET settled = ?, planned = CASE WHEN ? THEN planned ELSE writes + ? END, "
+            "written = ? WHERE id = ?"));
+        const int isSettled = perhaps == 0 ? 1 : 0;
+        query.addBindValue(isSettled);
+        query.addBindValue(isSettled);
+        query.addBindValue(perhaps);
         query.addBindValue(columnOf(written));
         query.addBindValue(id);
         if (auto settled = m_database.run(query); !settled)

@@ -78,8 +78,9 @@ public:
     // It may write more than was planned.
     Stored<void> plan(qint64 id, int more);
     // The job has ended, and read these values before it wrote. An entry under which nothing was written is
-    // dropped.
-    Stored<void> settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore = {});
+    // dropped. `perhaps`: so many writes more may have been made, so it is not settled.
+    Stored<void> settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore = {},
+                        int perhaps = 0);
     // It has become known which encoder that was.
     Stored<void> attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
 

@@ -203,7 +203,10 @@ void LedgerKeeper::watch(Place place)
             [this, place](int writes) { count(place, writes); });
     connect(encoder, &EncoderSession::finished, this,
             [this, place](const Outcome &outcome) { settle(place, outcome); });
-    connect(encoder, &EncoderSession::knownChanged, this, [this, place] { identify(place); });
+    connect(encoder, &EncoderSession::knownChanged, this, [this, place] {
+        settleDoubtful(place);
+        identify(place);
+    });
     showCount(place);
 }
 
@@ -332,7 +335,33 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
                 known && known->canBeWritten())
                 read.push_back(
                     {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
-    m_book->settle(*job, outcome.written, read);
+    m_book->settle(*job, outcome.written, read, outcome.inDoubt.eepromWrites);
+    if (outcome.inDoubt.eepromWrites > 0 && !outcome.inDoubt.values.empty())
+        watched.doubtful = {*job, outcome, m_bus.now()};
+    showCount(place);
+}
+
+// Once all that was in doubt has been read.
+void LedgerKeeper::settleDoubtful(Place place)
+{
+    Watched &watched = m_watched[place];
+    if (!watched.doubtful || !watched.encoder)
+        return;
+    const Doubtful &job = *watched.doubtful;
+    ParameterValues written = job.outcome.written;
+    int writes = 0;
+    for (const ParameterValue &value : job.outcome.inDoubt.values) {
+        const auto known = watched.encoder->known(value.parameter);
+        if (!known || known->evidence != Evidence::read || known->at <= job.at)
+            return;
+        if (known->value != value.value)
+            continue;
+        replaceValue(written, value);
+        ++writes;
+    }
+    m_book->count(job.id, std::min(writes, job.outcome.inDoubt.eepromWrites));
+    m_book->settle(job.id, written);
+    watched.doubtful.reset();
     showCount(place);
 }
 

@@ -77,6 +77,12 @@ private:
         qint64 id;
         std::optional<QByteArray> awaited;
     };
+    struct Doubtful // a job that ended out of sight, until what it sent is read
+    {
+        qint64 id;
+        Outcome outcome;
+        Instant at{};
+    };
     struct Watched
     {
         QPointer<EncoderSession> encoder;
@@ -84,6 +90,7 @@ private:
         std::optional<qint64> job{}; // its entry, while it runs
         Progress progress{};         // of the job
         std::optional<ByHand> byHand{};
+        std::optional<Doubtful> doubtful{};
         std::vector<qint64> unassigned{}; // entries of an encoder that has not reported a serial number
     };
 
@@ -99,6 +106,7 @@ private:
     void planToRestore(Place place);
     void count(Place place, int writes);
     void settle(Place place, const Outcome &outcome);
+    void settleDoubtful(Place place);
     void identify(Place place);
     std::map<Place, std::vector<qint64>> onTheirWay() const;
     void takeAlong(const QString &from);

@@ -131,10 +131,10 @@ void SafeLedger::plan(qint64 id, int more)
 }
 
 void SafeLedger::settle(qint64 id, const ParameterValues &written,
-                        const std::vector<Ledger::Value> &readBefore)
+                        const std::vector<Ledger::Value> &readBefore, int perhaps)
 {
     if (m_ledger)
-        (void)safely([&](Ledger &ledger) { return ledger.settle(id, written, readBefore); });
+        (void)safely([&](Ledger &ledger) { return ledger.settle(id, written, readBefore, perhaps); });
     remember(id);
 }
 

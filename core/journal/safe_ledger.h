@@ -35,7 +35,8 @@ public:
     std::optional<qint64> begin(const Ledger::Entry &entry);
     void count(qint64 id, int writes);
     void plan(qint64 id, int more);
-    void settle(qint64 id, const ParameterValues &written, const std::vector<Ledger::Value> &readBefore = {});
+    void settle(qint64 id, const ParameterValues &written, const std::vector<Ledger::Value> &readBefore = {},
+                int perhaps = 0);
     void attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
     void copyPlaces(const QString &from, const QString &to, BusId bus, const std::vector<qint64> &without);
 

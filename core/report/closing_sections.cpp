@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/sentence.h"
+#include "journal/eeprom_cost.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
@@ -24,12 +25,6 @@ QString toldBy(const EepromCount &count)
     return ReportTexts::tr("this connection only; nothing is kept of others");
 }
 
-QString writesText(const EepromCount &count)
-{
-    const QStringList numbers{numberText(count.writes), numberText(count.perhaps)};
-    return count.perhaps > 0 ? sentence(ReportTexts::tr("%1, perhaps %2 more"), numbers) : numbers.front();
-}
-
 QString budget(const Capabilities &can)
 {
     if (!can.eepromBudget)
@@ -44,7 +39,7 @@ QStringList writesRow(const ReportedDevice &device, const ReportInput &input)
     QStringList cells{device.shownPlace, device.planned->station};
     if (const auto found = input.writes.find(device.place()); found != input.writes.end()) {
         const EepromCount &count = found->second;
-        cells << writesText(count)
+        cells << eepromWritesText(count.writes, count.perhaps)
               << (count.since.isValid() ? report_words::time(count.since, input.now) : QString())
               << toldBy(count);
     } else {

@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "encoder/shown_text.h"
+#include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
 
 #include <QCoreApplication>
@@ -54,7 +55,8 @@ ReportFacts accountFacts(const EncoderAccount &account)
         return facts;
     facts.push_back({TransferReport::tr("Begun"), timeText(account.begun)});
     facts.push_back({TransferReport::tr("Ended"), timeText(account.ended)});
-    facts.push_back({TransferReport::tr("EEPROM writes"), QString::number(account.eepromWrites)});
+    facts.push_back({TransferReport::tr("EEPROM writes"),
+                     eepromWritesText(account.eepromWrites, account.eepromWritesPerhaps)});
     if (account.positionWanted)
         facts.push_back({TransferReport::tr("Position to be set"), positionText(account.positionWanted)});
     facts.push_back({TransferReport::tr("Position before"), positionText(account.positionBefore)});
@@ -147,7 +149,8 @@ Report reportOf(const TransferAccount &account, const Catalog &catalog, const QS
          TransferReport::tr("%1 of %2 have all of it").arg(done).arg(account.encoders.size())},
         {TransferReport::tr("Written"), QString::number(account.count(Became::written))},
         {TransferReport::tr("Already there"), QString::number(account.count(Became::alreadyThere))},
-        {TransferReport::tr("EEPROM writes"), QString::number(account.eepromWrites())},
+        {TransferReport::tr("EEPROM writes"),
+         eepromWritesText(account.eepromWrites(), account.eepromWritesPerhaps())},
         {TransferReport::tr("Software"), QStringLiteral("Codewheel %1").arg(version)}};
     for (const EncoderAccount &encoder : account.encoders)
         report.sections.push_back(

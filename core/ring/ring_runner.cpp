@@ -334,11 +334,11 @@ void RingRunner::Private::showStandingWords()
 
 // OUT stays as last exchanged, so that the same words go out when the bus runs again. A master whose bus has
 // failed, or that was not merely stopped, has set the outputs of the devices to 0: then they stay at 0.
-void RingRunner::Private::leaveRun(MasterState state)
+void RingRunner::Private::leaveRun(MasterState state, const Refusal &why)
 {
     ring.state = state;
     tellOfRing(masterWatch.lookAtRest(ring.at));
-    endJobs(RefusalId::busStopped);
+    endJobs(why);
     if (master && ring.connected && state != MasterState::active) {
         zeroOut();
         return;
@@ -359,7 +359,7 @@ Word RingRunner::Private::goesOn(std::size_t device, Word last) const
     return drivers[device] && !drivers[device]->mayStand(last) ? Word{0} : last;
 }
 
-void RingRunner::Private::endJobs(RefusalId why)
+void RingRunner::Private::endJobs(const Refusal &why)
 {
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         if (!drivers[i] || !drivers[i]->busy())

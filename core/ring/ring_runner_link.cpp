@@ -45,7 +45,7 @@ void RingRunner::Private::loseLink(const Refusal &why)
 {
     ring.connected = false;
     runsAgain = ring.state == MasterState::run;
-    leaveRun(MasterState::busFail);
+    leaveRun(MasterState::busFail, ofLink(why));
     ring.operate = false;
     ring.whyLost = ofLink(why);
     refuseOfRing(*ring.whyLost);

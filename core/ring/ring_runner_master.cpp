@@ -220,7 +220,7 @@ void RingRunner::Private::showWhoIsInRing(const MasterStatus &status)
 void RingRunner::Private::leaveRing(std::size_t i)
 {
     if (drivers[i] && drivers[i]->busy()) {
-        drivers[i]->stop(RefusalId::busStopped, ring.at);
+        drivers[i]->stop({RefusalKind::stopped, RefusalId::busStopped, {}}, ring.at);
         takeDriverEvents(i);
     }
     std::erase(written, i);

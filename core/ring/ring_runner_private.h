@@ -51,8 +51,9 @@ struct RingRunner::Private
     void step(std::size_t device);
     void tellWritten();
     void showStandingWords();
-    void leaveRun(MasterState state);
-    void endJobs(RefusalId why);
+    void leaveRun(MasterState state, const Refusal &why = {RefusalKind::stopped, RefusalId::busStopped, {}});
+    void endJobs(const Refusal &why);
+    void endJobs(RefusalId why) { endJobs(Refusal{RefusalKind::stopped, why, {}}); }
     void goOnWithWhatWasExchanged();
     Word goesOn(std::size_t device, Word last) const;
     Result<void> mayWrite(std::size_t device, Word word) const;

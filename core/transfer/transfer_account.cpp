@@ -86,6 +86,7 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     account.ended = result.ended;
     for (const Outcome &outcome : result.outcomes) {
         account.eepromWrites += outcome.eepromWrites;
+        account.eepromWritesPerhaps += outcome.inDoubt.eepromWrites;
         account.onlyZeroSinceRun = account.onlyZeroSinceRun || outcome.onlyZeroSinceRun;
     }
 }
@@ -149,6 +150,14 @@ int TransferAccount::eepromWrites() const
     int sum = 0;
     for (const EncoderAccount &encoder : encoders)
         sum += encoder.eepromWrites;
+    return sum;
+}
+
+int TransferAccount::eepromWritesPerhaps() const
+{
+    int sum = 0;
+    for (const EncoderAccount &encoder : encoders)
+        sum += encoder.eepromWritesPerhaps;
     return sum;
 }
 

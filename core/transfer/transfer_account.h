@@ -52,6 +52,7 @@ struct EncoderAccount
     bool onlyZeroSinceRun = false;
     EncoderState leftIn = EncoderState::notSeen;
     int eepromWrites = 0;
+    int eepromWritesPerhaps = 0; // besides these
     QDateTime begun{};
     QDateTime ended{};
 
@@ -71,6 +72,7 @@ struct TransferAccount
 
     int count(Became became) const; // values and cam programs
     int eepromWrites() const;
+    int eepromWritesPerhaps() const;
     bool isDone() const;
 };
 

@@ -292,7 +292,7 @@ TEST(K3Write, StopEndsTheJobWhereItStands)
     DriverTable table(u"baumer-gxp6w");
     ASSERT_TRUE(table.begin(write({{Parameter::preset, 5}})));
     table.play({{0x0000'0000, pos}, {0x0800'0005, pos}});
-    table.driver().stop(RefusalId::alarmStop, Instant{});
+    table.driver().stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, Instant{});
     ASSERT_TRUE(table.outcome());
     EXPECT_EQ(table.outcome()->result.error(), (Refusal{RefusalKind::stopped, RefusalId::alarmStop, {}}));
     EXPECT_FALSE(table.driver().busy());

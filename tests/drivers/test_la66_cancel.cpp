@@ -131,7 +131,7 @@ TEST(La66Cancel, AStopEndsTheJobWhereItStands)
     DriverTable table(La66Timing{});
     ASSERT_TRUE(table.begin(lengthAndDirection()));
     table.play({{0, pos}, {0x4200'1388, pos}, {0x4200'1388, pos}, {0xC200'1388, 0xC200'1388}});
-    table.driver().stop(RefusalId::alarmStop, {});
+    table.driver().stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, {});
     ASSERT_TRUE(table.outcome());
     EXPECT_EQ(table.outcome()->result.error().id, RefusalId::alarmStop);
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);

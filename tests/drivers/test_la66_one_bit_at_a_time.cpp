@@ -154,7 +154,7 @@ TEST(La66OneBitAtATime, ServiceBitAndDataNeverChangeInOneCycle)
         rising += (next & ~out & serviceBit) != 0;
         out = next;
         if (random() % 1'000 == 0) {
-            driver.stop(RefusalId::alarmStop, now);
+            driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, now);
             out = 0;
             watch.alarmStop();
         }

@@ -63,6 +63,20 @@ TEST_F(LedgerTest, WhatNeverEndedMayHaveBeenWritten)
     EXPECT_EQ(ledger.writes(serial("1"), {job}).perhaps, 0); // it is still running
 }
 
+TEST_F(LedgerTest, WhatAJobLeftInDoubtStaysPerhaps)
+{
+    const qint64 job = *ledger.begin(entryOf(serial("1"), 4));
+    EXPECT_TRUE(ledger.count(job, 1));
+    EXPECT_TRUE(ledger.settle(job, {}, {}, 2));
+    EXPECT_EQ(ledger.writes(serial("1")).writes, 1);
+    EXPECT_EQ(ledger.writes(serial("1")).perhaps, 2);
+    EXPECT_TRUE(ledger.count(job, 1) && ledger.settle(job, {{Parameter::steps, 255}}));
+    EXPECT_EQ(ledger.writes(serial("1")).writes, 2);
+    EXPECT_EQ(ledger.writes(serial("1")).perhaps, 0);
+    EXPECT_TRUE(ledger.settle(*ledger.begin(entryOf(serial("2"), 4)), {}, {}, 1));
+    EXPECT_EQ(ledger.writes(serial("2")).perhaps, 1) << "it is not dropped";
+}
+
 TEST_F(LedgerTest, ForgetsAJobThatWroteNothing)
 {
     EXPECT_TRUE(ledger.settle(*ledger.begin(entryOf(serial("1"), 4)), {}));

@@ -43,7 +43,7 @@ public:
     }
     void alarmStop()
     {
-        m_driver.stop(RefusalId::alarmStop, m_now);
+        m_driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, m_now);
         m_out = 0;
     }
     void expectWritten() const

@@ -267,7 +267,8 @@ TEST_F(RingRunnerTest, AFailingLinkIsToldOnceAndJobsEnd)
     cycle(5);
     EXPECT_EQ(m_runner->takeLatest()->state, MasterState::busFail);
     EXPECT_EQ(m_link->exchanges(), 3);
-    EXPECT_EQ(taken<Outcome>().at(0).result.error().id, RefusalId::busStopped);
+    EXPECT_EQ(taken<Outcome>().at(0).result.error(),
+              (Refusal{RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("cable pulled")}}));
     ASSERT_THAT(messages(), ElementsAre(MessageId::busStarted, MessageId::operateOn, MessageId::refused));
     EXPECT_EQ(taken<Message>().back().refusal->id, RefusalId::linkFailed);
     EXPECT_EQ(taken<Message>().back().severity, Severity::fault);

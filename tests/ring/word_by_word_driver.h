@@ -31,7 +31,7 @@ public:
     }
     void proceed() override {}
     void cancel(OnCancel, Instant) override { end(Refusal{RefusalKind::stopped, RefusalId::cancelled, {}}); }
-    void stop(RefusalId why, Instant) override { end(Refusal{RefusalKind::stopped, why, {}}); }
+    void stop(const Refusal &why, Instant) override { end(why); }
 
     Word cycle(Word in, Word out, Instant now) override
     {

@@ -2,6 +2,7 @@
 #include "widgets/job/outcome_text.h"
 
 #include "catalog/device_description.h"
+#include "drivers/job_report.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "widgets/job/known_text.h"
@@ -81,6 +82,14 @@ QString wayBackText(WayBack way)
                                         : QString();
 }
 
+QString doubtText(const EncoderSession &encoder, const InDoubt &doubt)
+{
+    QStringList sentences;
+    for (const Message &message : doubtReport(doubt, encoder.device()))
+        sentences << messageText(message);
+    return sentences.join(u' ');
+}
+
 } // namespace
 
 QString programList(const std::vector<CamProgram> &programs)
@@ -100,7 +109,9 @@ JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome)
                 .wayBack = wayBackText(way)};
     const Refusal &why = outcome.result.error();
     return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
-            .text = QStringLiteral("%1 %2").arg(refusalText(why), endText(outcome)),
+            .text = QStringList{refusalText(why), endText(outcome), doubtText(encoder, outcome.inDoubt)}
+                        .join(u' ')
+                        .trimmed(),
             .wayBack = wayBackText(way)};
 }
 

@@ -3,8 +3,10 @@
 
 #include "catalog/device_description.h"
 #include "catalog/explain_word.h"
+#include "drivers/job_report.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "journal/eeprom_cost.h"
 #include "widgets/job/known_text.h"
 #include "widgets/job/step_text.h"
 
@@ -122,6 +124,9 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
         fact(WizardReport::tr("Brought back"), record.recovery->result
                                                    ? WizardReport::tr("done")
                                                    : refusalText(record.recovery->result.error()));
+    if (last)
+        for (const Message &message : doubtReport(last->inDoubt, device))
+            fact(WizardReport::tr("Not known"), messageText(message));
     fact(WizardReport::tr("State afterwards"), leftInText(leftIn(record)));
     if (record.setPositionTo)
         fact(WizardReport::tr("Position set to"), positionText(record.setPositionTo));
@@ -129,9 +134,11 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     fact(WizardReport::tr("Position after"), positionText(record.positionAfter));
     const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +
                        (record.recovery ? record.recovery->eepromWrites : 0);
+    const int perhaps = (record.outcome ? record.outcome->inDoubt.eepromWrites : 0) +
+                        (record.recovery ? record.recovery->inDoubt.eepromWrites : 0);
     fact(WizardReport::tr("EEPROM writes"),
          WizardReport::tr("%1 by this handshake, %2 by this program since it was connected")
-             .arg(writes)
+             .arg(eepromWritesText(writes, perhaps))
              .arg(record.eepromWritesInAll));
     fact(WizardReport::tr("Program"), QStringLiteral("Codewheel %1").arg(version));
     report.sections = {valueSection(record, device),

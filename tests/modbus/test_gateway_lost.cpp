@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The connection to a gateway is lost just behind a word: it has reached the encoder, and nobody sees the
+// answer. What account and state say then is held against what the simulated encoder has done.
+#include "journal/ledger_keeper.h"
+#include "tests/support/gateway_session.h"
+
+namespace codewheel {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+constexpr Place lostFraba = "1.0"_ring;
+constexpr Place lostRod = "5.0"_ring;
+
+// A port that is lost with the answer to a write, and opens again when it may.
+class PortLostAtAWrite final : public RegisterPort
+{
+public:
+    struct Control
+    {
+        int writesLeft = -1; // until it is lost; -1: it is not
+        bool isAway = false;
+    };
+
+    PortLostAtAWrite(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
+        : m_port(std::move(port))
+        , m_control(std::move(control))
+    {}
+
+    Result<void> open() override
+    {
+        if (m_control->isAway)
+            return refuse(RefusalKind::link, RefusalId::connectionRefused, {name()});
+        return m_port->open();
+    }
+    void close() override { m_port->close(); }
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        return m_control->isAway ? lost() : m_port->read(area, first, to);
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        if (m_control->isAway)
+            return lost();
+        auto written = m_port->write(first, from);
+        return survives() ? written : lost();
+    }
+    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
+                      std::span<Register> to) override
+    {
+        if (m_control->isAway)
+            return lost();
+        auto written = m_port->writeAndRead(writeFirst, from, readFirst, to);
+        return survives() ? written : lost();
+    }
+    Instant now() const override { return m_port->now(); }
+    void wait(Instant until) override { m_port->wait(until); }
+    void interrupt() override { m_port->interrupt(); }
+    QString name() const override { return m_port->name(); }
+
+private:
+    static Done lost() { return tl::unexpected(RegisterError{RegisterError::Kind::closed, 0, {}}); }
+    bool survives()
+    {
+        if (m_control->writesLeft < 0 || m_control->writesLeft-- > 0)
+            return true;
+        m_control->isAway = true;
+        return false;
+    }
+
+    std::unique_ptr<RegisterPort> m_port;
+    std::shared_ptr<Control> m_control;
+};
+
+class LostGateway
+{
+public:
+    LostGateway()
+    {
+        EXPECT_TRUE(session.bus->open(EncoderBus::Start::operating));
+        session.bus->advance(200ms);
+        session.encoder(lostFraba).tell(Parameter::startUpMode, 1); // position mode
+        session.bus->advance(200ms);
+    }
+    // How the job ends if the connection is lost with the answer to its n-th write; empty: it ends before.
+    std::optional<Outcome> lostAt(int write, Place place, const Job &job)
+    {
+        control->writesLeft = write;
+        const Outcome outcome = session.finish(place, job);
+        if (!control->isAway || outcome.result)
+            return std::nullopt;
+        session.bus->advance(1s); // the gateway goes on
+        session.gateway->passUntil(session.bus->now());
+        return outcome;
+    }
+    int writesOf(Place place) const
+    {
+        for (const auto &shaft : session.ring->shafts())
+            if (shaft.number == place.node)
+                return shaft.eepromWrites;
+        for (const auto &rod : session.ring->rods())
+            if (rod.number == place.node)
+                return rod.eepromWrites;
+        return -1;
+    }
+    void comeBack()
+    {
+        control->isAway = false;
+        control->writesLeft = -1;
+        session.bus->advance(5s);
+        session.bus->setRunning(true);
+        session.bus->setOperate(true);
+        session.bus->advance(1s);
+    }
+    std::optional<std::int64_t> read(Place place, Parameter parameter)
+    {
+        EXPECT_EQ(whyOf(session.finish(place, EndParameterization{})), "");
+        return valueOf(session.finish(place, ReadParameters{{parameter}}).read, parameter);
+    }
+
+    std::shared_ptr<PortLostAtAWrite::Control> control = std::make_shared<PortLostAtAWrite::Control>();
+    GatewaySession session{{}, [this](std::unique_ptr<RegisterPort> port) {
+                               return std::make_unique<PortLostAtAWrite>(std::move(port), control);
+                           }};
+};
+
+const WriteParameters writeSteps{.values = {{Parameter::steps, 255}}, .previous = {}};
+
+// Behind each write of the job in turn: the words of the handshake, run among them, and those of before.
+TEST(LostGateway, NoAccountDiffersFromWhatTheEncoderHasDone)
+{
+    int inDoubt = 0;
+    int cuts = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        const int before = gateway.writesOf(lostFraba);
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        if (!outcome)
+            break;
+        ++cuts;
+        ASSERT_FALSE(outcome->result);
+        EXPECT_EQ(outcome->result.error().kind, RefusalKind::link);
+        EXPECT_EQ(outcome->leftIn, EncoderState::unknown);
+        const int done = gateway.writesOf(lostFraba) - before;
+        EXPECT_GE(done, outcome->eepromWrites);
+        EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
+        const bool isSaidWritten = valueOf(outcome->written, Parameter::steps).has_value();
+        const bool isInDoubt = valueOf(outcome->inDoubt.values, Parameter::steps).has_value();
+        const bool isConfirmed = valueOf(outcome->confirmed, Parameter::steps).has_value();
+        inDoubt += isInDoubt ? 1 : 0;
+        EXPECT_EQ(isInDoubt && gateway.session.encoder(lostFraba).known(Parameter::steps).has_value(), false);
+        EXPECT_EQ(gateway.session.countOf(MessageId::inDoubt), isInDoubt ? 1u : 0u);
+        gateway.comeBack();
+        const bool hasIt = gateway.read(lostFraba, Parameter::steps) == 255;
+        EXPECT_TRUE(!hasIt || isSaidWritten || isInDoubt || isConfirmed)
+            << "the encoder has it, and nobody said so";
+        EXPECT_TRUE(hasIt || !isSaidWritten) << "said to be written, and the encoder does not have it";
+    }
+    EXPECT_GE(cuts, 4);
+    EXPECT_GE(inDoubt, 2) << "behind the parameter word, and behind run";
+}
+
+TEST(LostGateway, BehindRunTheValuesAreActiveAndStoredAndNotKnown)
+{
+    for (int write = 0;; ++write) {
+        LostGateway gateway;
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        ASSERT_TRUE(outcome) << "run was never lost";
+        if (outcome->inDoubt.out != k3::run)
+            continue;
+        EXPECT_EQ(outcome->inDoubt.values, writeSteps.values);
+        EXPECT_TRUE(outcome->written.empty());
+        EXPECT_EQ(outcome->eepromWrites, 1) << "it was confirmed";
+        EXPECT_EQ(gateway.writesOf(lostFraba), 1);
+        EXPECT_EQ(gateway.session.countOf(MessageId::outLeft), 1u);
+        EXPECT_EQ(gateway.session.countOf(MessageId::leftInParameterization), 0u);
+        gateway.comeBack();
+        EXPECT_EQ(gateway.read(lostFraba, Parameter::steps), 255);
+        break;
+    }
+}
+
+// Until the value is read: then the account is settled.
+TEST(LostGateway, TheLedgerCountsWhatIsInDoubtAsPerhaps)
+{
+    int inDoubt = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        LedgerKeeper keeper(*gateway.session.bus, DatabasePlace::memory());
+        const EncoderSession &encoder = gateway.session.encoder(lostFraba);
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        if (!outcome)
+            break;
+        EXPECT_EQ(encoder.eepromCount().writes, outcome->eepromWrites);
+        EXPECT_EQ(encoder.eepromCount().perhaps, outcome->inDoubt.eepromWrites);
+        EXPECT_GE(encoder.eepromCount().atMost(), gateway.writesOf(lostFraba));
+        if (outcome->inDoubt.eepromWrites == 0)
+            continue;
+        ++inDoubt;
+        gateway.comeBack();
+        gateway.read(lostFraba, Parameter::steps);
+        EXPECT_EQ(encoder.eepromCount().perhaps, 0);
+        EXPECT_GE(encoder.eepromCount().writes, gateway.writesOf(lostFraba));
+    }
+    EXPECT_GE(inDoubt, 1);
+}
+
+TEST(LostGateway, APresetThatWasSentIsInDoubt)
+{
+    int inDoubt = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        const int before = gateway.writesOf(lostFraba);
+        const auto outcome = gateway.lostAt(write, lostFraba, SetPreset{1000, PresetCommand::profile});
+        if (!outcome)
+            break;
+        const int done = gateway.writesOf(lostFraba) - before;
+        EXPECT_GE(done, outcome->eepromWrites);
+        EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
+        inDoubt += outcome->inDoubt.position ? 1 : 0;
+        EXPECT_EQ(outcome->inDoubt.position, outcome->inDoubt.out == k3::initialisePreset);
+    }
+    EXPECT_GE(inDoubt, 1);
+}
+
+TEST(LostGateway, AResetThatWasSentIsInDoubt)
+{
+    int inDoubt = 0;
+    for (int write = 0;; ++write) {
+        LostGateway gateway;
+        ASSERT_TRUE(gateway.read(lostFraba, Parameter::steps));
+        const auto outcome = gateway.lostAt(write, lostFraba, ResetToDefault{});
+        if (!outcome)
+            break;
+        inDoubt += outcome->inDoubt.reset ? 1 : 0;
+        if (outcome->inDoubt.reset)
+            EXPECT_FALSE(gateway.session.encoder(lostFraba).known(Parameter::steps))
+                << "it may have another one";
+    }
+    EXPECT_GE(inDoubt, 2) << "behind 0E000000, and behind run";
+}
+
+TEST(LostGateway, AServiceOfARodIsInDoubt)
+{
+    int inDoubt = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        const int before = gateway.writesOf(lostRod);
+        const auto outcome = gateway.lostAt(
+            write, lostRod, WriteParameters{.values = {{Parameter::direction, 1}}, .previous = {}});
+        if (!outcome)
+            break;
+        const int done = gateway.writesOf(lostRod) - before;
+        EXPECT_GE(done, outcome->eepromWrites);
+        EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
+        inDoubt += outcome->inDoubt.values.empty() ? 0 : 1;
+    }
+    EXPECT_GE(inDoubt, 1);
+}
+
+// What stays in OUT is told, and is still there when the link is back.
+TEST(LostGateway, AWordLeftInOutIsTold)
+{
+    int told = 0;
+    for (int write = 0;; ++write) {
+        LostGateway gateway;
+        const auto outcome = gateway.lostAt(write, lostFraba, ReadParameters{{Parameter::steps}});
+        if (!outcome)
+            break;
+        const Word there = gateway.session.gateway->out().front();
+        EXPECT_EQ(outcome->inDoubt.out.value_or(0), there);
+        told += there != 0 ? 1 : 0;
+    }
+    EXPECT_GE(told, 1);
+}
+
+} // namespace
+} // namespace codewheel
