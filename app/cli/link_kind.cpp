@@ -94,8 +94,8 @@ std::vector<MakeLink> trainingLinks(const Project *project)
 {
     std::vector<MakeLink> links;
     for (const LinkKind *kind : linkKinds())
-        if (MakeLink training = kind->training(project))
-            links.push_back(std::move(training));
+        if (MakeLink link = kind->training(project))
+            links.push_back(std::move(link));
     return links;
 }
 

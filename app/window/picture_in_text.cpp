@@ -26,8 +26,8 @@ QTextBlockFormat apart()
 
 double roomIn(const QTextDocument &document)
 {
-    const QTextFrameFormat frame = document.rootFrame()->frameFormat();
-    return document.pageSize().width() - frame.leftMargin() - frame.rightMargin();
+    const QTextFrameFormat format = document.rootFrame()->frameFormat();
+    return document.pageSize().width() - format.leftMargin() - format.rightMargin();
 }
 
 } // namespace

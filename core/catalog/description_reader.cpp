@@ -345,12 +345,11 @@ void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalo
 // What follows from the parameters need not be given a second time.
 void completeCapabilities(DeviceDescription &device)
 {
-    const auto &parameters = device.parameters;
     const auto readable = [](const ParameterDescription &p) { return p.canBeRead(); };
     const auto writable = [](const ParameterDescription &p) { return p.canBeWritten(); };
     const ParameterDescription *serialNumber = device.find(Parameter::serialNumber);
-    device.capabilities.reads = std::ranges::any_of(parameters, readable);
-    device.capabilities.writes = std::ranges::any_of(parameters, writable);
+    device.capabilities.reads = std::ranges::any_of(device.parameters, readable);
+    device.capabilities.writes = std::ranges::any_of(device.parameters, writable);
     device.capabilities.serialNumber = serialNumber && serialNumber->canBeRead();
 }
 

@@ -18,9 +18,9 @@ public:
 };
 
 template <typename Row, typename Value, typename Member>
-bool isThere(const std::vector<Row> &rows, const Value &value, Member member)
+bool isThere(const std::vector<Row> &among, const Value &value, Member member)
 {
-    return std::ranges::find(rows, value, member) != rows.end();
+    return std::ranges::find(among, value, member) != among.end();
 }
 
 Connector readConnector(const JsonObject &json)

@@ -31,11 +31,6 @@ void appendRegisters(Pdu &message, std::span<const Register> registers)
         append(message, one);
 }
 
-Register registerAt(std::span<const std::uint8_t> bytes, std::size_t at)
-{
-    return static_cast<Register>(bytes[at] << 8 | bytes[at + 1]);
-}
-
 Done takeException(std::span<const std::uint8_t> answer)
 {
     if (answer.size() != 2)

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modbus/register_port.h"
-
-#include <vector>
+#include "modbus/modbus_request.h"
 
 // Requests and answers as they are on every way: function code and data, without address and checksum (the
 // "PDU" of Modbus Application Protocol V1.1b3, 6).
 namespace codewheel::modbus_message {
 
-using Pdu = std::vector<std::uint8_t>;
+using Pdu = ModbusBytes;
 
 Pdu read(int function, int first, std::size_t count);      // 3, 4
 Pdu write(int first, std::span<const Register> registers); // 16

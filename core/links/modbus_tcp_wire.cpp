@@ -31,11 +31,6 @@ constexpr std::size_t mostAtOnce = 4'096;
 constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
 constexpr int longestMemory = 1'000;    // transactions
 
-std::uint16_t numberAt(const std::vector<std::uint8_t> &bytes, std::size_t at)
-{
-    return static_cast<std::uint16_t>(bytes[at] << 8 | bytes[at + 1]);
-}
-
 RegisterError closedBy(int errorNumber)
 {
     return {ErrorKind::closed, 0, QString::fromLocal8Bit(std::strerror(errorNumber))};
@@ -160,13 +155,13 @@ tl::expected<std::optional<ModbusTcpWire::Answer>, RegisterError> ModbusTcpWire:
 {
     if (m_received.size() < shortestAnswer)
         return std::optional<Answer>();
-    const std::size_t length = lengthEnd + numberAt(m_received, lengthAt);
-    if (numberAt(m_received, protocolAt) != 0 || length < shortestAnswer || length > longestAnswer)
+    const std::size_t length = lengthEnd + registerAt(m_received, lengthAt);
+    if (registerAt(m_received, protocolAt) != 0 || length < shortestAnswer || length > longestAnswer)
         return outOfStep(GatewayTexts::tr("it is not Modbus"));
     if (m_received.size() < length)
         return std::optional<Answer>();
     const auto end = m_received.begin() + static_cast<std::ptrdiff_t>(length);
-    Answer answer{numberAt(m_received, 0), m_received[unitAt], {m_received.begin() + headerLength, end}};
+    Answer answer{registerAt(m_received, 0), m_received[unitAt], {m_received.begin() + headerLength, end}};
     m_received.erase(m_received.begin(), end);
     return answer;
 }

@@ -17,11 +17,6 @@ constexpr std::size_t lengthOfUnit = 1;
 constexpr std::size_t shortestRequest = lengthOfUnit + 1;
 constexpr std::size_t longestRequest = lengthOfUnit + 253;
 
-std::uint16_t numberAt(const ModbusBytes &bytes, std::size_t place)
-{
-    return static_cast<std::uint16_t>((bytes[place] << 8) | bytes[place + 1]);
-}
-
 void put(ModbusBytes &bytes, std::size_t number)
 {
     bytes.push_back(static_cast<std::uint8_t>(number >> 8U));
@@ -49,12 +44,12 @@ std::optional<TcpRequest> TcpRequests::next()
         if (!m_received.empty() && !std::exchange(isWithin, true))
             until = steady_clock::now() + m_patience.halfRequest;
         if (m_received.size() >= headerBytes) {
-            const std::size_t length = numberAt(m_received, 4);
-            if (numberAt(m_received, 2) != 0 || length < shortestRequest || length > longestRequest)
+            const std::size_t length = registerAt(m_received, 4);
+            if (registerAt(m_received, 2) != 0 || length < shortestRequest || length > longestRequest)
                 return std::nullopt;
             const auto end = static_cast<std::ptrdiff_t>(headerBytes - lengthOfUnit + length);
             if (std::ssize(m_received) >= end) {
-                TcpRequest request{numberAt(m_received, 0),
+                TcpRequest request{registerAt(m_received, 0),
                                    m_received[headerBytes - 1],
                                    {m_received.begin() + headerBytes, m_received.begin() + end}};
                 m_received.erase(m_received.begin(), m_received.begin() + end);

@@ -18,12 +18,12 @@ tl::unexpected<Refusal> mapWrong(const QString &text)
 }
 
 // Each device's registers, and after them the first one that belongs to no device.
-std::vector<RegisterBlock> placed(const RingStructure &ring, int Participant::*words, int first, int &end)
+std::vector<RegisterBlock> placed(const RingStructure &ring, int Participant::*count, int first, int &end)
 {
     std::vector<RegisterBlock> blocks;
     for (const Participant &device : ring) {
-        blocks.push_back({first, std::min(device.*words, wordRegisters)});
-        first += device.*words;
+        blocks.push_back({first, std::min(device.*count, wordRegisters)});
+        first += device.*count;
     }
     end = first;
     return blocks;

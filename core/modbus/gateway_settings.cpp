@@ -25,45 +25,45 @@ struct Setting
     QString allowed;
 };
 
-std::optional<int> numberIn(const QString &text, Limits limits)
+std::optional<int> numberIn(const QString &text, Limits ends)
 {
     bool isNumber = false;
     const int number = text.toInt(&isNumber);
-    return isNumber && limits.hold(number) ? std::optional(number) : std::nullopt;
+    return isNumber && ends.hold(number) ? std::optional(number) : std::nullopt;
 }
 
-QString range(Limits limits)
+QString range(Limits ends)
 {
     return sentence(GatewayTexts::tr("a number from %1 to %2"),
-                    {QString::number(limits.least), QString::number(limits.most)});
+                    {QString::number(ends.least), QString::number(ends.most)});
 }
 
-Setting number(const char *name, int GatewaySettings::*its, Limits limits,
+Setting number(const char *name, int GatewaySettings::*its, Limits ends,
                std::optional<Transport> only = std::nullopt)
 {
     return {name, only, [its](const GatewaySettings &all) { return QString::number(all.*its); },
-            [its, limits](GatewaySettings &all, const QString &text) {
-                const auto read = numberIn(text, limits);
+            [its, ends](GatewaySettings &all, const QString &text) {
+                const auto read = numberIn(text, ends);
                 all.*its = read.value_or(all.*its);
                 return read.has_value();
             },
-            range(limits)};
+            range(ends)};
 }
 
-Setting time(const char *name, Instant GatewaySettings::*its, Limits limits)
+Setting time(const char *name, Instant GatewaySettings::*its, Limits ends)
 {
     return {name,
             {},
             [its](const GatewaySettings &all) {
                 return QString::number(std::chrono::duration_cast<milliseconds>(all.*its).count());
             },
-            [its, limits](GatewaySettings &all, const QString &text) {
-                const auto read = numberIn(text, limits);
+            [its, ends](GatewaySettings &all, const QString &text) {
+                const auto read = numberIn(text, ends);
                 if (read)
                     all.*its = milliseconds(*read);
                 return read.has_value();
             },
-            sentence(GatewayTexts::tr("%1 (ms)"), {range(limits)})};
+            sentence(GatewayTexts::tr("%1 (ms)"), {range(ends)})};
 }
 
 // Of two values: the first stands for true.

@@ -19,11 +19,6 @@ enum Function : std::uint8_t {
     readAndWrite = 23,
 };
 
-Register registerAt(Bytes pdu, std::size_t place)
-{
-    return static_cast<Register>((pdu[place] << 8) | pdu[place + 1]);
-}
-
 struct Layout
 {
     Function function;

@@ -23,6 +23,12 @@ enum class ModbusException : std::uint8_t {
 
 using ModbusBytes = std::vector<std::uint8_t>;
 
+// A number of 16 bits in a message: its high byte comes first.
+inline Register registerAt(std::span<const std::uint8_t> bytes, std::size_t at)
+{
+    return static_cast<Register>(bytes[at] << 8 | bytes[at + 1]);
+}
+
 // The request of a client, from its function code to its last data byte (PDU), as a server understands it:
 // functions 3, 4, 6, 16, 22 and 23. Used by ServedUnits.
 struct ModbusRequest

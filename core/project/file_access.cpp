@@ -37,10 +37,10 @@ std::int64_t megabytes(qint64 bytes)
     return (bytes + megabyte - 1) / megabyte;
 }
 
-tl::unexpected<Refusal> tooLarge(const QString &path, qint64 size, qint64 largest)
+tl::unexpected<Refusal> tooLarge(const QString &path, qint64 size, qint64 allowed)
 {
     return refuse(RefusalKind::badInput, RefusalId::fileTooLarge,
-                  {path, megabytes(size), megabytes(largest)});
+                  {path, megabytes(size), megabytes(allowed)});
 }
 
 QString systemReason()

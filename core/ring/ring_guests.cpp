@@ -12,9 +12,9 @@ Refusal noSuchRing()
     return {RefusalKind::link, RefusalId::notInRing, {QString()}};
 }
 
-bool isFree(const std::vector<GuestWord> &words, const std::vector<bool> &taken)
+bool isFree(const std::vector<GuestWord> &wanted, const std::vector<bool> &taken)
 {
-    return std::ranges::none_of(words, [&](const GuestWord &word) { return taken[word.device]; });
+    return std::ranges::none_of(wanted, [&](const GuestWord &word) { return taken[word.device]; });
 }
 
 } // namespace

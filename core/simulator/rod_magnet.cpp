@@ -9,12 +9,12 @@ namespace {
 
 constexpr double nanometresPerMillimetre = 1'000'000;
 constexpr double nanometresPerCycle = 1'000; // at 1 mm/s
-constexpr double shortest = 20;              // mm: twice as far as the fastest magnet travels in a cycle
+constexpr double shortestRange = 20;         // mm: twice as far as the fastest magnet travels in a cycle
 
 } // namespace
 
 RodMagnet::RodMagnet(double lengthMillimetres)
-    : m_length(std::llround(std::max(lengthMillimetres, shortest) * nanometresPerMillimetre))
+    : m_length(std::llround(std::max(lengthMillimetres, shortestRange) * nanometresPerMillimetre))
 {}
 
 double RodMagnet::millimetres() const

@@ -21,7 +21,7 @@
 namespace codewheel {
 namespace {
 
-constexpr BusId secondRing{3};
+constexpr BusId otherRing{3};
 
 class FaultBannerInWindow : public test::WindowTest
 {
@@ -167,10 +167,10 @@ TEST_F(FaultBannerInWindow, GoesWithTheBusThatIsDisconnectedAndStaysOverAnyPage)
 TEST_F(FaultBannerInWindow, OfTwoRingsItNamesTheOne)
 {
     Project after = shown->project().project();
-    planBus(after, secondRing, *busKind(u"interbus"));
+    planBus(after, otherRing, *busKind(u"interbus"));
     ProjectDevice device = after.devices.front();
-    device.bus = secondRing;
-    setDevicesOn(after, secondRing, {device});
+    device.bus = otherRing;
+    setDevicesOn(after, otherRing, {device});
     shown->project().edit(std::move(after), {});
     befall(TrainingFault::wireBreak, "4.0"_ring);
     EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("Ring: The cable between 3.0")))

@@ -34,8 +34,7 @@ TEST(RtuAnswers, AreFoundWhateverPiecesTheyComeIn)
         RtuAnswers answers;
         answers.begin(readRequest);
         answers.take(std::span(readAnswer).first(cut));
-        if (cut < readAnswer.size())
-            EXPECT_FALSE(answers.next());
+        ASSERT_TRUE(cut == readAnswer.size() || !answers.next());
         EXPECT_EQ(answers.isWithin(), cut > 0);
         answers.take(std::span(readAnswer).subspan(cut));
         const auto frame = answers.next();

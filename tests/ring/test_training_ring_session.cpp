@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-const Place fraba = "1.0"_ring;
+const Place firstFraba = "1.0"_ring;
 
 // A computer that sleeps once, right after somebody has begun to watch it.
 SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
@@ -29,12 +29,12 @@ protected:
     TrainingBusSession()
     {
         EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
-        QObject::connect(m_bus.encoder(fraba), &EncoderSession::finished, &m_bus,
+        QObject::connect(m_bus.encoder(firstFraba), &EncoderSession::finished, &m_bus,
                          [this](const Outcome &outcome) { m_outcome = outcome; });
         encoder().tell(Parameter::startUpMode, 1); // position mode
         m_bus.advance(10);
     }
-    EncoderSession &encoder() { return *m_bus.encoder(fraba); }
+    EncoderSession &encoder() { return *m_bus.encoder(firstFraba); }
     // At most 5 s of bus time.
     void finish(const Job &job)
     {
@@ -76,7 +76,7 @@ TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
 {
     finish(ReadParameters{{Parameter::steps}});
     ASSERT_TRUE(encoder().known(Parameter::steps));
-    m_training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    m_training.controls->setFault(TrainingFault::parametersLost, firstFraba.node, 1);
     m_bus.advance(10);
     EXPECT_EQ(encoder().latest().state, EncoderState::error);
     EXPECT_FALSE(encoder().known(Parameter::steps));
@@ -86,7 +86,7 @@ TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
 {
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
     m_bus.advance(3);
-    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{firstFraba});
     m_bus.alarmStop();
     m_bus.advance(1);
     EXPECT_TRUE(devicesWithOut(m_bus).empty());
@@ -100,12 +100,12 @@ TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
     QObject::connect(&encoder(), &EncoderSession::freshnessChanged, &m_bus,
                      [&] { told.push_back(encoder().freshness().reason()); });
     EXPECT_TRUE(encoder().freshness().isLive());
-    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isLive());
+    EXPECT_TRUE(m_bus.channel(firstFraba)->freshness().isLive());
     const Instant last = m_bus.now();
     m_bus.alarmStop();
     m_bus.advance(2000);
     EXPECT_TRUE(encoder().freshness().isOld());
-    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isOld());
+    EXPECT_TRUE(m_bus.channel(firstFraba)->freshness().isOld());
     EXPECT_EQ(encoder().freshness().seen(), last);
     m_bus.setRunning(true);
     m_bus.advance(10);
@@ -132,10 +132,10 @@ TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
     QObject::connect(&m_bus, &RingSession::messaged, &m_bus, [&](const Message &message) {
         hasSlept = hasSlept || message.id == MessageId::computerSlept;
     });
-    m_bus.channel(fraba)->stage(0x0200'00FF);
-    ASSERT_TRUE(m_bus.channel(fraba)->write());
+    m_bus.channel(firstFraba)->stage(0x0200'00FF);
+    ASSERT_TRUE(m_bus.channel(firstFraba)->write());
     m_bus.advance(3);
-    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{firstFraba});
     m_bus.alarmStop();
     m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
     while (!hasSlept || m_bus.isOperating())
@@ -155,7 +155,7 @@ TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
     };
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
     m_bus.advance(3);
-    ASSERT_NE(m_bus.channel(fraba)->out(), 0U);
+    ASSERT_NE(m_bus.channel(firstFraba)->out(), 0U);
     const QDateTime before = m_bus.dateTime(m_bus.now());
     m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
     while (!said(MessageId::computerSlept) || m_bus.isOperating())

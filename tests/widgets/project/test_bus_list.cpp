@@ -24,7 +24,7 @@ namespace codewheel {
 namespace {
 
 constexpr BusId third{3};
-constexpr BusId fourth{4};
+constexpr BusId fourthBus{4};
 
 void plan(Project &project, BusId bus, const char16_t *kind, std::size_t devices = 0)
 {
@@ -108,7 +108,7 @@ TEST_F(BusListTest, ShowsNameKindAndDevices)
 {
     Project project;
     plan(project, firstRing, u"interbus", 3);
-    plan(project, fourth, u"esc");
+    plan(project, fourthBus, u"esc");
     document.setProject(project, {});
     EXPECT_EQ(names(), QStringList({QStringLiteral("Ring"), QStringLiteral("Line")}));
     EXPECT_EQ(cell(0, BusModel::kind), QStringLiteral("INTERBUS ring"));
@@ -125,7 +125,7 @@ TEST_F(BusListTest, AddedBusesGetTheNumbersThatAreFree)
     ASSERT_EQ(document.project().buses.size(), 4U);
     EXPECT_EQ(document.project().buses[1].kind, QStringLiteral("esc")) << "that of the training line";
     EXPECT_EQ(findBus(document.project(), third)->kind, QStringLiteral("interbus"));
-    EXPECT_EQ(findBus(document.project(), fourth)->kind, QStringLiteral("esc"));
+    EXPECT_EQ(findBus(document.project(), fourthBus)->kind, QStringLiteral("esc"));
     EXPECT_EQ(names(), QStringList({QStringLiteral("Ring"), QStringLiteral("Line"), QStringLiteral("Ring 2"),
                                     QStringLiteral("Line 2")}));
     EXPECT_EQ(table().currentIndex().row(), 3) << "the new one is chosen";
@@ -139,7 +139,7 @@ TEST_F(BusListTest, ARingTakesTheNumberOfTheTrainingRingWhereThatIsFree)
 {
     Project project;
     project.buses.clear();
-    plan(project, fourth, u"esc");
+    plan(project, fourthBus, u"esc");
     document.setProject(project, {});
     addRing();
     EXPECT_EQ(document.project().buses.front().id, firstRing);
@@ -151,7 +151,7 @@ TEST_F(BusListTest, ANumberThatIsConnectedAsAnotherBusIsLeftOut)
 {
     page.buses().setIsFree([](BusId bus, const QString &) { return bus != third; });
     addRing();
-    EXPECT_EQ(document.project().buses.back().id, fourth);
+    EXPECT_EQ(document.project().buses.back().id, fourthBus);
 }
 
 TEST_F(BusListTest, BehindTheLargestNumberThatAFileCanHaveAFreeOneIsFound)
