@@ -1996,8 +1996,8 @@
         <translation>Der Ring von Sitzplatz %1 beginnt neu, mit Werkseinstellungen.</translation>
     </message>
     <message>
-        <source>Sent, and not answered: %1. Whether the encoder has it is not known until it is read (EEPROM writes: perhaps %2 more).</source>
-        <translation>Gesendet und nicht beantwortet: %1. Ob der Geber es hat, ist nicht bekannt, bis er ausgelesen wird (EEPROM-Schreibvorgänge: vielleicht %2 mehr).</translation>
+        <source>Sent, and not answered: %1. Whether the encoder has it is not known until it is read.</source>
+        <translation>Gesendet und nicht beantwortet: %1. Ob der Geber es hat, ist nicht bekannt, bis er ausgelesen wird.</translation>
     </message>
     <message>
         <source>OUT may still hold %1: the encoder may give no position. Bring it back once the link is there again.</source>

@@ -69,8 +69,7 @@ constexpr std::array messageRows{
     MessageRow{MessageId::inDoubt, "inDoubt",
                QT_TRANSLATE_NOOP(
                    "Message",
-                   "Sent, and not answered: %1. Whether the encoder has it is not known until it is read "
-                   "(EEPROM writes: perhaps %2 more).")},
+                   "Sent, and not answered: %1. Whether the encoder has it is not known until it is read.")},
     MessageRow{
         MessageId::outLeft, "outLeft",
         QT_TRANSLATE_NOOP(

@@ -129,6 +129,8 @@ class Out(ModbusSequentialDataBlock):
         image = super().getValues(0, 2 * len(self.ring.encoders))
         for i, encoder in enumerate(self.ring.encoders):
             encoder.take(self.ring.word_of(image[2 * i : 2 * i + 2]))
+        if self.ring.encoders[0].out == self.ring.options.vanish_behind:
+            os._exit(0)  # without an answer
 
 
 class Hidden(Out):
@@ -199,4 +201,5 @@ parser.add_argument("--low-word-first", action="store_true")
 parser.add_argument("--exchange-bytes", action="store_true")
 parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
+parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
 asyncio.run(serve(Ring(parser.parse_args())))

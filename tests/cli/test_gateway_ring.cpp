@@ -13,6 +13,7 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 QString line(const char *text)
 {
@@ -142,6 +143,32 @@ TEST(CliGatewayRing, ALinkThatIsLostIsExit1)
     EXPECT_EQ(RingProject().run(line("monitor 1.0 --for 1"), link).exit, 0);
     peer.vanish();
     EXPECT_EQ(errorKey(RingProject().run(line("monitor 1.0 --for 1 --json"), link)), "connectionRefused");
+}
+
+// The peer is gone once it has taken run: the values are in force, and nobody has seen it.
+TEST(CliGatewayRing, WhatWasSentAndNotAnsweredIsNotKnown)
+{
+    const RingProject project;
+    for (const char *word : {"80000000", "020000FF"}) {
+        GatewayPeer peer(line("--vanish-behind ") + line(word));
+        const CliRun run = project.run(line("write 1.0 steps=255 --yes --all"), peer.link());
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.out, HasSubstr("sent: it is not known whether the encoder has it"));
+        EXPECT_THAT(run.out, Not(HasSubstr("did not become active")));
+        EXPECT_THAT(run.out, HasSubstr(std::string("OUT may still hold ") + word));
+        EXPECT_THAT(run.out, testing::AnyOf(HasSubstr("EEPROM writes:   1"),
+                                            HasSubstr("EEPROM writes:   0, perhaps 1 more")));
+        EXPECT_THAT(run.err,
+                    HasSubstr("In which state the encoder is, is not known until it is seen again."));
+        EXPECT_THAT(run.err, Not(HasSubstr("The encoder was left in parameterization")));
+    }
+    GatewayPeer peer(line("--vanish-behind 80000000"));
+    const CliRun run = project.run(line("write 1.0 steps=255 --yes --all --json"), peer.link());
+    const QJsonObject doubt = run.json()[u"inDoubt"].toObject();
+    EXPECT_EQ(doubt[u"values"].toArray().size(), 1);
+    EXPECT_EQ(doubt[u"out"].toString(), line("80000000"));
+    EXPECT_FALSE(doubt[u"position"].toBool());
+    EXPECT_EQ(run.json()[u"leftIn"].toString(), line("unknown"));
 }
 
 TEST(CliGatewayRing, WrongUnitsAndShortImagesAreSaid)

@@ -252,8 +252,8 @@ Complaint GatewayAccess::complaint(const Refusal &why) const
     Complaint told = complaintAbout(why);
     if (isOfBus && m_refusal)
         told = complaintAbout(*m_refusal);
-    else if (!isConnected())
-        told.text = linkLost().text + u' ' + told.text;
+    else if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
+        told.text = lost.text + u' ' + told.text;
     return told;
 }
 
