@@ -31,8 +31,8 @@ function(codewheel_starts_no_thread name)
     endif()
 endfunction()
 
-# With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side; those that match CODEWHEEL_TESTS_OF_LAYOUT, which take
-# long and only measure, not under a sanitizer. Programs with a large CODEWHEEL_TEST_COST (s) begin first.
+# With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side; those that match CODEWHEEL_UNSANITIZED_TESTS, which take
+# long and only measure layouts or kill programs, not under a sanitizer. Programs with a large CODEWHEEL_TEST_COST (s) begin first.
 function(codewheel_test_program name support precompiled)
     add_executable(${name})
     target_link_libraries(${name} PRIVATE ${support} codewheel_test_options ${ARGN})
@@ -43,8 +43,8 @@ function(codewheel_test_program name support precompiled)
     if(NOT CODEWHEEL_TEST_PARTS)
         set(CODEWHEEL_TEST_PARTS 1)
     endif()
-    if(CODEWHEEL_SANITIZERS AND CODEWHEEL_TESTS_OF_LAYOUT)
-        set(filter "--gtest_filter=-${CODEWHEEL_TESTS_OF_LAYOUT}")
+    if(CODEWHEEL_SANITIZERS AND CODEWHEEL_UNSANITIZED_TESTS)
+        set(filter "--gtest_filter=-${CODEWHEEL_UNSANITIZED_TESTS}")
     endif()
     if(NOT CODEWHEEL_TEST_COST)
         set(CODEWHEEL_TEST_COST 1)
