@@ -9,7 +9,6 @@
 #include "cli/value_lines.h"
 #include "drivers/job_report.h"
 #include "encoder/hex.h"
-#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/eeprom_cost.h"
 
@@ -99,8 +98,8 @@ QString eepromWritesLine(const Outcome &outcome)
 QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt)
 {
     QString text;
-    for (const Message &message : doubtReport(doubt, encoder.device()))
-        text += messageText(message) + u'\n';
+    for (const QString &one : doubtSentences(doubt, encoder.device()))
+        text += one + u'\n';
     return text;
 }
 

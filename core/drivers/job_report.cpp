@@ -2,6 +2,7 @@
 #include "drivers/job_report.h"
 
 #include "catalog/value_text.h"
+#include "encoder/refusal_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -169,8 +170,6 @@ QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
     return texts.join(QStringLiteral(", "));
 }
 
-} // namespace
-
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {
     std::vector<Message> messages;
@@ -182,6 +181,16 @@ std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &
         messages.push_back(
             {.severity = Severity::attention, .id = MessageId::outLeft, .arguments = {*doubt.out}});
     return messages;
+}
+
+} // namespace
+
+QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device)
+{
+    QStringList sentences;
+    for (const Message &message : doubtReport(doubt, device))
+        sentences << messageText(message);
+    return sentences;
 }
 
 std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device)

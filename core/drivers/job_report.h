@@ -5,13 +5,17 @@
 #include "encoder/event.h"
 #include "encoder/message.h"
 
+#include <QStringList>
+
 #include <vector>
 
 namespace codewheel {
 
 // What the message log says when a job has ended: what was done even if the job failed later, why it failed,
 // and whether the encoder was left in parameterization. Without time and place.
-std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device); // part of it
 std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device);
+
+// The part of it about what was sent and not answered, in words; empty: nothing.
+QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device);
 
 } // namespace codewheel

@@ -30,10 +30,8 @@ struct RtuReception
 
 QByteArray requestTo(int unit, int function)
 {
-    const ModbusBytes frame =
-        rtuFrame(unit, {static_cast<std::uint8_t>(function), 0, 0, 0, 1}); // register 0, one of them
-    return {reinterpret_cast<const char *>(frame.data()),                  // NOLINT(*-reinterpret-cast)
-            static_cast<qsizetype>(frame.size())};
+    // Register 0, one of them.
+    return rtuByteArray(rtuFrame(unit, {static_cast<std::uint8_t>(function), 0, 0, 0, 1}));
 }
 
 // Strangers: a frame of somebody else, or more than an answer.

@@ -14,13 +14,6 @@ constexpr std::uint8_t exceptionBit = 0x80;
 constexpr int readHolding = 3;
 constexpr int readInput = 4;
 
-Octets octetsOf(const QByteArray &bytes)
-{
-    // NOLINTNEXTLINE(*-reinterpret-cast): bytes are bytes
-    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
-            static_cast<std::size_t>(bytes.size())};
-}
-
 // Of an answer that tells its length; 0: none does.
 std::size_t answerLength(Octets pdu)
 {
@@ -57,7 +50,7 @@ std::size_t frameLength(Octets bytes)
 int rtuFramesIn(const QByteArray &bytes)
 {
     int frames = 0;
-    for (Octets rest = octetsOf(bytes); !rest.empty();) {
+    for (Octets rest = rtuOctets(bytes); !rest.empty();) {
         const std::size_t length = frameLength(rest);
         frames += length > 0 ? 1 : 0;
         rest = rest.subspan(std::max<std::size_t>(length, 1));
@@ -69,7 +62,7 @@ std::optional<RtuAnswer> rtuAnswerIn(const QByteArray &bytes, int unit, int func
 {
     constexpr std::size_t wholeAnswer = longestRtuAnswer;
     constexpr std::size_t wholeException = 5;
-    for (Octets rest = octetsOf(bytes); rest.size() >= wholeException; rest = rest.subspan(1)) {
+    for (Octets rest = rtuOctets(bytes); rest.size() >= wholeException; rest = rest.subspan(1)) {
         if (rest[0] != unit)
             continue;
         const qsizetype begin = bytes.size() - static_cast<qsizetype>(rest.size());

@@ -19,21 +19,6 @@ constexpr int silentCharacters = 4; // 3.5 between two frames, Modbus over Seria
 constexpr Instant longestGap = 30ms;
 constexpr Instant longestRead = 1s;
 
-std::span<const std::uint8_t> bytesOf(const QByteArray &bytes)
-{
-    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
-    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
-            static_cast<std::size_t>(bytes.size())};
-}
-
-QByteArray byteArrayOf(const ModbusBytes &bytes)
-{
-    QByteArray array;
-    for (const std::uint8_t byte : bytes)
-        array.append(static_cast<char>(byte));
-    return array;
-}
-
 } // namespace
 
 struct ModbusRtuServer::Private
@@ -80,7 +65,7 @@ Result<void> ModbusRtuServer::Private::serveNext()
     const auto bytes = line->read(line->now() + (requests.isWithin() ? silence : longestRead));
     if (!bytes)
         return tl::unexpected(bytes.error());
-    requests.take(bytesOf(*bytes));
+    requests.take(rtuOctets(*bytes));
     Result<void> served;
     while (const auto request = bytes->isEmpty() ? requests.silence() : requests.next())
         served = served ? serve(*request) : served;
@@ -103,7 +88,7 @@ Result<void> ModbusRtuServer::Private::serve(const RtuRequests::Request &request
     clients.took(*client, request.unit, answer, system_clock::now());
     if (request.unit == broadcast)
         return {};
-    return line->write(byteArrayOf(rtuFrame(request.unit, answer.pdu)));
+    return line->write(rtuByteArray(rtuFrame(request.unit, answer.pdu)));
 }
 
 Result<std::unique_ptr<ModbusRtuServer>> ModbusRtuServer::start(std::unique_ptr<ByteLink> line,

@@ -30,19 +30,6 @@ std::vector<PortInfo> noneIsKept()
     return {};
 }
 
-std::span<const std::uint8_t> octetsOf(const QByteArray &bytes)
-{
-    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
-    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
-            static_cast<std::size_t>(bytes.size())};
-}
-
-QByteArray bytesOf(const ModbusBytes &octets)
-{
-    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
-    return {reinterpret_cast<const char *>(octets.data()), static_cast<qsizetype>(octets.size())};
-}
-
 } // namespace
 
 ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings)
@@ -101,7 +88,7 @@ RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
     m_answers.begin(frame);
     m_otherUnit = -1;
     m_hasCome = false;
-    const auto written = m_line.write(bytesOf(frame));
+    const auto written = m_line.write(rtuByteArray(frame));
     if (written)
         return {};
     // A line that takes no more, or not all: nobody will answer that.
@@ -157,7 +144,7 @@ tl::expected<bool, RegisterError> ModbusRtuWire::takeBytes(Instant until)
         return false;
     m_lastByte = m_line.now();
     m_hasCome = true;
-    m_answers.take(octetsOf(*bytes));
+    m_answers.take(rtuOctets(*bytes));
     return true;
 }
 

@@ -42,6 +42,19 @@ std::uint16_t modbusCrc(std::span<const std::uint8_t> bytes)
     return static_cast<std::uint16_t>(crc);
 }
 
+std::span<const std::uint8_t> rtuOctets(const QByteArray &bytes)
+{
+    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
+    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
+            static_cast<std::size_t>(bytes.size())};
+}
+
+QByteArray rtuByteArray(const ModbusBytes &octets)
+{
+    // NOLINTNEXTLINE(*-reinterpret-cast): the same bytes
+    return {reinterpret_cast<const char *>(octets.data()), static_cast<qsizetype>(octets.size())};
+}
+
 ModbusBytes rtuFrame(int unit, const ModbusBytes &pdu)
 {
     ModbusBytes frame{static_cast<std::uint8_t>(unit)};

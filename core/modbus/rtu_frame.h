@@ -3,10 +3,16 @@
 
 #include "modbus/modbus_request.h"
 
+#include <QByteArray>
+
 namespace codewheel {
 
 // CRC-16 of a Modbus RTU frame (Modbus over Serial Line V1.02, 6.2.2); 0 over a frame with its CRC.
 std::uint16_t modbusCrc(std::span<const std::uint8_t> bytes);
+
+// The same bytes as a line gives and takes them (ByteLink).
+std::span<const std::uint8_t> rtuOctets(const QByteArray &bytes);
+QByteArray rtuByteArray(const ModbusBytes &octets);
 
 // With the unit before it and the CRC behind it.
 ModbusBytes rtuFrame(int unit, const ModbusBytes &pdu);

@@ -28,7 +28,7 @@ def full_output(settings, header):
     arguments += [f"-D{definition}" for definition in settings["MOC_DEFINITIONS"]]
     predefined = settings["MOC_PREDEFS_FILE"]
     done = subprocess.run([moc, *arguments, "--include", predefined, header], capture_output=True, text=True)
-    return done.stdout if done.returncode == 0 else f"{done.stderr}"
+    return done.stdout if done.returncode == 0 else done.stderr
 
 
 def difference(job):

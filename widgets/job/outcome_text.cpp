@@ -82,14 +82,6 @@ QString wayBackText(WayBack way)
                                         : QString();
 }
 
-QString doubtText(const EncoderSession &encoder, const InDoubt &doubt)
-{
-    QStringList sentences;
-    for (const Message &message : doubtReport(doubt, encoder.device()))
-        sentences << messageText(message);
-    return sentences.join(u' ');
-}
-
 } // namespace
 
 QString programList(const std::vector<CamProgram> &programs)
@@ -109,9 +101,9 @@ JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome)
                 .wayBack = wayBackText(way)};
     const Refusal &why = outcome.result.error();
     return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
-            .text = QStringList{refusalText(why), endText(outcome), doubtText(encoder, outcome.inDoubt)}
-                        .join(u' ')
-                        .trimmed(),
+            .text = (QStringList{refusalText(why), endText(outcome)} +
+                     doubtSentences(outcome.inDoubt, encoder.device()))
+                        .join(u' '),
             .wayBack = wayBackText(way)};
 }
 

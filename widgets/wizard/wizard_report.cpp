@@ -125,8 +125,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
                                                    ? WizardReport::tr("done")
                                                    : refusalText(record.recovery->result.error()));
     if (last)
-        for (const Message &message : doubtReport(last->inDoubt, device))
-            fact(WizardReport::tr("Not known"), messageText(message));
+        for (const QString &one : doubtSentences(last->inDoubt, device))
+            fact(WizardReport::tr("Not known"), one);
     fact(WizardReport::tr("State afterwards"), leftInText(leftIn(record)));
     if (record.setPositionTo)
         fact(WizardReport::tr("Position set to"), positionText(record.setPositionTo));
