@@ -60,22 +60,30 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     return job;
 }
 
+// It was sent, and its effect was looked for.
+bool isAboutPreset(RefusalId why)
+{
+    return why == RefusalId::presetNotTaken || why == RefusalId::presetUsedUp ||
+           why == RefusalId::presetNotKnown || why == RefusalId::presetNotKnownWithout;
+}
+
 // Everything if it was done, otherwise as far as something is known.
 QString whatIsKnown(const FinishedJob &job, const Reading &before, const EncoderSession &encoder)
 {
     const Outcome &outcome = job.outcome;
+    const bool isSent = outcome.result || isAboutPreset(outcome.result.error().id);
     const auto line = [&](const QString &pattern, const std::optional<std::int64_t> &position,
                           const Reading &shown) {
-        return outcome.result || position
+        return isSent || position
                    ? sentence(pattern, {positionText(position, shown, rodScale(encoder))}) + u'\n'
                    : QString();
     };
     const int mostWrites = outcome.eepromWrites + outcome.inDoubt.eepromWrites;
     return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
            line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
-           (outcome.result || mostWrites > 0 ? eepromWritesLine(outcome) : QString()) +
+           (isSent || mostWrites > 0 ? eepromWritesLine(outcome) : QString()) +
            doubtLines(encoder, outcome.inDoubt) +
-           (outcome.result || outcome.eepromWrites == 0 || outcome.positionAfter
+           (isSent || outcome.eepromWrites == 0 || outcome.positionAfter
                 ? QString()
                 : CommandLine::tr("Whether the position was set is not known: read it.") + u'\n');
 }

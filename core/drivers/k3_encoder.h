@@ -3,6 +3,7 @@
 
 #include "drivers/k3_knowledge.h"
 #include "drivers/k3_plan.h"
+#include "drivers/k3_preset_proof.h"
 #include "drivers/k3_reading.h"
 #include "encoder/position_speed.h"
 
@@ -34,6 +35,7 @@ struct K3Encoder
     K3Knowledge knowledge;
     K3Plan plan;
     Reading reading;
+    K3PresetProof preset;
     std::vector<Event> events;
 
 private:

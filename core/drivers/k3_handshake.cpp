@@ -5,10 +5,6 @@
 #include "drivers/k3_reading.h"
 #include "words/k3_cam_word.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <utility>
-
 namespace codewheel {
 namespace {
 
@@ -35,9 +31,6 @@ void K3Handshake::begin(const K3Step &step, Word in, Instant now)
     m_hasConfirmed = false;
     m_answered = false;
     m_sawZero = false;
-    m_hasJumped = false;
-    m_movement = 0;
-    m_lastIn = in;
     m_cycles = 0;
     m_begin = now;
     m_now = now;
@@ -51,7 +44,6 @@ K3State K3Handshake::cycle(Word in, Word out, Instant now)
     m_now = now;
     ++m_cycles;
     m_inChanged = m_inChanged || in != m_inAtBegin;
-    lookForJump(in);
     m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
     const K3State state = answerTo(in);
     if (state == K3State::waiting && now - m_begin >= m_timing.timeOut)
@@ -133,7 +125,7 @@ K3State K3Handshake::runAnswer(Word in)
     return runs(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
-// 40000000h is not acknowledged: the position changes, or it was already the preset.
+// 40000000h is not acknowledged: what the position does then proves it (K3PresetProof).
 K3State K3Handshake::presetAnswer(Word in) const
 {
     if (isNewError(in))
@@ -220,28 +212,7 @@ K3State K3Handshake::wordAnswer(Word in) const
     }
     if (isNewError(in))
         return K3State::error;
-    return m_cycles >= m_step.holdCycles && hasActed(in) ? K3State::done : K3State::waiting;
-}
-
-// 40000000h is not acknowledged. It stays until the position jumps to the preset, or so long that it must
-// have acted if no jump can be seen: the position was already there, or nothing was programmed.
-bool K3Handshake::hasActed(Word in) const
-{
-    return !m_step.standsUntilItActs || m_hasJumped || !k3::isOperation(in) ||
-           m_now - m_begin >= m_timing.presetActs;
-}
-
-// No encoder acts in the first cycle of a word: any movement in that cycle is the shaft's.
-void K3Handshake::lookForJump(Word in)
-{
-    constexpr std::int64_t edge = 2; // steps
-    constexpr std::int64_t faster = 4;
-    const Word before = std::exchange(m_lastIn, in);
-    if (!k3::isOperation(in) || !k3::isOperation(before))
-        return;
-    const std::int64_t moved = std::abs(std::int64_t{k3::data(in)} - std::int64_t{k3::data(before)});
-    m_hasJumped = m_hasJumped || (m_cycles > 1 && moved > edge + faster * m_movement);
-    m_movement = std::max(m_movement, moved);
+    return m_cycles >= m_step.holdCycles ? K3State::done : K3State::waiting;
 }
 
 bool K3Handshake::showsReadOut(Word in) const

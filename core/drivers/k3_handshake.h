@@ -39,8 +39,6 @@ private:
     State camReadOutAnswer(Word in) const;
     State camAcknowledgement(Word in) const;
     State wordAnswer(Word in) const;
-    bool hasActed(Word in) const;
-    void lookForJump(Word in);
     bool isNewError(Word in) const;
     bool showsReadOut(Word in) const;
     bool hasSettled() const { return m_now - m_answeredSince >= m_timing.settle; }
@@ -51,12 +49,9 @@ private:
     Word m_inAtBegin = 0;
     bool m_inChanged = false;
     bool m_hasConfirmed = false;
-    bool m_answered = false;     // IN holds what the step waits for
-    bool m_sawZero = false;      // run: IN was 00000000h, which an encoder without power shows too
-    bool m_hasJumped = false;    // the position, by more than it moved in the preceding cycles
-    std::int64_t m_movement = 0; // the most it moved in a cycle
-    Word m_lastIn = 0;
-    int m_cycles = 0; // for which the word has been in OUT
+    bool m_answered = false; // IN holds what the step waits for
+    bool m_sawZero = false;  // run: IN was 00000000h, which an encoder without power shows too
+    int m_cycles = 0;        // for which the word has been in OUT
     Instant m_begin{};
     Instant m_now{};
     Instant m_answeredSince{}; // since when IN has held the answer without interruption

@@ -175,8 +175,19 @@ void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
     steps.push_back(toNormal(true));
 }
 
+// Which value that is has to be known: the position then proves that it was taken.
+void K3Plan::appendPresetRead(K3Steps &steps) const
+{
+    const bool isKnown =
+        m_knowledge.value(Parameter::preset) ||
+        std::ranges::any_of(steps, [](const K3Step &step) { return step.parameter == Parameter::preset; });
+    if (!isKnown)
+        appendRead(steps, Parameter::preset);
+}
+
 void K3Plan::appendPreset(K3Steps &steps) const
 {
+    appendPresetRead(steps);
     steps.push_back(k3Step(StepKind::initialisePreset, k3::initialisePreset));
     steps.push_back(toNormal(true));
 }

@@ -29,6 +29,8 @@ public:
     static K3Step runStep(bool tolerateError);
     static K3Step switchStep(Word modeWord);
     Word parameterWord(Parameter parameter, std::int64_t value) const;
+    // Its read-out, if it has one; `expected`: what must be read.
+    void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;
 
 private:
     Result<void> checkPreset(const SetPreset &job) const;
@@ -44,8 +46,8 @@ private:
     K3Steps plan(const WriteCams &job) const;
 
     bool needsStepsFlag(const ParameterValues &values) const;
-    void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;
     void appendWrites(K3Steps &steps, const ParameterValues &values) const;
+    void appendPresetRead(K3Steps &steps) const;
     void appendPreset(K3Steps &steps) const;
     K3Steps manufacturerPreset(std::optional<std::int64_t> value) const;
     void appendPositionMode(K3Steps &steps) const;

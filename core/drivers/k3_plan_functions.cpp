@@ -70,6 +70,7 @@ K3Steps K3Plan::manufacturerPreset(std::optional<std::int64_t> value) const
                                      .onlyWhatDiffers = true,
                                      .previous = {},
                                      .initialisePreset = false});
+    appendPresetRead(steps);
     steps.push_back(k3Step(StepKind::manufacturerPreset, k3::frabaPreset));
     steps.push_back(toNormal(true));
     return steps;

@@ -83,6 +83,8 @@ void K3Run::begin(Word in, Instant now)
     K3Step &step = m_steps.current();
     step.inCamMode = m_encoder.knowledge.mode() == Mode::cam;
     m_handshake.begin(step, in, now);
+    if (setsPosition(step) || step.standsUntilItActs)
+        m_encoder.preset.begin(presetTarget(m_encoder.device, m_encoder.knowledge), now);
     if (setsPosition(step))
         m_account.outcome.positionBefore = m_reading.position;
 }
@@ -101,18 +103,21 @@ void K3Run::lastOneCycle()
 WordAnswer K3Run::answerTo(Word in, Word out, Instant now)
 {
     const WordAnswer answer = m_handshake.cycle(in, out, now);
-    const bool isHeldBack = m_late && m_late->isAwaited(in, now, m_encoder.timing.timeOut);
-    return answer == WordAnswer::done && isHeldBack ? WordAnswer::waiting : answer;
+    return answer == WordAnswer::done && isHeldBack(in, now) ? WordAnswer::waiting : answer;
+}
+
+bool K3Run::isHeldBack(Word in, Instant now) const
+{
+    return presetIsOpen(in, now) || (m_late && m_late->isAwaited(in, now, m_encoder.timing.timeOut));
 }
 
 void K3Run::stepDone(Word in)
 {
     const K3Step step = m_steps.current();
-    const bool showsNewPosition = step.kind == StepKind::initialisePreset ||
-                                  (step.kind == StepKind::toNormal && follows(StepKind::manufacturerPreset));
-    if (showsNewPosition)
-        m_account.outcome.positionAfter = m_reading.position;
+    const bool isPresetShown = showsPreset();
     m_steps.goOn();
+    if (isPresetShown)
+        judgePreset(in);
     switch (step.kind) {
     case StepKind::parameter:
         if (step.parameter)
@@ -180,6 +185,8 @@ void K3Run::readDone(const K3Step &step, Word in)
         return;
     }
     m_account.read({*step.parameter, *value});
+    if (*step.parameter == Parameter::presetFlag)
+        presetFlagRead(*value);
     refine(m_steps, m_account, m_job, m_encoder, {*step.parameter, *value});
 }
 
@@ -269,6 +276,8 @@ Result<void> K3Run::resultAt(Word in)
         return tl::unexpected(*m_mismatch);
     if (auto ended = WordRun::resultAt(in); !ended)
         return ended;
+    if (m_notSet)
+        return tl::unexpected(*m_notSet);
     return m_cams.dropLost() ? refuse(RefusalKind::device, RefusalId::restarted, {in}) : Result<void>();
 }
 

@@ -11,7 +11,8 @@ namespace codewheel {
 
 // A job of a K3 encoder in progress: one word after the other (K3Handshake), and what each answer means. What
 // is read shortens the rest (refine()), K3CamRun keeps what is about cams, k3Refusal() names an error, and
-// what was under way when the job was cancelled is a K3LateAnswer. Used by K3Driver.
+// what was under way when the job was cancelled is a K3LateAnswer, whether a preset was carried out says
+// K3PresetProof. Used by K3Driver.
 class K3Run final : public WordRun<K3Step>
 {
 public:
@@ -42,6 +43,14 @@ private:
     void complete(Outcome &outcome) override;
     bool follows(StepKind kind) const;
     void lastOneCycle();
+    bool isHeldBack(Word in, Instant now) const;
+
+    // What a preset has done (k3_run_preset.cpp).
+    bool showsPreset() const;
+    bool presetIsOpen(Word in, Instant now) const;
+    void judgePreset(Word in);
+    void noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Word in);
+    void presetFlagRead(std::int64_t flag);
 
     // What the answer to a step means.
     void ran();
@@ -68,6 +77,7 @@ private:
     Confirmed m_confirmed;
     std::optional<K3LateAnswer> m_late;
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on
+    std::optional<Refusal> m_notSet;   // the position, or it is not known whether it was; the rest goes on
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
     bool m_ranAtZero = false;           // run was answered by 00000000h

@@ -135,6 +135,10 @@ enum class RefusalId : std::uint8_t {
     escWriteUnknown,        // command: no answer, and what the encoder has now could not be read
     escWriteNotDone,        // command: no answer, and the encoder has the old value
     escPresetUnproven,      // command, preset: accepted, but neither S nor the position shows it
+    presetNotTaken,         // position by the preset, position shown (or IN)
+    presetUsedUp,           // the same: the preset flag of a FRABA was 0
+    presetNotKnownWithout,  // Parameter that is not known, position shown (or IN)
+    presetNotKnown,         // position shown (or IN)
     escNotFoundAgain,       // where it was looked for
     escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place
@@ -143,6 +147,9 @@ enum class RefusalId : std::uint8_t {
     ringDiffers,          // place, configured, found
     busFault,             // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
     notInRing,            // place
+    ringStands,           // status register of the gateway
+    ringFailed,           // the same
+    ringFailedAt,         // status register of the gateway, text of the place
     databaseFailed,       // file, reason
     recordingGone,        // file
     damagedBlocks,        // file, blocks of samples

@@ -396,6 +396,25 @@ constexpr std::array refusalRows{
                                  "%1 was accepted, but neither the preset value nor the position shows that "
                                  "the position was set to %2: it is not known whether it was. Check the "
                                  "line, and read position and preset before you go on.")},
+    RefusalRow{RefusalId::presetNotTaken, "presetNotTaken",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The position was not set: the encoder shows %2, and would show %1. Make sure "
+                              "that its OUT word reaches it, then set the position again.")},
+    RefusalRow{RefusalId::presetUsedUp, "presetUsedUp",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The position was not set: the encoder shows %2, and would show %1. It had "
+                                 "used its preset up (preset flag 0): write the preset again, then set the "
+                                 "position.")},
+    RefusalRow{RefusalId::presetNotKnownWithout, "presetNotKnownWithout",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The preset was sent, but it is not known whether the position was set, since "
+                              "it is not known what the encoder has for: %1. It shows %2: compare that with "
+                              "the machine. It can be told where that value was written from here before.")},
+    RefusalRow{RefusalId::presetNotKnown, "presetNotKnown",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The preset was sent, but it is not known whether the position was set: the "
+                              "encoder shows %1, which does not tell. Compare it with the machine before you "
+                              "go on.")},
     RefusalRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
                QT_TRANSLATE_NOOP(
                    "Refusal",
@@ -419,6 +438,19 @@ constexpr std::array refusalRows{
         RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
+    RefusalRow{RefusalId::ringStands, "ringStands",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The gateway says that its ring does not run (status register %1): what it "
+                                 "shows is old. Start the ring at its master.")},
+    RefusalRow{RefusalId::ringFailed, "ringFailed",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The gateway says that its ring has failed (status register %1): what it "
+                                 "shows is old. Look at the display of its master.")},
+    RefusalRow{
+        RefusalId::ringFailedAt, "ringFailedAt",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The gateway says that its ring has failed (status register %1): what it "
+                          "shows is old. The place it names is %2: check plugs, shields and 24 V there.")},
     RefusalRow{RefusalId::databaseFailed, "databaseFailed",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
     RefusalRow{RefusalId::recordingGone, "recordingGone",

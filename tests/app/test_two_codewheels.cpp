@@ -85,7 +85,7 @@ TEST_F(TwoCodewheels, TheWizardOfOneSetsUpAnEncoderOfTheOther)
     ASSERT_EQ(wizard().page(), ParameterWizard::review);
     reader.press(QStringLiteral("Start the handshake"));
     for (int i = 0; i < 60 && wizard().isBusy(); ++i) {
-        pass(66);
+        pass(600); // position 0 has to last
         if (wizard().isBusy())
             reader.press(QStringLiteral("Next step"));
     }

@@ -48,22 +48,28 @@ TEST(CliPreset, ATraceShowsTheWords)
     EXPECT_THAT(runLine(QStringLiteral("preset 1.0 --trace")).out, HasSubstr("40000000  00003039"));
 }
 
+// A Baumer cannot be read: neither its preset nor its coding nor its offset is known.
 TEST(CliPreset, WhereTheCodingIsNotKnownTheRawWordIsTold)
 {
     const CliRun run = runLine(QStringLiteral("preset 2.0"));
-    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.out, HasSubstr("Position before: IN 000F4240, and how it is coded is not known\n"));
-    EXPECT_TRUE(runLine(QStringLiteral("preset 2.0 --json")).json()[u"positionAfter"].isNull());
+    EXPECT_THAT(run.err, HasSubstr("it is not known whether the position was set"));
+    const CliRun json = runLine(QStringLiteral("preset 2.0 --json"));
+    EXPECT_TRUE(json.json()[u"positionAfter"].isNull());
+    EXPECT_EQ(errorKey(json), "presetNotKnownWithout");
 }
 
-TEST(CliPreset, ShowsPositionsOfACodingThatWasWritten)
+TEST(CliPreset, IsProvedByPresetAndOffsetThatWereWritten)
 {
     SharedBus shared;
     shared.runLine(QStringLiteral("write 2.0 coding=unsigned-cw --yes"));
-    const QJsonObject json = shared.runLine(QStringLiteral("preset 2.0 500 --json")).json();
+    EXPECT_EQ(errorKey(shared.runLine(QStringLiteral("preset 2.0 500 --json"))), "presetNotKnownWithout")
+        << "its offset";
+    shared.runLine(QStringLiteral("write 2.0 offset=0 --yes"));
+    const QJsonObject json = shared.runLine(QStringLiteral("preset 2.0 600 --json")).json();
     EXPECT_EQ(json[u"exit"], 0);
-    EXPECT_GT(json[u"positionBefore"].toInt(), 1'000'000);
-    EXPECT_NEAR(json[u"positionAfter"].toInt(), 500, 50); // the shaft turns
+    EXPECT_NEAR(json[u"positionAfter"].toInt(), 600, 50); // the shaft turns
 }
 
 TEST(CliPreset, RefusesValuesTheEncoderCannotHave)
@@ -113,8 +119,9 @@ TEST(CliPreset, InVelocityModeThereIsNoPositionToTell)
 {
     SharedBus shared;
     shared.runLine(QStringLiteral("velocity 1.0 on"));
-    EXPECT_THAT(shared.runLine(QStringLiteral("preset 1.0 1000")).out,
-                HasSubstr("Position after:  not shown in velocity mode\n"));
+    const CliRun run = shared.runLine(QStringLiteral("preset 1.0 1000"));
+    EXPECT_EQ(run.exit, 1) << "nothing shows whether it was set";
+    EXPECT_THAT(run.out, HasSubstr("Position after:  not shown in velocity mode\n"));
     EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).out, "Position mode: 1000\n");
 }
 
@@ -137,7 +144,7 @@ TEST(CliPreset, AnUnnamedK3IsSetOnlyWhereTheUserSaysItsMode)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 2.0 --device generic-k3 --json"))), "modeNotKnown");
     const CliRun set =
         runLine(QStringLiteral("preset 2.0 100 --device generic-k3 --in-position-mode --trace --json"));
-    EXPECT_EQ(set.exit, 0) << set.err;
+    EXPECT_EQ(errorKey(set), "presetNotKnownWithout") << set.err;
     const std::vector<std::string> rows = rowsOf(set.json());
     EXPECT_TRUE(std::ranges::any_of(rows, [](const auto &row) { return row.starts_with("40000000 "); }));
 }

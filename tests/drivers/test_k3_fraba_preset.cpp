@@ -13,7 +13,11 @@ class FrabaPreset : public testing::Test
 protected:
     DriverTable m_table{u"fraba-ocd-ib"};
 
-    void SetUp() override { m_table.tell(Parameter::startUpMode, 1); }
+    void SetUp() override
+    {
+        m_table.tell(Parameter::startUpMode, 1);
+        m_table.tell(Parameter::preset, 100);
+    }
 };
 
 TEST_F(FrabaPreset, StandsForExactlyOneCycle)
@@ -34,6 +38,33 @@ TEST_F(FrabaPreset, IsActivatedAgainWithoutProgramming)
         m_table.play({{0x0000'0000, pos}, {0x6000'0000, pos}, {0x0000'0000, 0x64}, {0x0000'0000, 0x64}});
         EXPECT_EQ(m_table.eepromWrites(), times);
     }
+}
+
+// The position proves that it was taken.
+TEST_F(FrabaPreset, AValueThatIsNotKnownIsReadFirst)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    table.tell(Parameter::startUpMode, 1);
+    ASSERT_TRUE(table.begin(SetPreset{{}, PresetCommand::manufacturer}));
+    table.play({{0x0000'0000, pos},
+                {0x2021'0004, pos},
+                {0x2021'0004, 0xA000'0064},
+                {0x0000'0000, pos},
+                {0x6000'0000, pos},
+                {0x0000'0000, 0x64},
+                {0x0000'0000, 0x64}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+}
+
+TEST_F(FrabaPreset, ThatWasNotTakenIsAFailure)
+{
+    ASSERT_TRUE(m_table.begin(SetPreset{{}, PresetCommand::manufacturer}));
+    m_table.play({{0x0000'0000, pos}, {0x6000'0000, pos}});
+    m_table.repeat(1'999, {0x0000'0000, pos});
+    m_table.play({{0x2021'0006, 0xA000'0001}, {0x0000'0000, pos}, {0x0000'0000, pos}});
+    ASSERT_TRUE(m_table.outcome());
+    EXPECT_EQ(m_table.outcome()->result.error().id, RefusalId::presetNotTaken);
 }
 
 TEST_F(FrabaPreset, AValueIsProgrammedAndReadBackBefore)

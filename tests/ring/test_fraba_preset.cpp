@@ -42,6 +42,8 @@ protected:
         QObject::connect(m_bus->channel(place), &WordChannel::refused, m_bus.get(),
                          [this](const Refusal &why) { m_refused.push_back(why.id); });
         m_bus->advance(3);
+        encoder().tell(Parameter::preset, 100);
+        m_bus->advance(1);
     }
     EncoderSession &encoder() { return *m_bus->encoder(place); }
     void write(Word word)

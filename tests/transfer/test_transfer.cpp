@@ -160,7 +160,8 @@ TEST_F(Transfer, FinishingThisEncoderGivesItAllItsJobsAndTheOthersNone)
     round.finishThisEncoder();
     advance();
     const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
-    EXPECT_TRUE(account.encoders[0].isDone());
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::written);
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::presetNotKnownWithout) << "the preset was sent, too";
     EXPECT_FALSE(account.encoders[1].isBegun);
 }
 

@@ -163,7 +163,7 @@ TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
         EXPECT_TRUE(question.text().contains(QStringLiteral("not known: read it")));
     }
     finishJobs();
-    EXPECT_THAT(m_sent, ElementsAre(0x6000'0000u, 0u));
+    EXPECT_THAT(m_sent, ElementsAre(0x2021'0004u, 0u, 0x6000'0000u, 0u)) << "the preset is read first";
     EXPECT_EQ(encoder().latest().position, 0);
     EXPECT_EQ(encoder().eepromWrites(), 1);
     EXPECT_TRUE(message().contains(QStringLiteral("Position: 0."))) << message().toStdString();

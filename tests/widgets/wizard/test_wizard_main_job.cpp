@@ -40,7 +40,7 @@ TEST_F(WizardMainJob, ByMouse)
     wizard.setEncoder(&fraba());
     next();
     click("readAll");
-    bus.advance(2000);
+    bus.advance(3000);
     click("isPositionMode");
     bus.advance(5);
     next();
@@ -109,7 +109,7 @@ TEST_F(WizardByKeys, TheWholeJob)
     EXPECT_EQ(wizard.encoder(), &fraba());
     turnTo(ParameterWizard::known, Qt::Key_N);
     press(Qt::Key_Space); // Read from encoder
-    bus.advance(2000);
+    bus.advance(3000);
     press(Qt::Key_P, Qt::AltModifier); // It is in position mode
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return fraba().known(Parameter::startUpMode)->evidence == Evidence::told; }));
@@ -126,7 +126,7 @@ TEST_F(WizardByKeys, TheWholeJob)
     turnTo(ParameterWizard::review, Qt::Key_N);
     turnTo(ParameterWizard::handshake, Qt::Key_S);
     for (int i = 0; i < 50 && wizard.isBusy(); ++i) {
-        bus.advance(60);
+        bus.advance(600);
         if (wizard.isBusy())
             press(Qt::Key_Space); // Next step has the focus
     }
@@ -144,7 +144,7 @@ TEST_F(WizardMainJob, ByAccessibilityAlone)
     EXPECT_EQ(wizard.encoder(), &fraba());
     reader.press(QStringLiteral("Next"));
     reader.press(QStringLiteral("Read from encoder"));
-    bus.advance(2000);
+    bus.advance(3000);
     reader.press(QStringLiteral("It is in position mode"));
     bus.advance(5);
     reader.press(QStringLiteral("Next"));
@@ -155,7 +155,7 @@ TEST_F(WizardMainJob, ByAccessibilityAlone)
     reader.press(QStringLiteral("Next"));
     reader.press(QStringLiteral("Start the handshake"));
     for (int i = 0; i < 50 && wizard.isBusy(); ++i) {
-        bus.advance(60);
+        bus.advance(600);
         if (wizard.isBusy())
             reader.press(QStringLiteral("Next step"));
     }

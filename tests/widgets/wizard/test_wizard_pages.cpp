@@ -368,7 +368,7 @@ TEST_F(WizardPages, TheModeOfAnUnnamedK3CanBeTold)
     EXPECT_TRUE(isEnabled("wizardNext"));
     click("byItself");
     next();
-    bus.advance(2000);
+    bus.advance(3000);
     EXPECT_FALSE(wizard.isBusy());
     EXPECT_EQ(out("2.0"_ring), 0u);
     EXPECT_EQ(baumer().known(Parameter::preset)->value, 0);

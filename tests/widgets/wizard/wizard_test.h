@@ -82,7 +82,7 @@ protected:
     {
         int pressed = 0;
         for (; pressed < steps && wizard.isBusy(); ++pressed) {
-            bus.advance(60);
+            bus.advance(600); // a position of 0 has to last
             if (!wizard.isBusy() || !isEnabled("nextStep"))
                 break;
             click("nextStep");
