@@ -1940,10 +1940,6 @@
         <translation>Die Nullen des ALARM-STOPPs sind angekommen: Alle OUT-Worte wurden als 00000000 zurückgelesen.</translation>
     </message>
     <message>
-        <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else. Somebody else may write to it: stop the machine by its own means.</source>
-        <translation>Die Nullen des ALARM-STOPPs wurden gesendet, aber OUT wurde anders zurückgelesen. Vielleicht schreibt noch jemand: Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP were sent and acknowledged. OUT cannot be read back on this link.</source>
         <translation>Die Nullen des ALARM-STOPPs wurden gesendet und bestätigt. OUT lässt sich über diese Verbindung nicht zurücklesen.</translation>
     </message>
@@ -2002,6 +1998,18 @@
     <message>
         <source>OUT may still hold %1: the encoder may give no position. Bring it back once the link is there again.</source>
         <translation>In OUT steht vielleicht noch %1: Der Geber liefert dann womöglich keine Position. Zurücksetzen, sobald die Verbindung wieder da ist.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else: %1. Somebody else may write to it: stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM STOP wurden gesendet, aber OUT wurde anders zurückgelesen: %1. Vielleicht schreibt noch jemand darauf: Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+    </message>
+    <message>
+        <source>The gateway says that its ring runs again.</source>
+        <translation>Das Gateway sagt, dass sein Ring wieder läuft.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived yet: the gateway does not acknowledge them. The program goes on trying. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM STOP sind noch nicht angekommen: Das Gateway bestätigt sie nicht. Das Programm versucht es weiter. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
 </context>
 <context>
@@ -3071,6 +3079,34 @@
     <message>
         <source>Only an administrator may serve at port %1. Take a higher one, such as 1502.</source>
         <translation>An Port %1 darf nur ein Administrator etwas anbieten. Einen höheren nehmen, etwa 1502.</translation>
+    </message>
+    <message>
+        <source>The position was not set: the encoder shows %2, and would show %1. Make sure that its OUT word reaches it, then set the position again.</source>
+        <translation>Die Position wurde nicht gesetzt: Der Drehgeber zeigt %2 und würde sonst %1 zeigen. Stellen Sie sicher, dass sein OUT-Wort ihn erreicht, und setzen Sie die Position noch einmal.</translation>
+    </message>
+    <message>
+        <source>The position was not set: the encoder shows %2, and would show %1. It had used its preset up (preset flag 0): write the preset again, then set the position.</source>
+        <translation>Die Position wurde nicht gesetzt: Der Drehgeber zeigt %2 und würde sonst %1 zeigen. Sein Preset war verbraucht (Preset-Flag 0): Schreiben Sie den Preset neu, und setzen Sie dann die Position.</translation>
+    </message>
+    <message>
+        <source>The preset was sent, but it is not known whether the position was set, since it is not known what the encoder has for: %1. It shows %2: compare that with the machine. It can be told where that value was written from here before.</source>
+        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt, weil nicht bekannt ist, was der Drehgeber hat für: %1. Er zeigt %2: Vergleichen Sie das mit der Maschine. Sagen lässt es sich, wenn dieser Wert vorher von hier geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The preset was sent, but it is not known whether the position was set: the encoder shows %1, which does not tell. Compare it with the machine before you go on.</source>
+        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt: Der Drehgeber zeigt %1, und das verrät es nicht. Vergleichen Sie es mit der Maschine, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The gateway says that its ring does not run (status register %1): what it shows is old. Start the ring at its master.</source>
+        <translation>Das Gateway sagt, dass sein Ring nicht läuft (Statusregister %1): Was es zeigt, ist alt. Starten Sie den Ring an seinem Master.</translation>
+    </message>
+    <message>
+        <source>The gateway says that its ring has failed (status register %1): what it shows is old. Look at the display of its master.</source>
+        <translation>Das Gateway sagt, dass sein Ring ausgefallen ist (Statusregister %1): Was es zeigt, ist alt. Sehen Sie auf die Anzeige seines Masters.</translation>
+    </message>
+    <message>
+        <source>The gateway says that its ring has failed (status register %1): what it shows is old. The place it names is %2: check plugs, shields and 24 V there.</source>
+        <translation>Das Gateway sagt, dass sein Ring ausgefallen ist (Statusregister %1): Was es zeigt, ist alt. Es nennt den Ort %2: Prüfen Sie dort Stecker, Schirme und 24 V.</translation>
     </message>
 </context>
 <context>
@@ -7568,6 +7604,22 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>In which state the encoder is, is not known until it is seen again.</source>
         <translation>In welchem Zustand der Geber ist, ist nicht bekannt, bis er wieder zu sehen ist.</translation>
     </message>
+    <message>
+        <source>how long an alarm-stop tries to get its zeros to a gateway (10)</source>
+        <translation>wie lange ein alarm-stop versucht, seine Nullen an ein Gateway zu bringen (10)</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived within %1 s. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM STOP sind innerhalb von %1 s nicht angekommen. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+    </message>
+    <message>
+        <source>Connections that the gateway had closed while idle: %1. Stray bytes: %2. Echoes of our requests: %3.</source>
+        <translation>Verbindungen, die das Gateway in Ruhe geschlossen hatte: %1. Verirrte Bytes: %2. Echos unserer Anfragen: %3.</translation>
+    </message>
+    <message>
+        <source>Add to the link: %1</source>
+        <translation>In den Link aufnehmen: %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -10002,10 +10054,6 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <translation>Die Register jedes Teilnehmers und die Wortreihenfolge</translation>
     </message>
     <message>
-        <source>Connected</source>
-        <translation>Verbunden</translation>
-    </message>
-    <message>
         <source>Connected, stopped</source>
         <translation>Verbunden, angehalten</translation>
     </message>
@@ -10028,6 +10076,22 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>Watch: only reads are sent</source>
         <translation>Beobachten: Es wird nur gelesen</translation>
+    </message>
+    <message>
+        <source>Connected; whether the ring runs is not told</source>
+        <translation>Verbunden; ob der Ring läuft, wird nicht gesagt</translation>
+    </message>
+    <message>
+        <source>Connected, and the ring runs</source>
+        <translation>Verbunden, und der Ring läuft</translation>
+    </message>
+    <message>
+        <source>Connected, but the ring has failed</source>
+        <translation>Verbunden, aber der Ring ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>Connected, but the ring stands still</source>
+        <translation>Verbunden, aber der Ring steht</translation>
     </message>
 </context>
 <context>
@@ -10354,6 +10418,27 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>it is damaged or incomplete</source>
         <translation>sie ist beschädigt oder unvollständig</translation>
+    </message>
+    <message>
+        <source>%1 %2 (register %3)</source>
+        <comment>a device, its word, its first register</comment>
+        <translation>%1 %2 (Register %3)</translation>
+    </message>
+    <message>
+        <source>bits from 0 to 15, as %1, or %2</source>
+        <translation>Bits von 0 bis 15, wie %1, oder %2</translation>
+    </message>
+    <message>
+        <source>What its bits mean is not set, so nothing tells whether the ring runs.</source>
+        <translation>Was seine Bits bedeuten, ist nicht eingestellt; daher sagt nichts, ob der Ring läuft.</translation>
+    </message>
+    <message>
+        <source>The ring runs.</source>
+        <translation>Der Ring läuft.</translation>
+    </message>
+    <message>
+        <source>They are those of a ring that Codewheel offers; its status register tells whether it runs.</source>
+        <translation>Es sind die eines Rings, den Codewheel anbietet; sein Statusregister sagt, ob er läuft.</translation>
     </message>
 </context>
 <context>
@@ -12797,6 +12882,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Exceptions %1</source>
         <translation>Exceptions %1</translation>
+    </message>
+    <message>
+        <source>Closed by the gateway while idle</source>
+        <translation>Vom Gateway in Ruhe geschlossen</translation>
+    </message>
+    <message>
+        <source>Stray bytes</source>
+        <translation>Verirrte Bytes</translation>
+    </message>
+    <message>
+        <source>Echoes of requests</source>
+        <translation>Echos von Anfragen</translation>
     </message>
 </context>
 <context>
@@ -16730,6 +16827,10 @@ Zustand: %3 (%4)</translation>
         <source>the gateway does not say: no status register is set</source>
         <translation>das Gateway sagt es nicht: kein Statusregister eingestellt</translation>
     </message>
+    <message>
+        <source>not known: what the bits of its status register mean is not set</source>
+        <translation>nicht bekannt: Was die Bits seines Statusregisters bedeuten, ist nicht eingestellt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingComparison</name>
@@ -16912,6 +17013,19 @@ Zustand: %3 (%4)</translation>
         <source>The gateway is tried again each second.</source>
         <translation>Das Gateway wird jede Sekunde neu versucht.</translation>
     </message>
+    <message>
+        <source>A job that lost its link has left %1 in OUT of %2. The encoder may show no position, and the controller gets none.</source>
+        <translation>Ein Auftrag, dessen Verbindung abriss, hat %1 in OUT von %2 hinterlassen. Der Drehgeber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
+    </message>
+    <message>
+        <source>A job that lost its link may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
+        <translation>Ein Auftrag, dessen Verbindung abriss, hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Drehgeber vielleicht keine Position.</translation>
+    </message>
+    <message>
+        <source>zeros missing</source>
+        <comment>of ALARM STOP</comment>
+        <translation>Nullen fehlen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingKind</name>
@@ -16937,6 +17051,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>Connection</source>
         <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>The fields are filled in.</source>
+        <translation>Die Felder sind ausgefüllt.</translation>
     </message>
 </context>
 <context>
@@ -17057,6 +17175,23 @@ Zustand: %7</translation>
     <message>
         <source>no position</source>
         <translation>ohne Position</translation>
+    </message>
+    <message>
+        <source>The gateway to the ring: %1.</source>
+        <translation>Das Gateway zum Ring: %1.</translation>
+    </message>
+    <message>
+        <source>ring failed</source>
+        <translation>Ring ausgefallen</translation>
+    </message>
+    <message>
+        <source>ring stands still</source>
+        <translation>Ring steht</translation>
+    </message>
+    <message>
+        <source>OUT left</source>
+        <comment>a word that a job has left in OUT</comment>
+        <translation>OUT steht noch</translation>
     </message>
 </context>
 <context>
@@ -17376,6 +17511,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Shafts can be turned and faults caused on a training bus only.</source>
         <translation>Nur an einem Übungsbus lassen sich Wellen drehen und Fehler auslösen.</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since</source>
+        <translation>Wechselt zu Bedienen, setzt OUT von %1 auf 00000000 und liest, was seitdem nicht bekannt ist</translation>
     </message>
 </context>
 <context>
@@ -18324,10 +18467,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>Where the gateway tells its state, if it does; it is shown, and changes nothing</source>
-        <translation>Wo das Gateway seinen Zustand meldet, falls es das tut; er wird gezeigt und ändert nichts</translation>
-    </message>
-    <message>
         <source>Kept with the project; the program never writes it by itself</source>
         <translation>Steht im Projekt; das Programm schreibt es nie von sich aus</translation>
     </message>
@@ -18415,6 +18554,50 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>How long the gateway may say that it is busy before the link counts as lost</source>
         <translation>Wie lange das Gateway melden darf, dass es beschäftigt ist, bevor die Verbindung als verloren gilt</translation>
+    </message>
+    <message>
+        <source>Where the gateway tells its state, if it does; what its bits mean is set below</source>
+        <translation>Wo das Gateway seinen Zustand nennt, falls es das tut; was die Bits bedeuten, steht darunter</translation>
+    </message>
+    <message>
+        <source>Bit of run</source>
+        <translation>Bit für Lauf</translation>
+    </message>
+    <message>
+        <source>The bit of the status register that is 1 while the ring runs, by the manual of the gateway. Without it the program cannot know</source>
+        <translation>Das Bit des Statusregisters, das nach dem Handbuch des Gateways 1 ist, solange der Ring läuft. Ohne es kann das Programm das nicht wissen</translation>
+    </message>
+    <message>
+        <source>Bits of a fault</source>
+        <translation>Bits für Fehler</translation>
+    </message>
+    <message>
+        <source>The bits of the status register of which one is 1 when the ring has failed, as 2+3; or none</source>
+        <translation>Die Bits des Statusregisters, von denen eines 1 ist, wenn der Ring ausgefallen ist, wie 2+3; oder none</translation>
+    </message>
+    <message>
+        <source>Register of the place</source>
+        <translation>Register des Orts</translation>
+    </message>
+    <message>
+        <source>Where the gateway tells the place of a fault: segment in the high byte, position in the low one</source>
+        <translation>Wo das Gateway den Ort eines Fehlers nennt: Segment im oberen Byte, Position im unteren</translation>
+    </message>
+    <message>
+        <source>Registers in a read</source>
+        <translation>Register je Lesen</translation>
+    </message>
+    <message>
+        <source>The most that the gateway gives in one request; 125 by the standard</source>
+        <translation>So viele, wie das Gateway höchstens in einer Anfrage liefert; 125 nach der Norm</translation>
+    </message>
+    <message>
+        <source>Registers in a write</source>
+        <translation>Register je Schreiben</translation>
+    </message>
+    <message>
+        <source>The most that the gateway takes in one request; 123 by the standard</source>
+        <translation>So viele, wie das Gateway höchstens in einer Anfrage nimmt; 123 nach der Norm</translation>
     </message>
 </context>
 <context>

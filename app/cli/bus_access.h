@@ -87,6 +87,8 @@ public:
     virtual bool startThread() { return false; }
     bool isConnected() const;
     Complaint linkLost() const; // why it is gone
+    // Why what it shows is old although it is connected; empty: it is not, or nobody tells.
+    virtual std::optional<Complaint> whyItStands() const { return std::nullopt; }
     // About a job that was refused, and about the link if that is gone.
     virtual Complaint complaint(const Refusal &why) const { return complaintAbout(why); }
 

@@ -127,6 +127,8 @@ Checked<Answer> runMonitor(const Call &call, EncoderSession &encoder)
     bus.addFigures(call, encoder, answer);
     if (!bus.isConnected())
         answer.complaint = bus.linkLost();
+    else
+        answer.complaint = bus.whyItStands();
     return answer;
 }
 

@@ -185,8 +185,11 @@ void RingLinks::take(const GatewayFinding &finding)
             m_parts.registers.tell(finding.sentence);
         return;
     }
+    if (!finding.proposed.empty())
+        (m_tested.transport == GatewaySettings::Transport::tcp ? m_tcp : m_rtu)->propose(finding.proposed);
+    const QString filledIn = finding.proposed.empty() ? QString() : u' ' + tr("The fields are filled in.");
     m_parts.page.addStep(finding.outcome, gatewayStepText(finding.step, m_tested.transport, finding.place),
-                         finding.sentence);
+                         finding.sentence + filledIn);
     if (finding.why)
         tellCommand(m_parts.page, *finding.why);
 }

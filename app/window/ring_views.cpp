@@ -249,6 +249,11 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
     if (action == FaultAction::start)
         return {tr("Start again"), tr("Activates the configuration, and starts data transfer"),
                 m_ring.bus()->isReadingIn() ? tr("The ring is being read in.") : QString()};
+    if (action == FaultAction::bringBack)
+        return {tr("Bring back"),
+                tr("Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since")
+                    .arg(fault.node.toString()),
+                {}};
     const QString whyNot =
         m_ring.bus()->isOperating() ? QString() : tr("The program only watches. Switch to Operate first.");
     if (action == FaultAction::confirm)
@@ -268,6 +273,8 @@ void RingViews::act(const Fault &fault, FaultAction action)
         m_ring.bus()->setRunning(true);
     else if (action == FaultAction::confirm)
         m_connection->confirmDiagnostics();
+    else if (action == FaultAction::bringBack)
+        m_ring.bus()->bringBack(m_ring.bus()->placeOf(fault.node));
     else
         m_master->toggleSegment(DeviceNumber::of(fault.cutOff).segment);
 }

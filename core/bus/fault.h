@@ -13,6 +13,7 @@ enum class FaultAction : std::uint8_t {
     start,     // the bus again
     switchOff, // what is behind the fault, so that the rest can run
     confirm,   // it is over, or shall be checked again
+    bringBack, // what a job that was cut has left, and read what is not known since
 };
 
 // Something wrong on a bus, as reported to people: what, where, and what to do. Buses of all kinds have them

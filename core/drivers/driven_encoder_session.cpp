@@ -101,9 +101,22 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
 {
     if (m_runningJob == outcome.job)
         m_runningJob.reset();
+    if (outcome.inDoubt.hasSomething())
+        m_inDoubt = outcome.inDoubt;
     for (Message &message : jobReport(m_job, outcome, m_description))
         report(std::move(message), at);
     Q_EMIT finished(outcome);
+}
+
+std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
+{
+    std::vector<Parameter> parameters;
+    for (const ParameterDescription &its : m_description.parameters) {
+        const bool isInDoubt = m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter);
+        if (its.number && its.readOut && isInDoubt && !known(its.parameter))
+            parameters.push_back(its.parameter);
+    }
+    return parameters;
 }
 
 void DrivenEncoderSession::take(const KnowledgeChanged &change)

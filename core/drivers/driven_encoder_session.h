@@ -39,6 +39,10 @@ public:
     int eepromWrites() const override { return m_eepromWrites; }
     void countEepromWrites(int writes) { m_eepromWrites += writes; }
 
+    // Of what a job was about to write when nobody saw the encoder any more: what is not known yet, and can
+    // be read.
+    std::vector<Parameter> readableDoubts() const;
+
     void show(const Reading &reading, const Freshness::Circumstances &bus);
     void take(const Event &event, Instant at);
 
@@ -73,6 +77,7 @@ private:
     JobId m_lastJob = 0;
     std::optional<JobId> m_runningJob;
     Job m_job;
+    InDoubt m_inDoubt; // of the last job that ended out of sight
     int m_eepromWrites = 0;
 };
 

@@ -19,9 +19,10 @@ enum class MessageId : std::uint8_t {
     busStopped,        //
     alarmStop,         // all OUT words set to 0
     zerosReadBack,     // of the ALARM STOP, on a gateway
-    zerosOverwritten,  // they were sent, but something else was read back
+    zerosOverwritten,  // they were sent, but something else was read back: text of what is where
     zerosSent,         // and cannot be read back
     zerosWait,         // the link is lost: they go out first once it is back
+    zerosLate,         // they were asked for a second ago, and have not arrived
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
@@ -85,6 +86,7 @@ enum class MessageId : std::uint8_t {
     portLost,                 // port
     portBack,                 // port
     linkBack,                 // of a ring
+    ringRunsAgain,            // as its gateway says
     lowLatencyRefused,        // port
     encoderSilent,            // tries without an answer
     encoderAnswers,           //

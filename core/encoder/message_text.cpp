@@ -31,7 +31,7 @@ constexpr std::array messageRows{
                                             "read back as 00000000.")},
     MessageRow{MessageId::zerosOverwritten, "zerosOverwritten",
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent, but OUT was read back as "
-                                            "something else. Somebody else may write to it: stop the "
+                                            "something else: %1. Somebody else may write to it: stop the "
                                             "machine by its own means.")},
     MessageRow{MessageId::zerosSent, "zerosSent",
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
@@ -41,6 +41,11 @@ constexpr std::array messageRows{
                                  "The link is lost, so the zeros of the ALARM STOP have not arrived: "
                                  "they go out first once it is back. Stop the machine by its own "
                                  "means.")},
+    MessageRow{MessageId::zerosLate, "zerosLate",
+               QT_TRANSLATE_NOOP(
+                   "Message",
+                   "The zeros of the ALARM STOP have not arrived yet: the gateway does not "
+                   "acknowledge them. The program goes on trying. Stop the machine by its own means.")},
     MessageRow{MessageId::operateOn, "operateOn",
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",
@@ -195,6 +200,8 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
     MessageRow{MessageId::linkBack, "linkBack",
                QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
+    MessageRow{MessageId::ringRunsAgain, "ringRunsAgain",
+               QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
     MessageRow{
         MessageId::lowLatencyRefused, "lowLatencyRefused",
         QT_TRANSLATE_NOOP(

@@ -66,6 +66,11 @@ Pdu writeAndRead(int writeFirst, std::span<const Register> registers, int readFi
     return message;
 }
 
+bool writes(const Pdu &request)
+{
+    return request.front() == writeFunction || request.front() == writeAndReadFunction;
+}
+
 std::size_t answerLength(const Pdu &request)
 {
     if (request.front() == writeFunction)

@@ -14,6 +14,7 @@ Pdu write(int first, std::span<const Register> registers); // 16
 Pdu writeAndRead(int writeFirst, std::span<const Register> registers, int readFirst,
                  std::size_t count); // 23
 
+bool writes(const Pdu &request);
 // Of the answer to it that is no exception.
 std::size_t answerLength(const Pdu &request);
 

@@ -87,6 +87,11 @@ void ModbusPort::interrupt()
     d->wire->interrupt();
 }
 
+RegisterPort::Noticed ModbusPort::noticed() const
+{
+    return d->wire->noticed();
+}
+
 QString ModbusPort::name() const
 {
     return gatewayUnit(d->settings);

@@ -24,6 +24,7 @@ public:
     void wait(Instant until) override;
     void interrupt() override;
     QString name() const override;
+    Noticed noticed() const override;
 
 private:
     struct Private;

@@ -22,6 +22,10 @@ public:
     Result<void> open() override;
     void close() override { m_line.close(); }
     tl::expected<modbus_message::Pdu, RegisterError> exchange(const modbus_message::Pdu &request) override;
+    RegisterPort::Noticed noticed() const override
+    {
+        return {.strayBytes = m_answers.strayBytes(), .echoes = m_answers.echoes()};
+    }
     void distrust() override { m_doubt = Doubt::unanswered; }
     Instant now() const override { return m_line.now(); }
     void wait(Instant until) override { m_line.wait(until); }

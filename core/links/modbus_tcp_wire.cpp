@@ -72,6 +72,7 @@ Result<void> ModbusTcpWire::connect(Instant timeOut)
     m_received.clear();
     m_isOutOfStep = false;
     m_before = -1;
+    m_answers = 0;
     return {};
 }
 
@@ -94,14 +95,39 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
         return failed({.kind = ErrorKind::stopped});
     if (!m_isOpen)
         return failed({.kind = ErrorKind::closed});
-    if (!m_socket || m_isOutOfStep)
+    const bool isOver = isGivenUp();
+    if (isOver && !m_closesAfterEach && modbus_message::writes(request))
+        return failed({.kind = ErrorKind::closed, .isSent = false});
+    if (!m_socket || m_isOutOfStep || isOver) {
         if (auto connected = connect(m_settings.timeOut); !connected)
             return failed({.kind = connected.error().kind == RefusalKind::stopped ? ErrorKind::stopped
                                                                                   : ErrorKind::closed});
+        m_reconnections += isOver ? 1 : 0;
+    }
     const Time until = steady_clock::now() + m_settings.timeOut;
     if (auto sent = send(request); !sent)
         return tl::unexpected(sent.error());
     return receive(until);
+}
+
+// Nothing is on its way then, so that nothing is in doubt.
+bool ModbusTcpWire::isGivenUp()
+{
+    if (m_closesAfterEach && m_answers > 0)
+        return true;
+    std::array<std::uint8_t, mostAtOnce> late{};
+    ssize_t came = 1;
+    while (m_socket && came > 0)
+        came = ::recv(m_socket.get(), late.data(), late.size(), MSG_DONTWAIT);
+    const bool isClosed = m_socket && (came == 0 || (errno != EAGAIN && errno != EINTR));
+    if (isClosed)
+        learnFromClosing();
+    return isClosed;
+}
+
+void ModbusTcpWire::learnFromClosing()
+{
+    m_closesAfterEach = m_closesAfterEach || m_answers == 1;
 }
 
 RegisterPort::Done ModbusTcpWire::send(const Pdu &request)
@@ -146,6 +172,7 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::receive(Time until)
                                       {QString::number(answer.transaction), QString::number(m_transaction)}));
         if (answer.unit != m_settings.unit)
             return outOfStep(sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(answer.unit)}));
+        ++m_answers;
         return std::move(answer.pdu);
     }
 }
@@ -180,8 +207,11 @@ RegisterPort::Done ModbusTcpWire::receiveMore(Time until)
     const auto came = ::recv(m_socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (came < 0 && errno == EAGAIN)
         return {};
-    if (came <= 0)
-        return tl::unexpected(closedBy(came < 0 ? errno : ECONNRESET));
+    if (came <= 0) {
+        const int why = came < 0 ? errno : ECONNRESET;
+        learnFromClosing();
+        return tl::unexpected(closedBy(why));
+    }
     m_received.insert(m_received.end(), bytes.begin(), bytes.begin() + came);
     return {};
 }

@@ -16,7 +16,9 @@ namespace codewheel {
 // Answers are told apart by their transaction. After silence the connection stays: a late answer has the
 // number of a transaction that is over and is dropped, while connecting anew would lose nothing but time, and
 // many gateways have room for few connections and give up an old one slowly. After half an answer or a
-// foreign one nobody knows where the next one begins; then the wire connects anew before the next request.
+// foreign one nobody knows where the next one begins; then the wire connects anew before the next request. So
+// it does before a read where the gateway has closed the connection meanwhile, and each time where it does
+// that after each answer. A write is not sent then: a gateway may change its outputs when it closes.
 class ModbusTcpWire final : public ModbusWire
 {
 public:
@@ -26,6 +28,10 @@ public:
     void close() override;
     tl::expected<modbus_message::Pdu, RegisterError> exchange(const modbus_message::Pdu &request) override;
     void distrust() override { m_isOutOfStep = true; }
+    RegisterPort::Noticed noticed() const override
+    {
+        return {.reconnections = m_reconnections, .closesAfterEach = m_closesAfterEach};
+    }
     Instant now() const override;
     void wait(Instant until) override;
     void interrupt() override { m_wake.raise(); }
@@ -41,6 +47,8 @@ private:
     };
 
     Result<void> connect(Instant timeOut);
+    bool isGivenUp();
+    void learnFromClosing();
     RegisterPort::Done send(const modbus_message::Pdu &request);
     tl::expected<modbus_message::Pdu, RegisterError> receive(Time until);
     RegisterPort::Done receiveMore(Time until);
@@ -58,6 +66,9 @@ private:
     bool m_isOutOfStep = false;
     std::uint16_t m_transaction = 0; // the last one
     int m_before = -1;               // transactions before it on this connection
+    int m_answers = 0;               // on this connection
+    bool m_closesAfterEach = false;  // the gateway does
+    std::uint64_t m_reconnections = 0;
     const Time m_begin = std::chrono::steady_clock::now();
 };
 

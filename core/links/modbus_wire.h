@@ -20,6 +20,7 @@ public:
     virtual void distrust() = 0;
 
     // See RegisterPort.
+    virtual RegisterPort::Noticed noticed() const = 0;
     virtual Instant now() const = 0;
     virtual void wait(Instant until) = 0;
     virtual void interrupt() = 0;

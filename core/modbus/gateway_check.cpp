@@ -7,6 +7,8 @@
 #include "modbus/gateway_check_text.h"
 #include "modbus/gateway_texts.h"
 #include "modbus/register_refusal.h"
+#include "modbus/served_ring.h"
+#include "ring/told_ring.h"
 
 #include <algorithm>
 #include <array>
@@ -218,8 +220,11 @@ GatewayFinding GatewayCheck::checkIn()
     if (m_map->inBlocks().empty())
         return skipped(GatewayTexts::tr("No device of the project has IN words."));
     const auto done = readAll(m_settings.inArea, m_map->inBlocks());
-    if (done)
-        return passed(readableText(readFunction(m_settings.inArea), spanOf(m_map->inBlocks())));
+    if (done) {
+        auto found = passed(readableText(readFunction(m_settings.inArea), spanOf(m_map->inBlocks())));
+        recognise(found);
+        return found;
+    }
     return failed(done.error(),
                   isOfMap(done.error()) ? whereItEnds(m_settings.inArea, &GatewayMap::in) : QString());
 }
@@ -244,9 +249,49 @@ GatewayFinding GatewayCheck::readStatus()
 {
     std::vector<Register> registers;
     const auto done = read(m_settings.inArea, {*m_settings.statusRegister, 1}, registers);
-    return done ? passed(sentence(GatewayTexts::tr("The status register is %1."),
-                                  {registerText(registers.front())}))
-                : failed(done.error());
+    return done ? judgedStatus(registers.front()) : failed(done.error());
+}
+
+GatewayFinding GatewayCheck::judgedStatus(Register status)
+{
+    const QString shown = sentence(GatewayTexts::tr("The status register is %1."), {registerText(status)});
+    const auto told = toldRing(m_settings, status);
+    if (!told)
+        return passed(
+            shown + u' ' +
+            GatewayTexts::tr("What its bits mean is not set, so nothing tells whether the ring runs."));
+    return told->stands() ? failed(told->whyItStands())
+                          : passed(shown + u' ' + GatewayTexts::tr("The ring runs."));
+}
+
+// Another Codewheel that offers a ring tells whether it runs. Of other gateways nothing is claimed.
+void GatewayCheck::recognise(GatewayFinding &finding)
+{
+    if (m_settings.statusRegister || !isOfCodewheel())
+        return;
+    finding.sentence += u' ' + GatewayTexts::tr("They are those of a ring that Codewheel offers; its status "
+                                                "register tells whether it runs.");
+    const auto set = settingTexts(m_settings);
+    for (const auto &[name, text] : settingTexts(servedSettings(m_settings)))
+        if (!set.contains(name) || set.at(name) != text)
+            finding.proposed[name] = text;
+}
+
+// Its status registers are in both areas, nothing is behind them, and IN is among the holding registers, too.
+bool GatewayCheck::isOfCodewheel()
+{
+    using namespace served_registers;
+    if (!m_map || m_map->inBlocks().empty() || m_settings.inArea != RegisterArea::input ||
+        m_settings.inFirst != in)
+        return false;
+    const auto canRead = [this](RegisterArea area, int first, int count) {
+        std::vector<Register> registers;
+        return read(area, {first, count}, registers).has_value();
+    };
+    return canRead(RegisterArea::input, status, end - status) &&
+           canRead(RegisterArea::holding, status, end - status) &&
+           canRead(RegisterArea::holding, inAsHolding, 1) && !canRead(RegisterArea::input, end, 1) &&
+           !canRead(RegisterArea::holding, end, 1) && !m_isOver;
 }
 
 // A word that moves is never the same twice; the last read counts then.

@@ -7,6 +7,8 @@
 
 #include <QStringList>
 
+#include <map>
+
 namespace codewheel {
 
 enum class GatewayStep : std::uint8_t {
@@ -15,7 +17,7 @@ enum class GatewayStep : std::uint8_t {
     answered,  // by the unit
     inArea,    // all IN registers of the project exist
     outArea,   // all OUT registers exist and can be read back
-    status,    // the status register can be read
+    status,    // the status register says that the ring runs
     word,      // what the registers of a device show is a word it can have sent
 };
 QString gatewayStepKey(GatewayStep step); // language-neutral: "inArea"
@@ -43,6 +45,7 @@ struct GatewayFinding
     NodeId place{};                         // of a word
     std::optional<Refusal> why{};           // of a failed one, if it has a refusal
     std::optional<DeviceRegisters> shown{}; // of a word
+    std::map<QString, QString> proposed{};  // settings that fit better, by name
 
     friend bool operator==(const GatewayFinding &, const GatewayFinding &) = default;
 };
@@ -89,6 +92,9 @@ private:
     GatewayFinding checkIn();
     GatewayFinding checkOut();
     GatewayFinding readStatus();
+    GatewayFinding judgedStatus(Register status);
+    void recognise(GatewayFinding &finding);
+    bool isOfCodewheel();
     GatewayFinding checkWord(std::size_t device);
 
     GatewayFinding withOutcome(CheckOutcome outcome, const QString &sentence) const;

@@ -32,8 +32,16 @@ void GatewayCounter::transaction(const RegisterPort::Done &done, Instant begun, 
         show(now);
 }
 
+void GatewayCounter::noticed(const RegisterPort::Noticed &by)
+{
+    m_figures.reconnections = by.reconnections;
+    m_figures.strayBytes = by.strayBytes;
+    m_figures.echoes = by.echoes;
+}
+
 void GatewayCounter::show(Instant now)
 {
+    m_figures.connections = m_opened + m_figures.reconnections;
     m_told = std::make_shared<const LinkFigures>(m_figures);
     m_toldAt = now;
 }

@@ -14,7 +14,8 @@ class GatewayCounter
 public:
     // A transaction that was sent at `begun`; `again`: because the one before failed.
     void transaction(const RegisterPort::Done &done, Instant begun, Instant now, bool again);
-    void connected() { ++m_figures.connections; }
+    void connected() { ++m_opened; }
+    void noticed(const RegisterPort::Noticed &by);
     void torn(std::size_t words) { m_figures.tornWords += words; }
     void exchanged(Instant now);
     void closed(Instant now); // nothing is exchanged until it is open again
@@ -27,6 +28,7 @@ private:
     void show(Instant now);
 
     LinkFigures m_figures;
+    std::uint64_t m_opened = 0;
     AnswerTimes m_roundTrips;
     std::shared_ptr<const LinkFigures> m_told = std::make_shared<const LinkFigures>();
     Instant m_toldAt{};

@@ -18,6 +18,7 @@ struct GatewayLink::Device
     bool believed = false; // the last exchange gave a word
     int doubts = 0;        // exchanges in a row without a word that could be believed
     OwnWord own{};
+    bool isClaimed = false; // somebody asked for words in its OUT, since the link is open
 };
 
 namespace gateway {

@@ -3,6 +3,8 @@
 
 #include "modbus/gateway_device_state.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 #include <utility>
 
@@ -46,6 +48,8 @@ Result<RingStructure> GatewayLink::open()
     m_counter.connected();
     m_map = *std::move(map);
     m_readsBack = m_settings.readsBack;
+    m_written = m_readsBack ? m_map->outBlocks() : std::vector<RegisterBlock>();
+    (void)hasReconnected(); // OUT is read back next
     m_nextExchange = {};
     m_nextStatus = {};
     m_inRegisters = registersOf(m_map->inBlocks(), m_settings.inFirst);
@@ -63,7 +67,9 @@ void GatewayLink::close()
     m_port->close();
     m_counter.closed(m_port->now());
     m_map.reset();
+    m_told.reset();
     for (Device &device : m_devices) {
+        device.isClaimed = false;
         device.in.forget();
         device.out.forget();
         device.own.forget();
@@ -85,13 +91,14 @@ Result<void> GatewayLink::exchange(std::span<const Word> out, std::span<Word> in
 {
     if (auto usable = checkUse(out.size(), in.size()); !usable)
         return usable;
+    const QScopedValueRollback writing(m_isWriting, true);
     const Instant begun = m_port->now();
     beginToRead();
     auto done = readStatus();
     if (done && !m_settings.writesWithRead)
         done = readIn().and_then([this] { return readDoubtfulAgain(); });
-    if (done && m_readsBack)
-        done = checkIsOurs();
+    if (done)
+        done = m_readsBack ? checkIsOurs() : checkBlindWriting();
     if (done)
         done = writeOut(out, Overwrites::ours);
     if (!done)
@@ -125,12 +132,14 @@ Result<void> GatewayLink::watch(std::span<Word> out, std::span<Word> in)
 }
 
 // They go out before anything is read.
-Result<std::optional<bool>> GatewayLink::sendZeros(std::span<Word> in)
+Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
 {
     if (auto usable = checkUse(in.size(), in.size()); !usable)
         return tl::unexpected(usable.error());
+    const QScopedValueRollback writing(m_isWriting, true);
     const Instant begun = m_port->now();
     beginToRead();
+    claimAll();
     auto done = writeOut(std::vector<Word>(in.size()), Overwrites::anything);
     if (done && !m_settings.writesWithRead)
         done = readIn().map([this] { countDoubts(); });
@@ -139,18 +148,19 @@ Result<std::optional<bool>> GatewayLink::sendZeros(std::span<Word> in)
     showIn(in);
     settle(begun);
     if (!m_readsBack)
-        return std::optional<bool>();
+        return ZerosSent();
     auto there = areZerosThere();
-    if (there && !*there) // their answer may have been a late one, to a write of before
+    if (there && there->areThere == false) // their answer may have been a late one, to a write of before
         there = writeOut(std::vector<Word>(in.size()), Overwrites::anything).and_then([this] {
             return areZerosThere();
         });
-    return there.map([](bool are) { return std::optional(are); });
+    return there;
 }
 
 // An exchange is what elsewhere is a bus cycle: with the time the ring takes to react.
 void GatewayLink::settle(Instant begun)
 {
+    m_counter.noticed(m_port->noticed());
     m_counter.exchanged(m_port->now());
     m_nextExchange = std::max(begun + m_settings.pollInterval, m_port->now() + m_settings.reactionDelay);
     m_hasExchanged = true;
@@ -159,6 +169,8 @@ void GatewayLink::settle(Instant begun)
 bool GatewayLink::isUpToDate(std::size_t device) const
 {
     const Device &its = m_devices[device];
+    if (m_told && m_told->stands())
+        return false;
     return !m_map || m_map->in(device).count == 0 || (its.in.hasWord() && its.doubts < exchangesInDoubt);
 }
 

@@ -24,7 +24,8 @@ struct GatewayDevice
 // words and reads all IN words, in as few transactions as possible; transactions without a valid answer are
 // repeated. The gateway runs the ring by itself, so words are not bounded to its cycles.
 //
-// Nothing is ever written but by exchange() and sendZeros(). Before each write of exchange() OUT is read
+// Nothing is ever written but by exchange() and sendZeros(). What the gateway does not let be read back is
+// written only to devices whose OUT was asked for (claimOut()). Before each write of exchange() OUT is read
 // back: what somebody else has put there is not overwritten (outNotOurs). Between this read and the write
 // there is a gap of one transaction, in which Modbus gives no hold on the registers: a word that somebody
 // else writes just then is overwritten unseen; the next one of a peer that writes again and again is not. An
@@ -45,7 +46,10 @@ public:
     Result<void> watch(std::span<Word> out, std::span<Word> in) override;
     // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag), and
     // sends them once more if they are not.
-    Result<std::optional<bool>> sendZeros(std::span<Word> in) override;
+    Result<ZerosSent> sendZeros(std::span<Word> in) override;
+    void claimOut(std::size_t device) override;
+    bool writesOut(std::size_t device) const override;
+    std::optional<ToldRing> toldRing() const override { return m_told; }
     bool isUpToDate(std::size_t device) const override;
     std::optional<Instant> age(std::size_t device) const override;
     std::shared_ptr<const LinkFigures> figures() const override { return m_counter.figures(); }
@@ -77,6 +81,7 @@ private:
     bool needsTime(const RegisterBlock &block) const;
     void countDoubts();
     Result<void> readStatus();
+    Result<Register> readRegister(int first);
 
     // OUT (gateway_link_out.cpp)
     Result<void> readOut(std::vector<Word> &words);
@@ -85,6 +90,10 @@ private:
     bool canReadSomeOut();
     Result<void> waitUntilOwnWordsShow();
     Result<void> checkIsOurs();
+    bool hasReconnected();
+    bool showsOwnWords(const std::vector<Word> &there) const;
+    Result<void> waitForOwnWords();
+    Result<void> checkBlindWriting();
     std::vector<std::size_t> notOurs(const std::vector<Word> &there);
     void showOut(std::size_t device, Word there, Word &out);
     Result<void> writeOut(std::span<const Word> out, Overwrites overwrites);
@@ -93,7 +102,9 @@ private:
     Result<void> writeBlock(const RegisterBlock &block, Overwrites overwrites);
     Result<void> writeAndReadBlock(const RegisterBlock &block, const RegisterBlock &in,
                                    Overwrites overwrites);
-    Result<bool> areZerosThere();
+    void claimAll();
+    Result<ZerosSent> areZerosThere();
+    QString notZero(const std::vector<Word> &there) const;
 
     // Transactions (gateway_link_words.cpp).
     RegisterPort::Done transact(const std::function<RegisterPort::Done()> &call, bool again);
@@ -109,14 +120,17 @@ private:
         Instant busyUntil{};
     };
     bool goesOn(RegisterPort::Done &done, Tries &tries);
+    bool connectsAgain(Tries &tries);
 
     const std::unique_ptr<RegisterPort> m_port;
     const GatewaySettings m_settings;
     RingStructure m_ring;
     std::vector<Device> m_devices;
-    std::optional<GatewayMap> m_map; // empty: not open
-    bool m_readsBack = false;        // OUT, as far as the gateway lets it be
-    bool m_hasReadBack = false;      // it did so once, so it can
+    std::optional<GatewayMap> m_map;      // empty: not open
+    bool m_readsBack = false;             // OUT, as far as the gateway lets it be
+    bool m_hasReadBack = false;           // it did so once, so it can
+    std::vector<RegisterBlock> m_written; // of OUT, in each exchange
+    std::optional<ToldRing> m_told;
     std::vector<Register> m_inRegisters;
     std::vector<Register> m_outRegisters;  // to be written
     std::vector<Register> m_backRegisters; // as read back
@@ -125,6 +139,9 @@ private:
     Instant m_nextExchange{};
     bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};
+    bool m_isWriting = false;               // in exchange() or sendZeros()
+    std::uint64_t m_connectedAgain = 0;     // by us
+    std::uint64_t m_reconnections = 0;      // that OUT was looked at after
     std::optional<Instant> m_lastWriteAt{}; // tried, on whatever connection
 };
 

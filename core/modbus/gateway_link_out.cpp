@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OUT on a gateway: reading it back, and writing it.
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
 #include "modbus/gateway_device_state.h"
+#include "modbus/gateway_texts.h"
 #include "modbus/register_refusal.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -107,6 +111,7 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
             if (canReadSomeOut())
                 return tl::unexpected(read.error());
             m_readsBack = false;
+            m_written.clear();
             return notRead;
         }
         read = readOutUntilItAgrees(words);
@@ -117,6 +122,29 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
     for (std::size_t i = 0; i < m_devices.size(); ++i)
         m_devices[i].own.found(words[i]);
     return words;
+}
+
+void GatewayLink::claimOut(std::size_t device)
+{
+    if (!m_map || writesOut(device))
+        return;
+    m_devices[device].isClaimed = true;
+    std::vector<bool> claimed;
+    for (const Device &its : m_devices)
+        claimed.push_back(its.isClaimed);
+    m_written = m_map->outBlocksOf(claimed);
+}
+
+void GatewayLink::claimAll()
+{
+    for (Device &device : m_devices)
+        device.isClaimed = true;
+    m_written = m_map->outBlocks();
+}
+
+bool GatewayLink::writesOut(std::size_t device) const
+{
+    return m_readsBack || m_devices[device].isClaimed;
 }
 
 std::vector<std::size_t> GatewayLink::notOurs(const std::vector<Word> &there)
@@ -146,9 +174,54 @@ void GatewayLink::showOut(std::size_t device, Word there, Word &out)
         its.own.found(there);
 }
 
+// Since OUT was last looked at. A gateway may have changed its outputs when it closed the connection.
+bool GatewayLink::hasReconnected()
+{
+    const auto noticed = m_port->noticed();
+    const std::uint64_t now = m_connectedAgain + (noticed.closesAfterEach ? 0 : noticed.reconnections);
+    return std::exchange(m_reconnections, now) != now;
+}
+
+// What it has replaced does not count, unless it may not show yet.
+bool GatewayLink::showsOwnWords(const std::vector<Word> &there) const
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (m_map->out(i).count > 0 && m_devices[i].own.isKnown() && m_devices[i].own.word() != there[i])
+            return false;
+    return true;
+}
+
+Result<void> GatewayLink::waitForOwnWords()
+{
+    std::vector<Word> there;
+    for (;;) {
+        if (auto read = readOut(there); !read)
+            return read;
+        if (showsOwnWords(there))
+            return {};
+        if (!m_lastWriteAt || m_port->now() >= *m_lastWriteAt + OwnWord::gatewayLag)
+            break;
+        m_port->wait(m_port->now() + betweenReads);
+    }
+    for (Device &device : m_devices)
+        device.own.isThere();
+    return {};
+}
+
+// Where OUT cannot be read back nobody knows what is there after a reconnection.
+Result<void> GatewayLink::checkBlindWriting()
+{
+    if (m_readsBack || m_written.empty() || !hasReconnected())
+        return {};
+    return refuse(RefusalKind::link, RefusalId::connectionClosed, {m_port->name()});
+}
+
 // Somebody else's word shows in two reads that agree; so does a word that is another one in each read.
 Result<void> GatewayLink::checkIsOurs()
 {
+    if (hasReconnected())
+        if (auto shown = waitForOwnWords(); !shown)
+            return shown;
     std::vector<Word> there;
     std::vector<Word> before;
     std::vector<std::size_t> suspects;
@@ -174,6 +247,8 @@ bool GatewayLink::putOut(std::span<const Word> out)
     bool changes = false;
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
         Device &device = m_devices[i];
+        if (!writesOut(i))
+            continue;
         m_map->put(out[i], gateway::part(m_outRegisters, m_map->out(i), m_settings.outFirst));
         changes = changes || !device.own.isKnown() || device.own.word() != out[i];
         device.own.write(out[i], m_port->now());
@@ -225,7 +300,7 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
     const auto &ins = m_map->inBlocks();
     const std::size_t together = m_settings.writesWithRead ? ins.size() : 0;
     std::size_t k = 0;
-    for (const RegisterBlock &block : m_map->outBlocks()) {
+    for (const RegisterBlock &block : m_written) {
         auto written =
             k < together ? writeAndReadBlock(block, ins[k], overwrites) : writeBlock(block, overwrites);
         if (!written)
@@ -240,7 +315,7 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
     return {};
 }
 
-Result<bool> GatewayLink::areZerosThere()
+Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()
 {
     const Instant end = m_port->now() + OwnWord::gatewayLag;
     for (;;) {
@@ -248,11 +323,23 @@ Result<bool> GatewayLink::areZerosThere()
         if (auto read = readOut(there); !read)
             return tl::unexpected(read.error());
         if (std::ranges::all_of(there, [](Word word) { return word == 0; }))
-            return true;
+            return ZerosSent{.areThere = true};
         if (m_port->now() >= end)
-            return false;
+            return ZerosSent{.areThere = false, .notZero = notZero(there)};
         m_port->wait(m_port->now() + betweenReads);
     }
+}
+
+// "3.0 20210001 (register 4)".
+QString GatewayLink::notZero(const std::vector<Word> &there) const
+{
+    QStringList texts;
+    for (std::size_t i = 0; i < there.size(); ++i)
+        if (there[i] != 0)
+            texts << sentence(
+                GatewayTexts::tr("%1 %2 (register %3)", "a device, its word, its first register"),
+                {m_ring[i].number.toString(), hexWord(there[i]), QString::number(m_map->out(i).first)});
+    return texts.join(QStringLiteral(", "));
 }
 
 } // namespace codewheel

@@ -15,7 +15,9 @@ namespace {
 constexpr Instant shortestPause =
     std::chrono::milliseconds(20); // until a busy gateway is asked again (assumed)
 constexpr int readsInDoubt = 2;    // more in one exchange, while words are not believed (assumed)
-constexpr Instant betweenStatus = std::chrono::milliseconds(500); // two looks at the status register
+// Between two looks at the status register: where it decides what is shown, and where it is only shown.
+constexpr Instant betweenDecisions = std::chrono::milliseconds(100);
+constexpr Instant betweenStatus = std::chrono::milliseconds(500);
 
 } // namespace
 
@@ -50,6 +52,17 @@ bool GatewayLink::goesOn(RegisterPort::Done &done, Tries &tries)
     return false;
 }
 
+// A gateway may close a connection just as it is asked: nothing was lost then but a read.
+bool GatewayLink::connectsAgain(Tries &tries)
+{
+    if (++tries.failures > m_settings.retries || !m_port->open())
+        return false;
+    ++tries.sent;
+    ++m_connectedAgain;
+    m_counter.connected();
+    return true;
+}
+
 // A read. The first answer after one that was missing may be that one, come late, which a serial line cannot
 // tell: the next one counts.
 Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
@@ -62,7 +75,10 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
         if (done && !mayBeLate)
             return {};
         mayBeLate = !done && !isBusy(done.error());
-        if (!done && !goesOn(done, tries))
+        const bool isClosed = !done && done.error().kind == RegisterError::Kind::closed;
+        if (isClosed && !m_isWriting && connectsAgain(tries))
+            mayBeLate = false;
+        else if (!done && !goesOn(done, tries))
             return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
     }
 }
@@ -74,13 +90,18 @@ Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
 {
     for (Tries tries;;) {
         RegisterPort::Done done = transact(call, tries.sent > 0);
-        m_lastWriteAt = m_port->now();
-        if (done)
+        if (done || done.error().isSent)
+            m_lastWriteAt = m_port->now();
+        if (done) {
+            for (Device &device : m_devices)
+                device.own.wasAnswered(m_port->now());
             return tries.failures == 0;
-        if (!goesOn(done, tries))
+        }
+        const bool isKept = !done.error().isSent && m_readsBack && connectsAgain(tries);
+        if (!isKept && !goesOn(done, tries))
             return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
         for (Device &device : m_devices)
-            device.own.wasNotAnswered(m_port->now());
+            device.own.wasNotAnswered();
         if (m_readsBack && overwrites == Overwrites::ours)
             if (auto ours = checkIsOurs(); !ours)
                 return tl::unexpected(ours.error());
@@ -136,8 +157,9 @@ bool GatewayLink::hasDoubtful(const RegisterBlock &block) const
 
 bool GatewayLink::needsTime(const RegisterBlock &block) const
 {
+    const bool isNextReadFar = m_settings.pollInterval > m_settings.copyTime;
     for (std::size_t i = 0; i < m_devices.size(); ++i)
-        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)) && m_devices[i].in.needsTime())
+        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)) && m_devices[i].in.needsTime(isNextReadFar))
             return true;
     return false;
 }
@@ -189,19 +211,33 @@ std::optional<DataCheck> GatewayLink::checkWord(std::size_t device, Word in,
     return wordCheck(shown, m_settings);
 }
 
+Result<Register> GatewayLink::readRegister(int first)
+{
+    Register word = 0;
+    const RegisterBlock block{first, 1};
+    return ask(readFunction(m_settings.inArea), block,
+               [&] { return m_port->read(m_settings.inArea, first, std::span(&word, 1)); })
+        .map([&] { return word; });
+}
+
 Result<void> GatewayLink::readStatus()
 {
     if (!m_settings.statusRegister || m_port->now() < m_nextStatus)
         return {};
-    Register status = 0;
-    const RegisterBlock block{*m_settings.statusRegister, 1};
-    auto read = ask(readFunction(m_settings.inArea), block,
-                    [&] { return m_port->read(m_settings.inArea, block.first, std::span(&status, 1)); });
-    if (read) {
-        m_counter.status(status);
-        m_nextStatus = m_port->now() + betweenStatus;
+    const auto status = readRegister(*m_settings.statusRegister);
+    if (!status)
+        return tl::unexpected(status.error());
+    m_counter.status(*status);
+    m_nextStatus = m_port->now() + (m_settings.tellsRing() ? betweenDecisions : betweenStatus);
+    auto told = codewheel::toldRing(m_settings, *status);
+    if (told && told->hasFailed && m_settings.placeRegister) {
+        const auto place = readRegister(*m_settings.placeRegister);
+        if (!place)
+            return tl::unexpected(place.error());
+        told->place = *place;
     }
-    return read;
+    m_told = told;
+    return {};
 }
 
 } // namespace codewheel

@@ -70,20 +70,28 @@ bool overlap(const RegisterBlock &one, const RegisterBlock &other)
 
 GatewayMap::GatewayMap(const RingStructure &ring, const GatewaySettings &settings)
     : m_highWordFirst(settings.highWordFirst)
+    , m_mostWritten(settings.writesWithRead ? std::min(settings.mostWritten, modbus_limit::writtenWithRead)
+                                            : settings.mostWritten)
 {
     int inEnd = 0;
     int outEnd = 0;
     m_in = placed(ring, &Participant::inWords, settings.inFirst, inEnd);
     m_out = placed(ring, &Participant::outWords, settings.outFirst, outEnd);
     std::set<int> reads;
-    m_inBlocks = inFew(m_in, modbus_limit::readRegisters, true, reads);
+    m_inBlocks = inFew(m_in, settings.mostRead, true, reads);
     if (settings.inArea == RegisterArea::input)
         reads.clear(); // by another function
-    m_readBackBlocks = inFew(m_out, modbus_limit::readRegisters, true, reads);
+    m_readBackBlocks = inFew(m_out, settings.mostRead, true, reads);
+    m_outBlocks = outBlocksOf(std::vector<bool>(m_out.size(), true));
+}
+
+std::vector<RegisterBlock> GatewayMap::outBlocksOf(const std::vector<bool> &devices) const
+{
+    std::vector<RegisterBlock> those;
+    for (std::size_t i = 0; i < m_out.size(); ++i)
+        those.push_back({m_out[i].first, devices[i] ? m_out[i].count : 0});
     std::set<int> writes;
-    m_outBlocks =
-        inFew(m_out, settings.writesWithRead ? modbus_limit::writtenWithRead : modbus_limit::writtenRegisters,
-              false, writes);
+    return inFew(those, m_mostWritten, false, writes);
 }
 
 Result<GatewayMap> GatewayMap::of(const RingStructure &ring, const GatewaySettings &settings)

@@ -41,6 +41,8 @@ public:
     const std::vector<RegisterBlock> &inBlocks() const { return m_inBlocks; }
     const std::vector<RegisterBlock> &outBlocks() const { return m_outBlocks; } // to write
     const std::vector<RegisterBlock> &readBackBlocks() const { return m_readBackBlocks; }
+    // To write only the words of some devices.
+    std::vector<RegisterBlock> outBlocksOf(const std::vector<bool> &devices) const;
     std::size_t devices() const { return m_in.size(); }
 
     // The word of a device from its registers, and the registers of a word.
@@ -56,6 +58,7 @@ private:
     std::vector<RegisterBlock> m_outBlocks;
     std::vector<RegisterBlock> m_readBackBlocks;
     bool m_highWordFirst;
+    int m_mostWritten;
 };
 
 } // namespace codewheel

@@ -92,19 +92,44 @@ Setting choice(const char *name, const char *on, const char *off, bool GatewaySe
         [its](GatewaySettings &all, bool isOn) { all.*its = isOn; });
 }
 
-Setting optionalRegister(const char *name, std::optional<int> GatewaySettings::*its)
+const QString none = QStringLiteral("none");
+
+Setting optionalNumber(const char *name, std::optional<int> GatewaySettings::*its, Limits ends)
 {
-    const QString none = QStringLiteral("none");
     return {name,
             {},
             [=](const GatewaySettings &all) { return all.*its ? QString::number(*(all.*its)) : none; },
             [=](GatewaySettings &all, const QString &text) {
-                const auto read = numberIn(text, registers);
+                const auto read = numberIn(text, ends);
                 if (read || text == none)
                     all.*its = read;
                 return read || text == none;
             },
-            sentence(GatewayTexts::tr("%1, or %2"), {range(registers), none})};
+            sentence(GatewayTexts::tr("%1, or %2"), {range(ends), none})};
+}
+
+// "2+3+9".
+QString bitsText(std::uint16_t bits)
+{
+    QStringList numbers;
+    for (int i = bit.least; i <= bit.most; ++i)
+        if ((bits >> i & 1) != 0)
+            numbers << QString::number(i);
+    return numbers.isEmpty() ? none : numbers.join(u'+');
+}
+
+std::optional<std::uint16_t> bitsIn(const QString &text)
+{
+    std::uint16_t bits = 0;
+    if (text == none)
+        return bits;
+    for (const QString &part : text.split(u'+')) {
+        const auto read = numberIn(part, bit);
+        if (!read)
+            return std::nullopt;
+        bits = static_cast<std::uint16_t>(bits | 1U << *read);
+    }
+    return bits;
 }
 
 // "8E1".
@@ -148,8 +173,21 @@ std::vector<Setting> makeSettings()
         number("out", &GatewaySettings::outFirst, registers),
         choice("write", "23", "16", &GatewaySettings::writesWithRead),
         choice("order", "high", "low", &GatewaySettings::highWordFirst),
-        optionalRegister("status", &GatewaySettings::statusRegister),
-        optionalRegister("control", &GatewaySettings::controlRegister),
+        optionalNumber("status", &GatewaySettings::statusRegister, registers),
+        optionalNumber("run-bit", &GatewaySettings::runBit, bit),
+        {"fault-bits",
+         {},
+         [](const GatewaySettings &all) { return bitsText(all.faultBits); },
+         [](GatewaySettings &all, const QString &text) {
+             const auto read = bitsIn(text);
+             all.faultBits = read.value_or(all.faultBits);
+             return read.has_value();
+         },
+         sentence(GatewayTexts::tr("bits from 0 to 15, as %1, or %2"), {QStringLiteral("2+3"), none})},
+        optionalNumber("place", &GatewaySettings::placeRegister, registers),
+        optionalNumber("control", &GatewaySettings::controlRegister, registers),
+        number("most-read", &GatewaySettings::mostRead, mostRead),
+        number("most-written", &GatewaySettings::mostWritten, mostWritten),
         choice("read-back", "on", "off", &GatewaySettings::readsBack),
         time("interval", &GatewaySettings::pollInterval, interval),
         time("delay", &GatewaySettings::reactionDelay, delay),
@@ -171,6 +209,15 @@ tl::unexpected<Refusal> settingWrong(const QString &name, const QString &text, c
 }
 
 } // namespace
+
+std::optional<ToldRing> toldRing(const GatewaySettings &settings, Register status)
+{
+    if (!settings.tellsRing())
+        return std::nullopt;
+    return ToldRing{.status = status,
+                    .runs = !settings.runBit || (status >> *settings.runBit & 1) != 0,
+                    .hasFailed = (status & settings.faultBits) != 0};
+}
 
 std::map<QString, QString> allSettingTexts(const GatewaySettings &settings)
 {

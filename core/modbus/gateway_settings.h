@@ -4,6 +4,7 @@
 #include "encoder/refusal.h"
 #include "esc_line/serial_settings.h"
 #include "modbus/register_port.h"
+#include "ring/told_ring.h"
 
 #include <map>
 #include <optional>
@@ -36,10 +37,18 @@ struct GatewaySettings
     bool highWordFirst = true;            // the first register is D31..D16
     std::optional<int> statusRegister{};  // in the area of IN; empty: none
     std::optional<int> controlRegister{}; // holding register; empty: none
+    // What the status register means, by the manual of the gateway: without these nothing is taken from it.
+    std::optional<int> runBit{};        // 1: the ring runs
+    std::uint16_t faultBits = 0;        // any 1: it has failed
+    std::optional<int> placeRegister{}; // where, in the area of IN (faultPlaceOf())
     // Whether OUT can be read back by function 3. Without it nobody notices what somebody else writes.
     bool readsBack = true;
 
-    Instant pollInterval{};  // from one exchange to the next; 0: as fast as the link
+    int mostRead = modbus_limit::readRegisters;       // registers in one request
+    int mostWritten = modbus_limit::writtenRegisters; // and with function 23 at most writtenWithRead
+
+    // From one exchange to the next; 0: as fast as the link.
+    Instant pollInterval = std::chrono::milliseconds(20);
     Instant reactionDelay{}; // after an exchange, until its words count as exchanged
     Instant timeOut = std::chrono::milliseconds(500);
     int retries = 2; // of a transaction without a valid answer
@@ -48,8 +57,13 @@ struct GatewaySettings
     // How long a gateway may be busy (exceptions 5, 6, 10, 11) until that counts as no answer.
     Instant patience = std::chrono::seconds(2);
 
+    bool tellsRing() const { return statusRegister && (runBit || faultBits != 0); }
+
     friend bool operator==(const GatewaySettings &, const GatewaySettings &) = default;
 };
+
+// What the status register says of the ring, without the place of a fault; empty: its meaning is not set.
+std::optional<ToldRing> toldRing(const GatewaySettings &settings, Register status);
 
 inline constexpr char modbusTcpLink[] = "modbus-tcp";
 inline constexpr char modbusRtuLink[] = "modbus-rtu";
@@ -68,6 +82,9 @@ inline constexpr Limits tcpPort{1, 65'535};
 inline constexpr Limits tcpUnit{0, modbus_limit::lastUnit};
 inline constexpr Limits rtuUnit{1, modbus_limit::lastSerialUnit};
 inline constexpr Limits registers{0, modbus_limit::lastRegister};
+inline constexpr Limits bit{0, 15};
+inline constexpr Limits mostRead{2, modbus_limit::readRegisters};
+inline constexpr Limits mostWritten{2, modbus_limit::writtenRegisters};
 inline constexpr Limits baudRate{1'200, 10'000'000};
 inline constexpr Limits interval{0, 10'000}; // ms
 inline constexpr Limits delay{0, 1'000};     // ms

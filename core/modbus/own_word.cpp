@@ -2,6 +2,7 @@
 #include "modbus/own_word.h"
 
 #include <iterator>
+#include <utility>
 
 namespace codewheel {
 
@@ -16,15 +17,23 @@ void OwnWord::write(Word word, Instant now)
         return;
     if (isKnown())
         m_words.back().replacedAt = now;
-    while (m_words.size() > 1 && now - m_words.front().replacedAt >= gatewayLag)
+    while (m_words.size() > 1 && !m_words.front().mayStayForever &&
+           now - m_words.front().replacedAt >= gatewayLag)
         m_words.erase(m_words.begin());
     m_words.push_back({word});
 }
 
-void OwnWord::wasNotAnswered(Instant now)
+void OwnWord::wasNotAnswered()
 {
     if (m_words.size() > 1)
-        m_words[m_words.size() - 2].replacedAt = now;
+        m_words[m_words.size() - 2].mayStayForever = true;
+}
+
+void OwnWord::wasAnswered(Instant now)
+{
+    for (Written &own : m_words)
+        if (std::exchange(own.mayStayForever, false))
+            own.replacedAt = now;
 }
 
 bool OwnWord::takes(Word there, Instant now)
@@ -34,7 +43,8 @@ bool OwnWord::takes(Word there, Instant now)
     // The oldest of those that are equal: the newest may not have arrived yet, nor what came in between.
     for (auto own = m_words.begin(); own != m_words.end(); ++own) {
         const bool isLast = std::next(own) == m_words.end();
-        if (own->word == there && (isLast || now - own->replacedAt < gatewayLag)) {
+        const bool mayShow = isLast || own->mayStayForever || now - own->replacedAt < gatewayLag;
+        if (own->word == there && mayShow) {
             m_words.erase(m_words.begin(), own);
             return true;
         }

@@ -21,8 +21,15 @@ public:
     void found(Word word);
     // It is going to be written: from now on it may be there.
     void write(Word word, Instant now);
-    // That was not answered, and may still be carried out.
-    void wasNotAnswered(Instant now);
+    // That was not answered, and may still be carried out: what it replaces stays ours until wasAnswered().
+    void wasNotAnswered();
+    void wasAnswered(Instant now);
+    // From now on only the last one is ours: it has had its time to show.
+    void isThere()
+    {
+        if (isKnown())
+            m_words.erase(m_words.begin(), m_words.end() - 1);
+    }
     // Whether this word, as read back, is ours. What was replaced by it does not come back.
     bool takes(Word there, Instant now);
     bool isKnown() const { return !m_words.empty(); }
@@ -33,7 +40,8 @@ private:
     struct Written
     {
         Word word = 0;
-        Instant replacedAt{}; // by the next one
+        Instant replacedAt{};        // by the next one
+        bool mayStayForever = false; // the next one was not answered
     };
     std::vector<Written> m_words; // oldest first
 };

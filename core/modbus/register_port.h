@@ -32,8 +32,9 @@ struct RegisterError
     };
 
     Kind kind = Kind::noAnswer;
-    int exception = 0; // its code, 1..11
-    QString text{};    // what the system or the library says; may be empty
+    int exception = 0;  // its code, 1..11
+    QString text{};     // what the system or the library says; may be empty
+    bool isSent = true; // false: closed before a write was sent
 
     friend bool operator==(const RegisterError &, const RegisterError &) = default;
 };
@@ -73,7 +74,8 @@ public:
     virtual Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
                               std::span<Register> to) = 0;
 
-    // The time of its clock, which starts at 0 with the port and never goes back: real for hardware.
+    // The time of its clock, which starts at 0 with the port and never goes back: real for hardware. Any
+    // thread.
     virtual Instant now() const = 0;
     // Lets time pass, on a closed port too; interrupt() ends it early.
     virtual void wait(Instant until) = 0;
@@ -81,6 +83,18 @@ public:
     virtual void interrupt() = 0;
     // As known to the user: "192.168.0.5:502", "/dev/ttyUSB0".
     virtual QString name() const = 0;
+
+    // What it has put up with, since it was made.
+    struct Noticed
+    {
+        std::uint64_t reconnections = 0; // the gateway had closed the connection, and nothing was on its way
+        bool closesAfterEach = false;    // it does that after each answer
+        std::uint64_t strayBytes = 0;    // that belong to no frame
+        std::uint64_t echoes = 0;        // of our own requests
+
+        friend bool operator==(const Noticed &, const Noticed &) = default;
+    };
+    virtual Noticed noticed() const { return {}; }
 };
 
 } // namespace codewheel

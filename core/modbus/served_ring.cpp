@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modbus/served_ring.h"
 
+#include "ring/master_status.h"
+
 #include <algorithm>
 #include <array>
 
@@ -82,6 +84,17 @@ ModbusException exceptionOf(const Refusal &why)
 }
 
 } // namespace
+
+GatewaySettings servedSettings(GatewaySettings settings)
+{
+    constexpr int runBit = 5;
+    static_assert(diagnostic::run == 1U << runBit);
+    settings.statusRegister = status;
+    settings.runBit = runBit;
+    settings.faultBits = diagnostic::bus | diagnostic::controller | diagnostic::systemFail;
+    settings.placeRegister = parameter;
+    return settings;
+}
 
 Result<GatewayMap> servedMap(const RingStructure &ring)
 {

@@ -21,6 +21,8 @@ inline constexpr int parameter = 8'193;   // behind it: diagnostic parameter reg
 inline constexpr int end = 8'194;
 } // namespace served_registers
 
+// The same gateway, with what the status register of an offered ring means.
+GatewaySettings servedSettings(GatewaySettings settings);
 // Where the words of each device of a ring are: high word first, in ring order. Refused: registerMapWrong.
 Result<GatewayMap> servedMap(const RingStructure &ring);
 

@@ -84,6 +84,12 @@ bool WordGate::take(Word word, Instant at)
     return last && beforeLast && isOnTheWay(*beforeLast, *last, read) && believe(*last);
 }
 
+bool WordGate::needsTime(bool isNextReadFar) const
+{
+    const bool stands = isNextReadFar && m_last && m_beforeLast && m_beforeLast->word == m_last->word;
+    return m_canTear && m_last && (stands || !mayMove(m_last->word));
+}
+
 void WordGate::forget()
 {
     m_last.reset();

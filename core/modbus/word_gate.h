@@ -34,8 +34,8 @@ public:
     Instant readAt() const { return m_wordAt; }
     bool hasWord() const { return m_hasWord; }
     // The last read counts once it has stood for the copy time; a position that moves needs another read, and
-    // no time.
-    bool needsTime() const { return m_canTear && m_last && !mayMove(m_last->word); }
+    // no time, but for one that stands between two copies of the gateway, if the next read is far away.
+    bool needsTime(bool isNextReadFar) const;
     // The reads so far say nothing any more: the connection was interrupted.
     void forget();
 

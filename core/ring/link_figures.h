@@ -19,6 +19,9 @@ struct LinkFigures
     std::uint64_t wrongAnswers = 0;          // of a wrong length or unit, or damaged
     std::map<int, std::uint64_t> exceptions; // by code
     std::uint64_t connections = 0;           // that were made
+    std::uint64_t reconnections = 0;         // of these, since the gateway had closed the one before
+    std::uint64_t strayBytes = 0;            // on a serial line, that belong to no answer
+    std::uint64_t echoes = 0;                // of our own requests
     std::uint64_t closed = 0;                // connections that were lost
     std::uint64_t tornWords = 0;             // words that were not believed
     std::optional<AnswerTime> roundTrip{};   // of a transaction; empty: none was answered yet

@@ -5,6 +5,7 @@
 #include "encoder/instant.h"
 #include "encoder/refusal.h"
 #include "ring/participant.h"
+#include "ring/told_ring.h"
 
 #include <memory>
 #include <optional>
@@ -38,13 +39,26 @@ public:
     // One cycle in Watch. Where the ring goes on without us (a gateway), nothing is sent, and `out` becomes
     // what is on the peer. A ring that needs our words to go on gets them as they stand.
     virtual Result<void> watch(std::span<Word> out, std::span<Word> in) { return exchange(out, in); }
-    // One cycle that sends 00000000 to all devices, whatever is there. Whether it was read back on the peer;
-    // empty: that cannot be said.
-    virtual Result<std::optional<bool>> sendZeros(std::span<Word> in)
+    // Somebody asks for words to this device: where the peer does not tell its OUT, it is written from now
+    // on.
+    virtual void claimOut(std::size_t /*device*/) {}
+    // Whether exchange() writes the word of this device. What was neither read back nor asked for is not
+    // written.
+    virtual bool writesOut(std::size_t /*device*/) const { return true; }
+    // What became of zeros that were sent.
+    struct ZerosSent
+    {
+        std::optional<bool> areThere{}; // read back on the peer; empty: that cannot be said
+        QString notZero{};              // what was read back instead, and where
+    };
+    // One cycle that sends 00000000 to all devices, whatever is there.
+    virtual Result<ZerosSent> sendZeros(std::span<Word> in)
     {
         const std::vector<Word> zeros(in.size());
-        return exchange(zeros, in).map([] { return std::optional<bool>(); });
+        return exchange(zeros, in).map([] { return ZerosSent(); });
     }
+    // What the peer says of its ring; empty: nothing.
+    virtual std::optional<ToldRing> toldRing() const { return std::nullopt; }
     // How old the word is that the last cycle gave for this device, at the end of the cycle. Empty: the cycle
     // gave none, and `in` has that of an earlier one.
     virtual std::optional<Instant> age(std::size_t /*device*/) const { return Instant{}; }
@@ -58,9 +72,9 @@ public:
     {
         return std::nullopt;
     }
-    // The time on the ring's clock, which starts at 0 with the link and never goes back, whatever is closed
-    // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes only in
-    // wait().
+    // Any thread: the time on the ring's clock, which starts at 0 with the link and never goes back, whatever
+    // is closed and opened again: real for a link to hardware, virtual for a simulated ring, where it passes
+    // only in wait().
     virtual Instant now() const = 0;
     // Lets time pass, even on a closed link, no longer than until the next cycle is due.
     virtual void wait(Instant until) = 0;

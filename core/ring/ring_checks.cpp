@@ -96,9 +96,16 @@ QString standstillPlace(const Fault &fault)
 }
 
 // A gateway goes on showing the words of a ring that stands still.
-bool isUntold(const LinkFigures *figures)
+bool isUntold(const Snapshot &ring)
 {
-    return figures != nullptr && !figures->status;
+    return ring.figures != nullptr && !ring.told;
+}
+
+QString untoldText(const Snapshot &ring)
+{
+    return ring.figures->status
+               ? RingCheckText::tr("not known: what the bits of its status register mean is not set")
+               : RingCheckText::tr("the gateway does not say: no status register is set");
 }
 
 DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
@@ -110,13 +117,13 @@ DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
                            RingCheckText::tr("The ring is being read in. Wait for it."));
     if (const auto fault = standstillOf(bus))
         return failedCheck(DataCheck::Id::running, what, expected, standstillPlace(*fault), fault->text,
-                           DataCheck::Action::start);
-    if (isUntold(bus.latest().figures.get()))
+                           fault->actions.empty() ? DataCheck::Action::none : DataCheck::Action::start);
+    if (isUntold(bus.latest()))
         return {.id = DataCheck::Id::running,
                 .outcome = DataCheck::Outcome::notKnown,
                 .what = what,
                 .expected = expected,
-                .came = RingCheckText::tr("the gateway does not say: no status register is set")};
+                .came = untoldText(bus.latest())};
     if (bus.isRunning())
         return passedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word);
     return failedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word,

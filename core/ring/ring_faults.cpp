@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/ring_faults.h"
 
+#include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "ring/encoder_faults.h"
 #include "ring/master_look.h"
 #include "ring/ring_break.h"
+#include "ring/ring_outline.h"
 #include "ring/ring_session.h"
 
 #include <QCoreApplication>
@@ -110,7 +112,46 @@ Fault lostLink(const RingSession &bus)
                               ? RingFaultText::tr("The gateway is tried again each second.")
                               : RingFaultText::tr("The program looks for the ring each second. Check the "
                                                   "cable to the master, and whether it is switched on.");
-    return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again);
+    const QString zeros =
+        bus.latest().zerosAreDue ? u' ' + messageText({.id = MessageId::zerosWait}) : QString();
+    return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again + zeros);
+}
+
+// As its gateway says.
+Fault toldFault(const RingSession &bus, const ToldRing &told)
+{
+    Fault fault = standstill(bus.outline().state(), refusalText(told.whyItStands()));
+    if (const auto place = told.place ? faultPlaceOf(*told.place) : std::nullopt)
+        fault.node = place->number;
+    return fault;
+}
+
+// What a job was about to do when its link was lost.
+Fault leftOut(const RingSession &bus, std::size_t device)
+{
+    const Snapshot::Device &its = bus.latest().devices[device];
+    const QString word = hexWord(*its.leftOut);
+    const QString number = bus.structure()[device].number.toString();
+    const QString text =
+        its.outIsKnown
+            ? sentence(RingFaultText::tr("A job that lost its link has left %1 in OUT of %2. The encoder may "
+                                         "show no position, and the controller gets none."),
+                       {word, number})
+            : sentence(
+                  RingFaultText::tr("A job that lost its link may have left %1 in OUT of %2, which cannot "
+                                    "be read back. The encoder may show no position then."),
+                  {word, number});
+    return {.node = bus.structure()[device].number,
+            .shown = bus.outline().state(device).shown,
+            .text = text,
+            .actions = {FaultAction::bringBack}};
+}
+
+Fault lateZeros()
+{
+    return {.extent = Fault::Extent::bus,
+            .shown = {Role::fault, RingFaultText::tr("zeros missing", "of ALARM STOP")},
+            .text = messageText({.id = MessageId::zerosLate})};
 }
 
 Fault peripheralFault(NodeId node)
@@ -167,6 +208,15 @@ std::vector<Fault> ringFaults(const RingSession &bus)
     std::vector<Fault> faults;
     if (bus.isOpen())
         addOfMaster(faults, bus);
+    const auto &told = bus.latest().told;
+    if (bus.isOpen() && bus.isRunning() && told && told->stands())
+        faults.push_back(toldFault(bus, *told));
+    if (bus.isOpen() && bus.areZerosLate())
+        faults.push_back(lateZeros());
+    const std::size_t devices = std::min(bus.structure().size(), bus.latest().devices.size());
+    for (std::size_t i = 0; bus.isOpen() && i < devices; ++i)
+        if (bus.latest().devices[i].leftOut && !bus.latest().devices[i].heldByJob)
+            faults.push_back(leftOut(bus, i));
     if (bus.isOpen() && bus.isRunning())
         for (std::size_t i = 0; i < bus.structure().size(); ++i)
             if (auto fault = encoderFault(bus, i))

@@ -99,7 +99,10 @@ QString RingOutline::title() const
 QString RingOutline::toolTip() const
 {
     if (isBehindGateway())
-        return tr("The gateway to the ring: %1. It does not tell the state of the master.").arg(state().word);
+        return m_bus.latest().told
+                   ? tr("The gateway to the ring: %1.").arg(state().word)
+                   : tr("The gateway to the ring: %1. It does not tell the state of the master.")
+                         .arg(state().word);
     return masterToolTip(state());
 }
 
@@ -116,6 +119,9 @@ StateWord RingOutline::state() const
         return {Role::fault, tr("link lost")};
     if (!m_bus.isOpen())
         return offline();
+    const auto &told = m_bus.latest().told;
+    if (m_bus.isRunning() && told && told->stands())
+        return {Role::fault, told->hasFailed ? tr("ring failed") : tr("ring stands still")};
     if (isBehindGateway())
         return m_bus.isRunning() ? StateWord{Role::running, tr("connected")}
                                  : StateWord{Role::inactive, tr("stopped")};
@@ -165,6 +171,8 @@ StateWord RingOutline::shown(std::size_t node) const
         return {Role::running, tr("ok")};
     if (const auto fault = encoderFault(m_bus, node))
         return fault->shown;
+    if (device.leftOut)
+        return {Role::attention, tr("OUT left", "a word that a job has left in OUT")};
     if (device.heldByJob)
         return {Role::attention, tr("job", "it is running")};
     if (channel != nullptr && channel->staged())

@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr Instant longestOutOfSight = std::chrono::seconds(5); // of a device that has a job (assumed)
+
+} // namespace
 
 RingRunner::Private::Private(ProcessDataLink &usedLink, Mail &usedMail)
     : link(usedLink)
@@ -44,6 +49,7 @@ void RingRunner::Private::carryOut(const command::SetOut &c)
         return;
     }
     image[c.device] = c.word;
+    link.claimOut(c.device);
     if (std::ranges::find(written, c.device) == written.end())
         written.push_back(c.device);
 }
@@ -72,7 +78,9 @@ void RingRunner::Private::carryOut(const command::StartJob &c)
     if (taken)
         taken = driver.begin(c.id, c.job, c.pace, device.in, image[c.device], ring.at);
     device.heldByJob = driver.busy();
-    if (!taken)
+    if (taken)
+        link.claimOut(c.device);
+    else
         tell(c.device, Event(notTaken(c.id, taken.error(), device.reading.state)));
 }
 
@@ -200,6 +208,7 @@ void RingRunner::Private::work()
 void RingRunner::Private::publish()
 {
     ring.droppedRows = mail.droppedRows();
+    ring.zerosAreDue = zerosAreDue;
     ring.figures = link.figures();
     for (std::size_t i = 0; i < ring.devices.size(); ++i) {
         const Snapshot::Device &device = ring.devices[i];
@@ -222,8 +231,8 @@ void RingRunner::Private::exchange()
     }
     ++ring.cycle;
     ring.at = std::max(ring.at, link.now()); // a gateway takes its time
-    ring.outIsKnown = ring.outIsKnown || ring.operate;
     tellWritten();
+    lookAtToldRing();
     for (std::size_t i = 0; i < image.size(); ++i)
         step(i);
 }
@@ -235,14 +244,36 @@ Result<void> RingRunner::Private::sendZeros()
     if (!sent)
         return tl::unexpected(sent.error());
     zerosAreDue = false;
-    ring.outIsKnown = true;
-    if (link.boundsWordsToCycles())
-        return {};
-    if (*sent == false)
-        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosOverwritten});
-    else
-        tellOfRing({.id = *sent ? MessageId::zerosReadBack : MessageId::zerosSent});
+    for (Snapshot::Device &device : ring.devices)
+        device.outIsKnown = true;
+    if (!link.boundsWordsToCycles())
+        tellZeros(*sent);
     return {};
+}
+
+void RingRunner::Private::tellZeros(const ProcessDataLink::ZerosSent &zeros)
+{
+    if (zeros.areThere == false)
+        tellOfRing(
+            {.severity = Severity::fault, .id = MessageId::zerosOverwritten, .arguments = {zeros.notZero}});
+    else
+        tellOfRing({.id = zeros.areThere ? MessageId::zerosReadBack : MessageId::zerosSent});
+}
+
+// Only a gateway tells of it. What is on its way to a ring that stands still does not arrive.
+void RingRunner::Private::lookAtToldRing()
+{
+    const bool stood = ring.told && ring.told->stands();
+    ring.told = link.toldRing();
+    const bool stands = ring.told && ring.told->stands();
+    if (stands == stood)
+        return;
+    if (!stands) {
+        tellOfRing({.id = MessageId::ringRunsAgain});
+        return;
+    }
+    endJobs(ring.told->whyItStands());
+    refuseOfRing(ring.told->whyItStands());
 }
 
 // `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link. Nor is it if the
@@ -283,8 +314,13 @@ void RingRunner::Private::step(std::size_t i)
     const Word out = image[i];
     device.outEdges = device.out ^ out;
     device.out = out; // a gateway has got it, whatever it says of IN
-    if (!device.inRing)
+    device.outIsKnown = device.outIsKnown || (ring.operate && link.writesOut(i));
+    if (device.leftOut && device.outIsKnown && out != *device.leftOut)
+        device.leftOut.reset();
+    if (!device.inRing) {
+        endWhatWaitsTooLong(i);
         return;
+    }
     const Word in = received[i];
     device.inEdges = ring.cycle == 1 ? 0 : device.in ^ in;
     device.in = in;
@@ -310,6 +346,16 @@ void RingRunner::Private::step(std::size_t i)
         tellOfDevice(i, std::move(*message));
     if (driver)
         takeDriverEvents(i);
+}
+
+// Its driver waits for words that can be believed.
+void RingRunner::Private::endWhatWaitsTooLong(std::size_t i)
+{
+    if (!ring.devices[i].heldByJob || ring.at - ring.devices[i].reading.at < longestOutOfSight)
+        return;
+    drivers[i]->stop({RefusalKind::link, RefusalId::notInRing, {structure[i].number.toString()}}, ring.at);
+    ring.devices[i].heldByJob = drivers[i]->busy();
+    takeDriverEvents(i);
 }
 
 void RingRunner::Private::tellWritten()
@@ -372,8 +418,11 @@ void RingRunner::Private::endJobs(const Refusal &why)
 
 void RingRunner::Private::takeDriverEvents(std::size_t device)
 {
-    for (Event &event : drivers[device]->takeEvents())
+    for (Event &event : drivers[device]->takeEvents()) {
+        if (const auto *outcome = std::get_if<Outcome>(&event); outcome != nullptr && outcome->inDoubt.out)
+            ring.devices[device].leftOut = outcome->inDoubt.out;
         tell(device, std::move(event));
+    }
 }
 
 void RingRunner::Private::tellOfRing(Message message)

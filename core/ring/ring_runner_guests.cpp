@@ -56,8 +56,10 @@ Result<void> RingRunner::Private::takeGuestWords(std::vector<GuestWord> &words)
         if (auto allowed = mayWrite(word.device, word.word); !allowed)
             return allowed;
     }
-    for (const GuestWord &word : words)
+    for (const GuestWord &word : words) {
+        link.claimOut(word.device);
         guestChanges.push_back({word.device, word.word, std::exchange(image[word.device], word.word)});
+    }
     return {};
 }
 

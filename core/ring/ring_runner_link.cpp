@@ -77,17 +77,20 @@ void RingRunner::Private::tryToReopen()
     ring.operate = false;
     ring.state = MasterState::active;
     runsAgain = runsAgain && (!master || master->status().state == MasterState::run);
-    ring.outIsKnown = there->outIsKnown;
+    outIsKnown = there->outIsKnown;
+    ring.told.reset();
     tellOfRing({.id = MessageId::linkBack});
     ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
     if (ringIsOther) {
         tell(0, *std::move(there));
         return;
     }
-    if (there->outIsKnown)
-        for (std::size_t i = 0; i < image.size(); ++i)
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        ring.devices[i].outIsKnown = outIsKnown;
+        if (outIsKnown)
             image[i] = goesOn(i, there->out[i]);
-    else
+    }
+    if (!outIsKnown)
         tellOutIsUnknown();
     comeBack();
 }
@@ -135,7 +138,7 @@ void RingRunner::Private::carryOut(command::UseRing &c)
     ring.devices.assign(image.size(), {});
     tap.forgetDevices();
     for (std::size_t i = 0; i < image.size(); ++i)
-        ring.devices[i].out = image[i];
+        ring.devices[i] = {.out = image[i], .reading = {}, .outIsKnown = outIsKnown};
     ring.cycle = 0;
     ++ring.generation;
     ringIsOther = false;
@@ -147,7 +150,7 @@ Result<void> RingRunner::open(const std::stop_token &stop)
     auto found = openUnlessStopped(stop, [this] { return d->find(); });
     d->ring.at = d->link.now();
     d->ring.connected = found.has_value();
-    d->ring.outIsKnown = !found || found->outIsKnown;
+    d->outIsKnown = !found || found->outIsKnown;
     Result<void> opened = found ? Result<void>() : tl::unexpected(found.error());
     d->tell(0, LinkOpened{opened});
     if (found) {

@@ -45,10 +45,13 @@ struct RingRunner::Private
     void publish();
     void exchange();
     Result<void> sendZeros();
+    void tellZeros(const ProcessDataLink::ZerosSent &zeros);
     void zeroAtRest();
     void fail(const Refusal &why);
     void giveWay(const Refusal &why);
     void step(std::size_t device);
+    void endWhatWaitsTooLong(std::size_t device);
+    void lookAtToldRing();
     void tellWritten();
     void showStandingWords();
     void leaveRun(MasterState state, const Refusal &why = {RefusalKind::stopped, RefusalId::busStopped, {}});
@@ -115,6 +118,7 @@ struct RingRunner::Private
     FaultWatch faults{0};
     MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
+    bool outIsKnown = true; // false: the peer did not tell it when the link was opened
     bool readingIn = false;
     bool ringIsOther = false; // the ring is not ours: nothing can be exchanged
     bool runsAgain = false;   // once there is a ring to run: it ran before, or was started meanwhile

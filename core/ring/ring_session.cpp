@@ -18,6 +18,12 @@ QString wrongBy(const std::optional<DataCheck> &judged)
     return judged && judged->outcome == DataCheck::Outcome::differs ? judged->remedy : QString();
 }
 
+bool isAboutZeros(MessageId id)
+{
+    return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
+           id == MessageId::zerosSent || id == MessageId::zerosWait;
+}
+
 } // namespace
 
 command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingFound &found)
@@ -87,6 +93,9 @@ RingSession::~RingSession() = default;
 Result<void> RingSession::open(Start start, std::optional<Pacing> pacing)
 {
     close();
+    d->zerosAskedAt.reset();
+    d->zerosAreLate = false;
+    d->toBringBack.reset();
     d->start = start;
     d->generation = 0;
     d->readingIn = false;
@@ -150,6 +159,23 @@ void RingSession::pump()
 {
     d->endRetired();
     d->engine.pump();
+    lookForZeros();
+}
+
+// The bus thread may hang in a transaction meanwhile.
+void RingSession::lookForZeros()
+{
+    constexpr Instant patience = std::chrono::seconds(1);
+    if (!d->zerosAskedAt || d->zerosAreLate || d->link->now() - *d->zerosAskedAt < patience)
+        return;
+    d->zerosAreLate = true;
+    tell({.at = d->latest().at, .severity = Severity::fault, .id = MessageId::zerosLate});
+    Q_EMIT updated();
+}
+
+bool RingSession::areZerosLate() const
+{
+    return d->zerosAreLate;
 }
 
 // Whoever is told that one of them ends no longer finds any. One of them may be emitting right now.
@@ -221,6 +247,7 @@ void RingSession::showLatest()
         [this](std::size_t place) { return wrongBy(checkWord(place)); });
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
+    goOnBringingBack();
     tellState(std::exchange(d->toldState, shown->state) != shown->state);
 }
 
@@ -236,7 +263,7 @@ void RingSession::showDevice(std::size_t place)
                                                  .now = shown->at};
     const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
     d->channels[place]->show(
-        {device.in, device.out, device.inEdges, device.outEdges, device.heldByJob, shown->outIsKnown},
+        {device.in, device.out, device.inEdges, device.outEdges, device.heldByJob, device.outIsKnown},
         {seen, circumstances}, shown->at);
     if (d->sessions[place] && !d->isStale(place))
         d->sessions[place]->show(device.reading, circumstances);
@@ -287,6 +314,10 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         return; // an error in a word that the encoder cannot have sent is none
     if (isFault)
         message.refusal = session->nameOf(message);
+    if (isAboutZeros(message.id)) {
+        d->zerosAskedAt.reset();
+        d->zerosAreLate = false;
+    }
     tell(message);
     if (isFault)
         session->takeFault(message);
@@ -467,6 +498,8 @@ void RingSession::setOperate(bool on)
 void RingSession::alarmStop()
 {
     d->stoppedBy = StoppedBy::alarmStop;
+    if (isOpen() && !d->link->boundsWordsToCycles() && !d->zerosAskedAt)
+        d->zerosAskedAt = d->link->now();
     post(command::AlarmStop{});
 }
 

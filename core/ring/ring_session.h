@@ -84,6 +84,11 @@ public:
     void setRunning(bool on) override;
     void setOperate(bool on) override;
     void alarmStop() override;
+    // The zeros of an ALARM STOP were asked for a second ago, and have not arrived.
+    bool areZerosLate() const;
+    // Goes to Operate, sets the OUT that a job has left to 00000000 and reads what is not known since. What
+    // comes of it is reported like any job.
+    void bringBack(Place place);
 
     // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
     //
@@ -123,6 +128,8 @@ private:
     WordChannel *channelAt(NodeId node) const override; // null: no such device
     Result<void> write(const WordChannel &channel, Word word);
     void showDevice(std::size_t place);
+    void lookForZeros();
+    void goOnBringingBack();
     void post(Command command);
     void linkOpened() {} // the ring is reported next
     bool takeAtOnce(const RingEvent &event);

@@ -67,6 +67,9 @@ struct RingSession::Private
     unsigned generation = 0; // of the ring; 0: none is used yet
     bool readingIn = false;
     StoppedBy stoppedBy = StoppedBy::other;
+    std::optional<Instant> zerosAskedAt{}; // and nothing has been told of them yet; by the link's clock
+    bool zerosAreLate = false;
+    std::optional<Place> toBringBack{}; // once the ring operates
     CrcHistory crcHistory;
     WordDoubts doubts;
     MasterState toldState = MasterState::ready;

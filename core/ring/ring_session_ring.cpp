@@ -114,11 +114,33 @@ void RingSession::showNewRing(const RingFound &found, const RingState &state)
     shown->connected = true;
     shown->master = found.master;
     shown->figures = found.figures;
-    shown->outIsKnown = found.outIsKnown;
     for (const Word word : found.out)
-        shown->devices.push_back({.out = word, .reading = {}});
+        shown->devices.push_back({.out = word, .reading = {}, .outIsKnown = found.outIsKnown});
     d->engine.setLatest(std::move(shown));
     showLatest();
+}
+
+void RingSession::bringBack(Place place)
+{
+    d->toBringBack = place;
+    setOperate(true);
+    goOnBringingBack();
+}
+
+// A read clears OUT first. Where nothing can be read, the word is all there is.
+void RingSession::goOnBringingBack()
+{
+    if (!d->toBringBack || !isOperating())
+        return;
+    const auto encoder = encoderAt(std::exchange(d->toBringBack, std::nullopt)->node);
+    if (encoder == nullptr)
+        return;
+    const auto *driven = static_cast<RingEncoderSession *>(encoder);
+    const std::vector<Parameter> unknown = driven->readableDoubts();
+    const Job job =
+        unknown.empty() ? Job(SendWords{.words = {k3::normalRunning}}) : Job(ReadParameters{unknown});
+    if (const auto started = encoder->start(job, Pace::byItself); !started)
+        Q_EMIT refused(started.error());
 }
 
 const MasterStatus *RingSession::master() const

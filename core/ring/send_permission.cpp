@@ -10,6 +10,8 @@ Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &pl
         return notNow(RefusalId::notRunning);
     if (!ring.operate)
         return notNow(RefusalId::watchOnly);
+    if (ring.told && ring.told->stands())
+        return tl::unexpected(ring.told->whyItStands());
     if (!ring.devices[device].inRing)
         return refuse(RefusalKind::link, RefusalId::notInRing, {place});
     if (ring.devices[device].heldByJob)

@@ -5,6 +5,7 @@
 #include "encoder/refusal.h"
 #include "ring/link_figures.h"
 #include "ring/master_status.h"
+#include "ring/told_ring.h"
 
 #include <memory>
 #include <optional>
@@ -22,7 +23,8 @@ struct RingState
     Instant at{};
     MasterState state = MasterState::ready;
     bool operate = false;              // writing is allowed
-    bool outIsKnown = true;            // false: the peer does not tell its OUT words, and we sent none yet
+    bool zerosAreDue = false;          // of an ALARM STOP: they have not arrived yet
+    std::optional<ToldRing> told{};    // by a gateway; empty: it does not tell
     Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
@@ -43,6 +45,8 @@ struct Snapshot : RingState
         Word inEdges = 0;
         Reading reading;
         bool heldByJob = false;
+        bool outIsKnown = true;        // false: the peer does not tell it, and we sent none yet
+        std::optional<Word> leftOut{}; // of a job that lost its link: OUT may still hold it
         bool inRing = true; // false: switched off with its segment, or behind a fault; its IN is an old one
     };
 

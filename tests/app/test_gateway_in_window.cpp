@@ -186,7 +186,9 @@ TEST_F(GatewayInWindowTest, OutThatIsNotReadBackIsADashUntilItIsWritten)
     EXPECT_EQ(shownOut(), QStringLiteral("–"));
     bus().setOperate(true);
     advance(50);
-    EXPECT_EQ(shownOut(), QStringLiteral("00000000"));
+    EXPECT_EQ(shownOut(), QStringLiteral("–")) << "nobody has asked for a word there";
+    send(fraba, 0x0200'00FF);
+    EXPECT_EQ(shownOut(), QStringLiteral("020000FF"));
 }
 
 TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
@@ -328,7 +330,7 @@ TEST_F(GatewayInWindowTest, SomebodyElsesWordIsSaidAndEndsOperate)
     bus().setOperate(true);
     advance(20);
     bank->holding[2] = 0x8000;
-    advance(20);
+    advance(100);
     EXPECT_FALSE(bus().isOperating());
     EXPECT_EQ(out(test::baumer), 0x8000'0000u);
     EXPECT_EQ(outThere(1), 0x8000'0000u);

@@ -69,7 +69,7 @@ struct Gateway
     Gateway(const std::shared_ptr<SimulatedRing> &ring, std::unique_ptr<test::SimulatedGatewayPort> made)
         : port(made.get())
         , bus(std::make_unique<test::WatchedRingLink>(
-                  std::make_unique<GatewayLink>(std::move(made), GatewaySettings{},
+                  std::make_unique<GatewayLink>(std::move(made), GatewaySettings{.pollInterval = {}},
                                                 test::gatewayDevices(*ring, catalog())),
                   watch),
               catalog(), began)

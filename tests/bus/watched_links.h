@@ -74,7 +74,7 @@ public:
             return gone();
         return PassingLink::watch(out, in);
     }
-    Result<std::optional<bool>> sendZeros(std::span<Word> in) override
+    Result<ZerosSent> sendZeros(std::span<Word> in) override
     {
         if (m_watch.isGone)
             return gone();

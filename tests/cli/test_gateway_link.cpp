@@ -130,7 +130,7 @@ TEST(CliGatewayLink, WhatAGatewayCannotDoIsSaidBeforeItConnects)
         {QStringLiteral("master --json"), "masterServiceNotSupported"},
         {QStringLiteral("master start --json"), "masterServiceNotSupported"},
         {QStringLiteral("master segment 1 off --yes --json"), "masterServiceNotSupported"},
-        {QStringLiteral("master alarm-stop --json"), "connectionRefused"},
+        {QStringLiteral("master alarm-stop --patience 1 --json"), "connectionRefused"},
         {QStringLiteral("monitor 1.0 --json"), "connectionRefused"},
     };
     for (const auto &row : rows) {
@@ -140,6 +140,14 @@ TEST(CliGatewayLink, WhatAGatewayCannotDoIsSaidBeforeItConnects)
     }
     // Without a project, too.
     EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --json --link ") + nowhere)), "noIdCycle");
+}
+
+TEST(CliGatewayLink, AnAlarmStopThatDoesNotArriveSaysSoOnceItsPatienceEnds)
+{
+    const CliRun run = RingProject().run(QStringLiteral("master alarm-stop --patience 1"),
+                                         QStringLiteral("modbus-tcp:127.0.0.1:1"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The zeros of the ALARM STOP have not arrived within 1 s."));
 }
 
 TEST(CliGatewayLink, PlacesAreThoseOfTheProject)

@@ -9,7 +9,9 @@
 #include "tests/links/crooked_peer.h"
 #include "tests/support/pty_pair.h"
 
+#include <atomic>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -368,7 +370,8 @@ TEST_F(WrongTcp, AnAnswerBeforeHangingUpCounts)
     Registers read(2);
     ASSERT_TRUE(m_port.read(RegisterArea::input, 20, read));
     EXPECT_EQ(read, (Registers{20, 21}));
-    EXPECT_EQ(m_port.read(RegisterArea::input, 20, read).error().kind, ErrorKind::closed);
+    reactRightly();
+    nextAnswersAreRight(); // on another connection
 }
 
 TEST_F(WrongTcp, AllUnitsCanBeAsked)
@@ -467,6 +470,77 @@ TEST(SlowLine, SilenceIsToldAfterTheTimeOutAndTheTimeOfTheRequest)
     const Instant begun = port.now();
     EXPECT_EQ(port.read(RegisterArea::input, 20, read).error().kind, ErrorKind::noAnswer);
     EXPECT_GE(port.now() - begun, 73ms);
+}
+
+// As gateways do that have room for few connections.
+class ClosingGateway : public testing::Test
+{
+protected:
+    static Reaction answer(const SeenRequest &request, bool hangsUp)
+    {
+        return {.bytes =
+                    CrookedPeer::tcpFrame(request.transaction, request.unit, rightAnswer(request.message)),
+                .hangsUp = hangsUp};
+    }
+    bool readsRightly(ModbusPort &port)
+    {
+        Registers registers(4);
+        return port.read(RegisterArea::input, 7, registers) && registers == Registers{7, 8, 9, 10};
+    }
+    GatewaySettings settingsOf(CrookedPeer &peer)
+    {
+        return {.host = QStringLiteral("127.0.0.1"), .tcpPort = peer.port(), .unit = unit, .timeOut = 400ms};
+    }
+};
+
+TEST_F(ClosingGateway, AfterEachAnswerIsLearnedAndCounted)
+{
+    CrookedPeer peer([](const SeenRequest &request) { return answer(request, true); });
+    ModbusPort port(settingsOf(peer));
+    ASSERT_TRUE(port.open());
+    int failures = 0; // where the end of the connection crossed the request
+    for (int i = 0; i < 20; ++i) {
+        if (readsRightly(port))
+            continue;
+        ++failures;
+        ASSERT_TRUE(port.open());
+    }
+    EXPECT_LE(failures, 1);
+    EXPECT_TRUE(port.noticed().closesAfterEach);
+    EXPECT_GE(port.noticed().reconnections, 17u);
+    EXPECT_TRUE(port.write(3, Registers{1, 2})) << "connected anew before it is sent";
+}
+
+TEST_F(ClosingGateway, WhileIdleIsConnectedAnewBeforeARead)
+{
+    std::atomic<bool> hangsUp = false;
+    CrookedPeer peer([&](const SeenRequest &request) { return answer(request, hangsUp); });
+    ModbusPort port(settingsOf(peer));
+    ASSERT_TRUE(port.open());
+    ASSERT_TRUE(readsRightly(port));
+    hangsUp = true;
+    ASSERT_TRUE(readsRightly(port));
+    hangsUp = false;
+    std::this_thread::sleep_for(50ms);
+    EXPECT_TRUE(readsRightly(port));
+    EXPECT_EQ(port.noticed(), (RegisterPort::Noticed{.reconnections = 1}));
+}
+
+// Its outputs may be others by then: whoever writes has to look first.
+TEST_F(ClosingGateway, WhileIdleIsNotWrittenToUnseen)
+{
+    std::atomic<bool> hangsUp = false;
+    CrookedPeer peer([&](const SeenRequest &request) { return answer(request, hangsUp); });
+    ModbusPort port(settingsOf(peer));
+    ASSERT_TRUE(port.open());
+    ASSERT_TRUE(readsRightly(port));
+    hangsUp = true;
+    ASSERT_TRUE(readsRightly(port));
+    std::this_thread::sleep_for(50ms);
+    const auto written = port.write(3, Registers{1, 2});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().kind, ErrorKind::closed);
+    EXPECT_FALSE(written.error().isSent);
 }
 
 } // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two sessions, as in two programs: one has a ring and offers it, the other reaches it as a gateway.
+#include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "links/modbus_port.h"
 #include "links/modbus_tcp_server.h"
+#include "modbus/gateway_check.h"
 #include "modbus/gateway_link.h"
 #include "simulator/fraba_k3.h"
 #include "simulator/simulated_ring_link.h"
@@ -168,6 +170,39 @@ TEST_F(ServedGateway, AStoppedRingEndsWhatTheOtherProgramDoes)
     job.values = {{Parameter::steps, 255}};
     EXPECT_FALSE(carryOut(1, job));
     EXPECT_EQ(atTheEnd(1).eepromWrites(), 0);
+}
+
+// The test of the other program recognises the registers, and then a failed ring looks so there.
+TEST_F(ServedGateway, ARingThatFailsIsToldToTheOtherProgram)
+{
+    GatewaySettings settings{
+        .host = QStringLiteral("127.0.0.1"), .tcpPort = m_server->place().port, .timeOut = 20s};
+    std::vector<CheckedDevice> devices;
+    for (const GatewayDevice &device : m_planned)
+        devices.push_back({device.participant, {*m_catalog.find(u"fraba-ocd-ib"), {}}});
+    {
+        ModbusPort port(settings);
+        GatewayCheck check(port, settings, devices);
+        std::map<QString, QString> proposed;
+        while (!check.isDone())
+            proposed.merge(check.next().proposed);
+        const std::map<QString, QString> expected{{QStringLiteral("status"), QStringLiteral("8192")},
+                                                  {QStringLiteral("run-bit"), QStringLiteral("5")},
+                                                  {QStringLiteral("fault-bits"), QStringLiteral("2+3+9")},
+                                                  {QStringLiteral("place"), QStringLiteral("8193")}};
+        EXPECT_EQ(proposed, expected);
+        ASSERT_TRUE(applySettings(settings, proposed));
+    }
+    connect(settings);
+    EXPECT_TRUE(encoder(1)->freshness().isLive());
+    m_ring->bus().pump();
+    m_controls->setFault(TrainingFault::wireBreak, DeviceNumber{3, 0}.node(), 1);
+    ASSERT_TRUE(waitFor([this] { return !encoder(1)->freshness().isLive(); }));
+    EXPECT_TRUE(waitFor([this] { return m_other->outline().state().role == Role::fault; }));
+    const std::vector<Fault> faults = m_other->outline().faults();
+    ASSERT_FALSE(faults.empty());
+    EXPECT_EQ(faults.front().extent, Fault::Extent::standstill);
+    EXPECT_EQ(encoder(1)->start(ReadParameters{{Parameter::steps}}).error().kind, RefusalKind::link);
 }
 
 } // namespace

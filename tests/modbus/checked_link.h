@@ -60,7 +60,7 @@ public:
         look(done.has_value(), in);
         return done;
     }
-    Result<std::optional<bool>> sendZeros(std::span<Word> in) override
+    Result<ZerosSent> sendZeros(std::span<Word> in) override
     {
         EXPECT_TRUE(m_rules.zerosAreDue);
         m_asked.assign(in.size(), 0);
@@ -68,7 +68,7 @@ public:
         m_asked.clear();
         if (done)
             m_rules.zerosAreDue = false;
-        if (done && *done == true) {
+        if (done && done->areThere == true) {
             EXPECT_EQ(m_gateway->out(), std::vector<Word>(in.size())) << "they have not arrived";
         }
         return done;

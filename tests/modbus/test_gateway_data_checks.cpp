@@ -94,17 +94,20 @@ TEST(GatewayDataChecks, AnErrorInTheWrongWordOrderIsNotTold)
 }
 
 // It goes on showing the words of a ring that stands still.
-TEST(GatewayDataChecks, WithoutAStatusRegisterNobodySaysWhetherTheRingRuns)
+DataCheck runningOf(const GatewaySettings &settings)
 {
-    for (const auto status : {std::optional<int>(), std::optional(4)}) {
-        GatewaySession gateway({.settings = {.statusRegister = status}});
-        ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
-        gateway.bus->advance(2s);
-        const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
-        const DataCheck *running = findCheck(checks, DataCheck::Id::running);
-        ASSERT_NE(running, nullptr);
-        EXPECT_EQ(running->outcome, status ? DataCheck::Outcome::asExpected : DataCheck::Outcome::notKnown);
-    }
+    GatewaySession gateway({.settings = settings});
+    EXPECT_TRUE(gateway.bus->open(RingSession::Start::watching));
+    gateway.bus->advance(2s);
+    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, {});
+    const DataCheck *running = findCheck(checks, DataCheck::Id::running);
+    return running != nullptr ? *running : DataCheck{};
+}
+
+TEST(GatewayDataChecks, WithoutTheMeaningOfAStatusRegisterNobodySaysWhetherTheRingRuns)
+{
+    EXPECT_EQ(runningOf({}).outcome, DataCheck::Outcome::notKnown);
+    EXPECT_EQ(runningOf({.statusRegister = 4}).outcome, DataCheck::Outcome::notKnown);
 }
 
 TEST(GatewayDataChecks, ADeviceThatTakesNoWordsIsNotToBeWritten)

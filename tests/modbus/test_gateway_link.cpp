@@ -102,16 +102,18 @@ TEST_F(GatewayLinkTest, ZerosGoOutWhateverIsThereAndAreReadBack)
     makeOpen(2);
     ASSERT_TRUE(link->readBackOut());
     setOut(1, 0x8000'0000);
-    EXPECT_EQ(link->sendZeros(in).value(), std::optional(true));
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional(true));
     EXPECT_EQ(link->readBackOut(), std::vector<Word>(2));
     bank->onWrite = [this] { setOut(1, 0x8000'0000); };
-    EXPECT_EQ(link->sendZeros(in).value(), std::optional(false));
+    const auto overwritten = link->sendZeros(in).value();
+    EXPECT_EQ(overwritten.areThere, std::optional(false));
+    EXPECT_EQ(overwritten.notZero, QStringLiteral("2.0 80000000 (register 2)"));
 }
 
 TEST_F(GatewayLinkTest, ZerosThatCannotBeReadBackAreNotSaidToHaveArrived)
 {
     makeOpen(1, {.readsBack = false});
-    EXPECT_EQ(link->sendZeros(in).value(), std::optional<bool>());
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional<bool>());
     EXPECT_EQ(bank->writes, 1);
 }
 

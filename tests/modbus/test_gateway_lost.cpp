@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The connection to a gateway is lost just behind a word: it has reached the encoder, and nobody sees the
 // answer. What account and state say then is held against what the simulated encoder has done.
+#include "bus/bus_outline.h"
 #include "journal/ledger_keeper.h"
 #include "tests/support/gateway_session.h"
 
@@ -276,6 +277,44 @@ TEST(LostGateway, AWordLeftInOutIsTold)
         told += there != 0 ? 1 : 0;
     }
     EXPECT_GE(told, 1);
+}
+
+// Nothing is sent by itself. What is offered clears OUT, reads what is not known, and settles the account.
+TEST(LostGateway, WhatWasLeftIsBroughtBackWhenTheUserSaysSo)
+{
+    int broughtBack = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        RingSession &bus = *gateway.session.bus;
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        if (!outcome)
+            break;
+        gateway.control->isAway = false;
+        gateway.control->writesLeft = -1;
+        const Word left = gateway.session.gateway->out().front();
+        bus.advance(5s);
+        EXPECT_EQ(gateway.session.gateway->out().front(), left) << "nobody has asked for anything";
+        EXPECT_EQ(bus.latest().devices.front().leftOut.value_or(0), left);
+        const auto faults = bus.outline().faults();
+        const auto offered = std::ranges::find_if(
+            faults, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::bringBack}; });
+        ASSERT_EQ(offered != faults.end(), left != 0);
+        if (left == 0 || gateway.session.encoder(lostFraba).latest().state != EncoderState::operation)
+            continue;
+        ++broughtBack;
+        EXPECT_EQ(offered->node, lostFraba.node);
+        bus.bringBack(lostFraba);
+        bus.advance(100ms); // until it operates
+        bus.advance(3s);
+        EXPECT_TRUE(gateway.session.isOutZero())
+            << (gateway.session.lastRefusal() ? refusalText(*gateway.session.lastRefusal()).toStdString()
+                                              : "");
+        EXPECT_FALSE(bus.latest().devices.front().leftOut);
+        const bool wasInDoubt = valueOf(outcome->inDoubt.values, Parameter::steps).has_value();
+        EXPECT_EQ(gateway.session.encoder(lostFraba).known(Parameter::steps).has_value(), wasInDoubt);
+    }
+    EXPECT_GE(broughtBack, 1);
 }
 
 } // namespace

@@ -111,5 +111,32 @@ TEST(GatewayMap, AreasThatOverlapOrEndTooFarAreRefused)
     EXPECT_FALSE(refused({.controlRegister = 8}));
 }
 
+// 61 and 100 are met.
+TEST(GatewayMap, KeepsToTheLimitsOfTheGateway)
+{
+    const auto map = GatewayMap::of(structureOf(k3Ring(64)), {.mostRead = 61, .mostWritten = 100});
+    ASSERT_TRUE(map);
+    int read = 0;
+    for (const RegisterBlock &block : map->inBlocks()) {
+        EXPECT_LE(block.count, 61);
+        EXPECT_EQ(block.count % 2, 0) << "no word is split";
+        read += block.count;
+    }
+    EXPECT_EQ(read, 128);
+    for (const RegisterBlock &block : map->readBackBlocks())
+        EXPECT_LE(block.count, 61);
+    ASSERT_EQ(map->outBlocks().size(), 2u);
+    EXPECT_LE(map->outBlocks().front().count, 100);
+}
+
+TEST(GatewayMap, WritesOnlyTheDevicesThatAreAskedFor)
+{
+    const auto map = GatewayMap::of(structureOf(k3Ring(4)), {});
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->outBlocksOf({false, true, true, false}), (std::vector<RegisterBlock>{{2, 4}}));
+    EXPECT_EQ(map->outBlocksOf({true, false, false, true}), (std::vector<RegisterBlock>{{0, 2}, {6, 2}}));
+    EXPECT_TRUE(map->outBlocksOf({false, false, false, false}).empty());
+}
+
 } // namespace
 } // namespace codewheel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A ring behind a gateway: what is sent and when, what somebody else sends, and what is said about it.
+#include "bus/bus_outline.h"
 #include "bus/word_channel.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/gateway_session.h"
@@ -260,20 +261,34 @@ TEST_F(GatewayRing, ALostOrClosedLinkExchangesNothing)
     EXPECT_EQ(ring->bus->latest().figures->exchangesPerSecond, 0);
 }
 
-TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilSomethingIsSent)
+TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilItIsAskedFor)
 {
     open(EncoderBus::Start::watching, {.settings = {.readsBack = false}});
     EXPECT_TRUE(isTold(RefusalId::outNotReadBack));
-    EXPECT_FALSE(ring->bus->latest().outIsKnown);
-    ring->bus->advance(2s);
-    EXPECT_EQ(ring->gateway->writes(), 0);
+    ring->gateway->setOut(1, 0x4000'0001); // by a controller
+    const auto known = [this] {
+        std::vector<bool> known;
+        for (const Snapshot::Device &device : ring->bus->latest().devices)
+            known.push_back(device.outIsKnown);
+        return known;
+    };
+    EXPECT_EQ(known(), std::vector<bool>(known().size(), false));
     ring->bus->setOperate(true);
-    ring->bus->advance(100ms);
-    EXPECT_GT(ring->gateway->writes(), 0);
-    EXPECT_TRUE(ring->bus->latest().outIsKnown);
+    ring->bus->advance(2s);
+    EXPECT_EQ(ring->gateway->writes(), 0) << "nobody has asked for anything";
+    write(ownWord);
+    EXPECT_EQ(outThere(), ownWord);
+    EXPECT_EQ(std::ranges::count(known(), true), 1);
+    EXPECT_EQ(ring->gateway->out()[1], 0x4000'0001u) << "a word that nobody could read back";
     loseLink();
     giveLinkBack();
-    EXPECT_FALSE(ring->bus->latest().outIsKnown);
+    EXPECT_EQ(std::ranges::count(known(), true), 0);
+    ring->bus->setOperate(true);
+    ring->bus->advance(2s);
+    EXPECT_EQ(ring->gateway->out()[1], 0x4000'0001u);
+    ring->bus->alarmStop();
+    ring->bus->advance(100ms);
+    EXPECT_TRUE(ring->isOutZero()) << "that was asked for everywhere";
 }
 
 TEST_F(GatewayRing, ASingleExceptionDoesNotSwitchReadingBackOff)
@@ -284,7 +299,7 @@ TEST_F(GatewayRing, ASingleExceptionDoesNotSwitchReadingBackOff)
     port->make({.exception = 0.3});
     ring->bus->advance(60s);
     giveLinkBack();
-    EXPECT_TRUE(ring->bus->latest().outIsKnown);
+    EXPECT_TRUE(ring->bus->latest().devices.front().outIsKnown);
     EXPECT_FALSE(isTold(RefusalId::outNotReadBack));
 }
 
@@ -370,6 +385,81 @@ TEST_F(GatewayThread, AfterTheComputerSleptTheBusIsInWatch)
     pumpUntil([this] { return ring->countOf(MessageId::computerSlept) == 1; });
     pumpUntil([this] { return !ring->bus->isOperating(); });
     ring->bus->close();
+}
+
+// Hangs in a write until it is released, whoever interrupts it.
+class HangingPort final : public RegisterPort
+{
+public:
+    struct Control
+    {
+        std::atomic<bool> hangs = false;
+    };
+
+    HangingPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
+        : m_port(std::move(port))
+        , m_control(std::move(control))
+    {}
+
+    Result<void> open() override { return m_port->open(); }
+    void close() override { m_port->close(); }
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        return m_port->read(area, first, to);
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        while (m_control->hangs)
+            std::this_thread::sleep_for(1ms);
+        return m_port->write(first, from);
+    }
+    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
+                      std::span<Register> to) override
+    {
+        return m_port->writeAndRead(writeFirst, from, readFirst, to);
+    }
+    Instant now() const override { return std::chrono::duration_cast<Instant>(Clock::now() - m_begin); }
+    void wait(Instant until) override { std::this_thread::sleep_until(m_begin + until); }
+    void interrupt() override {}
+    QString name() const override { return m_port->name(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::unique_ptr<RegisterPort> m_port;
+    std::shared_ptr<Control> m_control;
+    const Clock::time_point m_begin = Clock::now();
+};
+
+TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
+{
+    const auto control = std::make_shared<HangingPort::Control>();
+    GatewaySession session({}, [&](std::unique_ptr<RegisterPort> port) {
+        return std::make_unique<HangingPort>(std::move(port), control);
+    });
+    RingSession &bus = *session.bus;
+    ASSERT_TRUE(bus.open(EncoderBus::Start::operating));
+    bus.startThread({});
+    const auto waitFor = [&](const auto &isSo) {
+        for (int i = 0; i < 500 && !isSo(); ++i) {
+            std::this_thread::sleep_for(10ms);
+            bus.pump();
+        }
+        return isSo();
+    };
+    ASSERT_TRUE(waitFor([&] { return bus.latest().cycle > 3; }));
+    control->hangs = true;
+    bus.alarmStop();
+    EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosLate) == 1; }));
+    EXPECT_TRUE(bus.areZerosLate());
+    EXPECT_TRUE(std::ranges::any_of(bus.outline().faults(), [](const Fault &fault) {
+        return fault.shown.role == Role::fault && fault.extent == Fault::Extent::bus;
+    }));
+    control->hangs = false;
+    EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosReadBack) == 1; }));
+    EXPECT_FALSE(bus.areZerosLate());
+    EXPECT_EQ(session.countOf(MessageId::zerosLate), 1u);
+    bus.close();
 }
 
 } // namespace

@@ -24,7 +24,7 @@ public:
         return m_link->exchange(out, in);
     }
     Result<void> watch(std::span<Word> out, std::span<Word> in) override { return m_link->watch(out, in); }
-    Result<std::optional<bool>> sendZeros(std::span<Word> in) override { return m_link->sendZeros(in); }
+    Result<ZerosSent> sendZeros(std::span<Word> in) override { return m_link->sendZeros(in); }
     std::optional<Instant> age(std::size_t device) const override { return m_link->age(device); }
     bool isUpToDate(std::size_t device) const override { return m_link->isUpToDate(device); }
     std::shared_ptr<const LinkFigures> figures() const override { return m_link->figures(); }

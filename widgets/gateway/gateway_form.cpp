@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/gateway/gateway_form.h"
 
+#include "encoder/refusal_text.h"
 #include "project/ring_plan.h"
 #include "widgets/connect/port_field.h"
 #include "widgets/connect/setting_row.h"
@@ -16,13 +17,18 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
+#include <QSignalBlocker>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel {
 namespace {
 
 constexpr int longestHost = 253; // RFC 1035
+
+constexpr std::array registerSettings{"in-area", "in",      "out",        "write", "order",
+                                      "status",  "run-bit", "fault-bits", "place", "control"};
 
 const QString hostSetting = QStringLiteral("host");
 const QString portSetting = QStringLiteral("port");
@@ -32,7 +38,7 @@ std::map<QString, QString> registersOf(const GatewayPreset &preset, GatewaySetti
 {
     const std::map<QString, QString> usual = allSettingTexts({.transport = transport});
     std::map<QString, QString> registers = preset.registers;
-    for (const char *name : {"in-area", "in", "out", "write", "order", "status", "control"})
+    for (const char *name : registerSettings)
         registers.insert(*usual.find(QString::fromLatin1(name)));
     return registers;
 }
@@ -104,7 +110,12 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
 {
     const QString name = plainLabel(field.label);
     QWidget *editor = nullptr;
-    if (!field.choices.empty()) {
+    if (field.isText) {
+        auto *text = describe(new TextField(this), name, field.sentence);
+        connect(text, &QLineEdit::textEdited, this, &GatewayForm::showPreset);
+        m_texts[field.name] = text;
+        editor = text;
+    } else if (!field.choices.empty()) {
         auto *box = describe(new QComboBox(this), name, field.sentence);
         for (const SettingField::Choice &choice : field.choices)
             box->addItem(choice.text, choice.value);
@@ -129,6 +140,8 @@ GatewayForm::Texts GatewayForm::texts() const
     Texts texts;
     for (const auto &[name, box] : m_choices)
         texts[name] = box->currentData().toString();
+    for (const auto &[name, text] : m_texts)
+        texts[name] = text->text().trimmed();
     for (const auto &[name, number] : m_numbers) {
         const bool isNone = !number->specialValueText().isEmpty() && number->value() == number->minimum();
         texts[name] = isNone ? QStringLiteral("none") : QString::number(number->value());
@@ -145,6 +158,8 @@ void GatewayForm::setTexts(const Texts &texts)
         all[name] = text;
     for (const auto &[name, box] : m_choices)
         box->setCurrentIndex(std::max(0, box->findData(all[name])));
+    for (const auto &[name, text] : m_texts)
+        text->setText(all[name]);
     for (const auto &[name, number] : m_numbers) {
         bool isNumber = false;
         const int value = all[name].toInt(&isNumber);
@@ -172,7 +187,7 @@ bool GatewayForm::showPlan(const KindData &plan)
 KindData GatewayForm::plan() const
 {
     GatewaySettings settings{.transport = m_transport};
-    (void)applySettings(settings, texts()); // fields hold nothing that would be refused
+    (void)applySettings(settings, texts()); // if it is refused, wrong() says so
     if (m_host != nullptr) {
         settings.host = m_host->text().trimmed();
         settings.tcpPort = m_tcpPort->value();
@@ -180,6 +195,13 @@ KindData GatewayForm::plan() const
         settings.serialPort = m_port->port();
     }
     return KindData(ProjectLink{linkKindOf(settings), linkTexts(settings)});
+}
+
+QString GatewayForm::wrong() const
+{
+    GatewaySettings settings{.transport = m_transport};
+    const auto applied = applySettings(settings, texts());
+    return applied ? QString() : refusalText(applied.error());
 }
 
 QString GatewayForm::complaint() const
@@ -211,14 +233,29 @@ GatewayForm::Texts GatewayForm::withRegistersOf(const GatewayPreset &preset) con
 {
     Texts wanted = texts();
     const Texts usual = allSettingTexts({.transport = m_transport});
-    for (const char *name : {"in-area", "in", "out", "write", "order", "status", "control"})
+    for (const char *name : registerSettings)
         wanted[QString::fromLatin1(name)] = usual.at(QString::fromLatin1(name));
     for (const auto &[name, text] : preset.registers)
         wanted[name] = text;
+    return withPlace(std::move(wanted));
+}
+
+GatewayForm::Texts GatewayForm::withPlace(Texts texts) const
+{
     if (m_host != nullptr)
-        wanted[hostSetting] = m_host->text();
-    wanted[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
-    return wanted;
+        texts[hostSetting] = m_host->text();
+    texts[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
+    return texts;
+}
+
+// The test that found them stays valid.
+void GatewayForm::propose(const Texts &texts)
+{
+    const QSignalBlocker blocker(this);
+    Texts wanted = withPlace(this->texts());
+    for (const auto &[name, text] : texts)
+        wanted[name] = text;
+    setTexts(wanted);
 }
 
 // Of a preset only the registers; what was used last is all of it.

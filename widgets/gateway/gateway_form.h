@@ -32,9 +32,12 @@ public:
     bool canBeTested() const override { return true; }
     bool showPlan(const KindData &plan) override;
     KindData plan() const override;
+    QString wrong() const override;
     QString complaint() const override;
     void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble) override;
 
+    // Fills in settings that a test has found.
+    void propose(const std::map<QString, QString> &texts);
     // What was used last, offered with the presets; empty: nothing.
     void setLast(const std::map<QString, QString> &texts);
 
@@ -47,6 +50,7 @@ private:
     Texts texts() const;
     void setTexts(const Texts &texts);
     Texts withRegistersOf(const GatewayPreset &preset) const;
+    Texts withPlace(Texts texts) const; // with host and port
     void usePreset(int index);
     void showPreset();
 
@@ -59,6 +63,7 @@ private:
     Texts m_last;
     std::map<QString, QSpinBox *> m_numbers; // by the name of the setting
     std::map<QString, QComboBox *> m_choices;
+    std::map<QString, TextField *> m_texts;
     bool m_isSetting = false;
 };
 

@@ -94,13 +94,25 @@ void GatewayPanel::setGateway(const QString &gateway)
     m_gateway->setText(gateway);
 }
 
+QString GatewayPanel::stateOf(const Snapshot &ring) const
+{
+    if (!m_bus.isRunning())
+        return tr("Connected, stopped");
+    if (!ring.told)
+        return tr("Connected; whether the ring runs is not told");
+    if (!ring.told->stands())
+        return tr("Connected, and the ring runs");
+    return ring.told->hasFailed ? tr("Connected, but the ring has failed")
+                                : tr("Connected, but the ring stands still");
+}
+
 void GatewayPanel::refresh()
 {
     const Snapshot &shown = m_bus.latest();
     const bool isOpen = m_bus.isOpen();
     switch (m_bus.state()) {
     case BusState::open:
-        m_state->setState(Role::running, m_bus.isRunning() ? tr("Connected") : tr("Connected, stopped"));
+        m_state->setState(shown.told && shown.told->stands() ? Role::fault : Role::running, stateOf(shown));
         break;
     case BusState::opening:
         m_state->setState(Role::attention, tr("Connecting"));

@@ -11,6 +11,7 @@ namespace codewheel {
 
 class LinkFiguresModel;
 class RingSession;
+struct Snapshot;
 class RoleLabel;
 
 // A ring behind a gateway at a glance: where it is, state, what may be written, and the statistics of its
@@ -33,6 +34,7 @@ Q_SIGNALS:
 private:
     void makeTable();
     QPushButton *addButton(const QString &text, const QString &toolTip);
+    QString stateOf(const Snapshot &ring) const;
     void refresh();
 
     RingSession &m_bus;

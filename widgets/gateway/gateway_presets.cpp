@@ -35,7 +35,10 @@ std::vector<GatewayPreset> gatewayPresets()
         {GatewayPresetTexts::tr("A training bus of Codewheel"),
          GatewayPresetTexts::tr(
              "As another Codewheel offers its training bus; the state of the ring is in register 8192"),
-         {{QStringLiteral("status"), QStringLiteral("8192")}}},
+         {{QStringLiteral("status"), QStringLiteral("8192")},
+          {QStringLiteral("run-bit"), QStringLiteral("5")},
+          {QStringLiteral("fault-bits"), QStringLiteral("2+3+9")},
+          {QStringLiteral("place"), QStringLiteral("8193")}}},
     };
 }
 

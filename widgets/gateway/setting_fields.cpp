@@ -84,7 +84,29 @@ std::vector<SettingField> ofImage()
         {QStringLiteral("status"),
          SettingFieldTexts::tr("Status register"),
          SettingFieldTexts::tr(
-             "Where the gateway tells its state, if it does; it is shown, and changes nothing"),
+             "Where the gateway tells its state, if it does; what its bits mean is set below"),
+         gateway_limits::registers,
+         {},
+         none},
+        {QStringLiteral("run-bit"),
+         SettingFieldTexts::tr("Bit of run"),
+         SettingFieldTexts::tr(
+             "The bit of the status register that is 1 while the ring runs, by the manual of "
+             "the gateway. Without it the program cannot know"),
+         gateway_limits::bit,
+         {},
+         none},
+        {.name = QStringLiteral("fault-bits"),
+         .label = SettingFieldTexts::tr("Bits of a fault"),
+         .sentence =
+             SettingFieldTexts::tr("The bits of the status register of which one is 1 when the ring has "
+                                   "failed, as 2+3; or none"),
+         .isText = true},
+        {QStringLiteral("place"),
+         SettingFieldTexts::tr("Register of the place"),
+         SettingFieldTexts::tr(
+             "Where the gateway tells the place of a fault: segment in the high byte, position "
+             "in the low one"),
          gateway_limits::registers,
          {},
          none},
@@ -101,6 +123,12 @@ std::vector<SettingField> ofTimes()
 {
     const QString ms = SettingFieldTexts::tr(" ms", "unit of a time");
     return {
+        {QStringLiteral("most-read"), SettingFieldTexts::tr("Registers in a read"),
+         SettingFieldTexts::tr("The most that the gateway gives in one request; 125 by the standard"),
+         gateway_limits::mostRead},
+        {QStringLiteral("most-written"), SettingFieldTexts::tr("Registers in a write"),
+         SettingFieldTexts::tr("The most that the gateway takes in one request; 123 by the standard"),
+         gateway_limits::mostWritten},
         {QStringLiteral("interval"), SettingFieldTexts::tr("Poll interval"),
          SettingFieldTexts::tr("From one exchange to the next; 0: as fast as the link is"),
          gateway_limits::interval, ms},

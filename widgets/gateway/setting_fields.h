@@ -25,6 +25,7 @@ struct SettingField
     QString unit{};                // " ms"
     QString none{};                // text for "none", one below the least number; empty: always a number
     std::vector<Choice> choices{}; // instead of a number
+    bool isText = false;           // likewise
 };
 
 std::vector<SettingField> settingFields(GatewaySettings::Transport transport);

@@ -76,10 +76,22 @@ QString readingLines(const DeviceRegisters &shown, const GatewaySettings &gatewa
     return table.toString(4);
 }
 
+// "status=8192,run-bit=5".
+QString settingsText(const std::map<QString, QString> &settings)
+{
+    QStringList texts;
+    for (const auto &[name, text] : settings)
+        texts << name + u'=' + text;
+    return texts.join(u',');
+}
+
 QString findingText(const QString &name, const GatewayFinding &finding, const GatewaySettings &gateway)
 {
     QString text = name.leftJustified(textColumn) +
                    outcomeText(finding.outcome).leftJustified(outcomeColumn) + finding.sentence + u'\n';
+    if (!finding.proposed.empty())
+        text += QStringLiteral("    ") +
+                sentence(CommandLine::tr("Add to the link: %1"), {settingsText(finding.proposed)}) + u'\n';
     if (!finding.shown)
         return text;
     const DeviceRegisters &shown = *finding.shown;
@@ -119,6 +131,8 @@ QJsonObject findingJson(const Call &call, const GatewayAccess &ring, const Gatew
                      {QStringLiteral("outcome"), outcomeKey(finding.outcome)},
                      {QStringLiteral("error"),
                       finding.why ? QJsonValue(errorJson(complaintAbout(*finding.why))) : QJsonValue()}};
+    if (!finding.proposed.empty())
+        json.insert(QStringLiteral("proposed"), settingsText(finding.proposed));
     if (finding.shown) {
         addPlace(json, call, ring.bus().placeOf(finding.shown->place));
         addShown(json, *finding.shown, ring.gateway());

@@ -6,6 +6,7 @@
 #include "cli/ring/master_text.h"
 #include "cli/ring/ring_access.h"
 #include "cli/ring/ring_link_kind.h"
+#include "cli/stop_signals.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
@@ -18,6 +19,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -25,14 +28,20 @@ namespace {
 constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes",
                                           "master --after 31000 --fault-plan resources/examples/faults.json"};
 
+constexpr std::chrono::seconds betweenTries{1};
 constexpr int longestTrial = 86'400'000; // ms
 constexpr int afterwards = 10;           // cycles, for faults that come back at once
+constexpr int usualPatience = 10;        // s
+constexpr int longestPatience = 3'600;   // s
 
 constexpr std::array masterOptions{
     busOption,
     Option{"--after", "MS",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "let so many milliseconds pass on the bus first")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "do it without asking")},
+    Option{"--patience", "SECONDS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "how long an alarm-stop tries to get its zeros to a gateway (10)")},
 };
 
 constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confirm, segment N on|off";
@@ -45,6 +54,15 @@ struct Action
     std::function<QString(const RingSession &)> question{}; // empty: nothing has to be asked
     bool isForAllRings = false;                             // unless one is named
     bool needsMaster = true;
+    bool sendsZeros = false;
+};
+
+// What was asked for besides the action.
+struct MasterWish
+{
+    Action action;
+    int after = 0; // ms
+    std::chrono::seconds patience{};
 };
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
@@ -105,7 +123,10 @@ Checked<Action> actionOf(const QStringList &words)
     if (name == QStringLiteral("stop"))
         return Action{[](RingSession &bus) { bus.setRunning(false); }};
     if (name == QStringLiteral("alarm-stop"))
-        return Action{.carryOut = &RingSession::alarmStop, .isForAllRings = true, .needsMaster = false};
+        return Action{.carryOut = &RingSession::alarmStop,
+                      .isForAllRings = true,
+                      .needsMaster = false,
+                      .sendsZeros = true};
     if (name == QStringLiteral("read-in"))
         return asking(&RingSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
     if (name == QStringLiteral("confirm"))
@@ -159,13 +180,14 @@ Checked<void> agreed(const Call &call, const RingSession &bus, const Action &act
                    CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to do it."));
 }
 
-Checked<Told> carryOutAction(const Call &call, RingSession &bus, int after, const Action &action)
+Checked<Told> carryOutAction(const Call &call, RingSession &bus, const MasterWish &wish)
 {
+    const Action &action = wish.action;
     Told told;
     QObject scope;
     QObject::connect(&bus, &RingSession::messaged, &scope,
                      [&](const Message &message) { told.messages.push_back(message); });
-    bus.advance(std::max(after, 1));
+    bus.advance(std::max(wish.after, 1));
     if (const auto may = agreed(call, bus, action); !may)
         return tl::unexpected(may.error());
     QObject::connect(&bus, &RingSession::refused, &scope,
@@ -199,7 +221,7 @@ Checked<void> openFor(const Call &call, RingAccess &access, const Action &action
 }
 
 // Zeros that somebody else has overwritten have not stopped anything.
-std::optional<Complaint> complaintAboutZeros(const Told &told)
+std::optional<Complaint> complaintAboutOverwriting(const Told &told)
 {
     const auto overwritten = std::ranges::find(told.messages, MessageId::zerosOverwritten, &Message::id);
     if (overwritten == told.messages.end())
@@ -207,32 +229,96 @@ std::optional<Complaint> complaintAboutZeros(const Told &told)
     return Complaint{ExitCode::refused, messageKey(overwritten->id), messageText(*overwritten)};
 }
 
-Checked<Answer> answerOf(const Call &call, BusAccess &access, int after, const Action &action)
+bool isEndOfZeros(const Message &message)
+{
+    return message.id == MessageId::zerosReadBack || message.id == MessageId::zerosSent ||
+           message.id == MessageId::zerosOverwritten;
+}
+
+Complaint zerosMissing(std::chrono::seconds patience)
+{
+    return {
+        ExitCode::refused,
+        QStringLiteral("zerosMissing"),
+        sentence(CommandLine::tr("The zeros of the ALARM STOP have not arrived within %1 s. Stop the machine "
+                                 "by its own means."),
+                 {QString::number(patience.count())}),
+        {static_cast<std::int64_t>(patience.count())}};
+}
+
+// A gateway repeats its outputs until it gets others, so it is tried until the zeros are acknowledged. What
+// hinders that is told as it happens.
+Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chrono::seconds patience)
+{
+    using std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds look{10};
+    const auto end = steady_clock::now() + patience;
+    StopSignals stop;
+    const auto goesOn = [&] { return steady_clock::now() < end && !stop.came(); };
+    Checked<void> opened = access.open();
+    while (!opened && goesOn()) {
+        std::this_thread::sleep_for(
+            std::min<steady_clock::duration>(betweenTries, end - steady_clock::now()));
+        opened = access.open();
+    }
+    if (!opened) {
+        Complaint complaint = opened.error();
+        complaint.text += u' ' + zerosMissing(patience).text;
+        return tl::unexpected(complaint);
+    }
+    RingSession &bus = access.ring();
+    Told told;
+    bool isOver = false;
+    QObject scope;
+    QObject::connect(&bus, &RingSession::messaged, &scope, [&](const Message &message) {
+        told.messages.push_back(message);
+        isOver = isOver || isEndOfZeros(message);
+        if (message.id == MessageId::zerosLate || message.id == MessageId::zerosWait)
+            call.terminal.complain(messageText(message));
+    });
+    bus.alarmStop();
+    bus.startThread({});
+    while (!isOver && goesOn()) {
+        std::this_thread::sleep_for(look);
+        bus.pump();
+    }
+    if (!isOver)
+        return tl::unexpected(zerosMissing(patience));
+    return told;
+}
+
+Checked<Told> toldAfter(const Call &call, RingAccess &access, const MasterWish &wish)
+{
+    if (wish.action.sendsZeros && !access.mayReachMaster())
+        return sendZerosPatiently(call, access, wish.patience);
+    if (const auto opened = openFor(call, access, wish.action); !opened)
+        return tl::unexpected(opened.error());
+    return carryOutAction(call, access.ring(), wish);
+}
+
+Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &wish)
 {
     auto &ringAccess = static_cast<RingAccess &>(access); // of its kind
-    if (const auto opened = openFor(call, ringAccess, action); !opened)
-        return tl::unexpected(opened.error());
-    RingSession &ring = ringAccess.ring();
-    const auto told = carryOutAction(call, ring, after, action);
+    const auto told = toldAfter(call, ringAccess, wish);
     if (!told)
         return tl::unexpected(told.error());
+    RingSession &ring = ringAccess.ring();
     Answer answer{messageLines(told->messages) + u'\n' + masterLines(ring),
                   {{QStringLiteral("master"), masterJson(ring)},
                    {QStringLiteral("messages"), messagesJson(told->messages)}}};
     addBus(answer.json, access);
     answer.complaint =
-        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutZeros(*told);
+        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutOverwriting(*told);
     return answer;
 }
 
 // Each with its heading. A refusal by one ring does not keep the others from it.
-Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, int after,
-                            const Action &action)
+Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, const MasterWish &wish)
 {
     Answer all;
     QJsonArray buses;
     for (BusAccess *ring : rings) {
-        const auto its = answerOf(call, *ring, after, action);
+        const auto its = answerOf(call, *ring, wish);
         if (!all.complaint)
             all.complaint = its ? its->complaint : std::optional(its.error());
         if (!its)
@@ -253,9 +339,12 @@ Checked<Answer> runMaster(const Call &call)
     const auto after = call.arguments.number("--after", 0, 0, longestTrial);
     if (!after)
         return tl::unexpected(after.error());
+    const auto patience = call.arguments.number("--patience", usualPatience, 1, longestPatience);
+    if (!patience)
+        return tl::unexpected(patience.error());
+    const MasterWish wish{*action, *after, std::chrono::seconds(*patience)};
     return ringsMeant(call, *action).and_then([&](const std::vector<BusAccess *> &rings) {
-        return rings.size() == 1 ? answerOf(call, *rings.front(), *after, *action)
-                                 : answerOfAll(call, rings, *after, *action);
+        return rings.size() == 1 ? answerOf(call, *rings.front(), wish) : answerOfAll(call, rings, wish);
     });
 }
 
@@ -264,7 +353,8 @@ Checked<Answer> runMaster(const Call &call)
 const Subcommand masterCommand{
     .name = "master",
     .usage =
-        "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--bus BUS] [--after MS] [--yes]",
+        "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--bus BUS] [--after MS] [--yes] "
+        "[--patience SECONDS]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the master says, and its services"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

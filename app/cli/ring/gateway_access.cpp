@@ -184,9 +184,11 @@ Checked<void> GatewayAccess::inContact(const Call &call, Place place)
     const auto isSilent = [&] {
         return encoder != nullptr && encoder->latest().state == EncoderState::notSeen;
     };
-    while (isSilent() && ring().now() < end)
+    while (isSilent() && !whyItStands() && ring().now() < end)
         if (!advance(lookInterval()))
             return tl::unexpected(linkLost());
+    if (const auto standstill = whyItStands())
+        return tl::unexpected(*standstill);
     if (!isSilent())
         return {};
     return tl::unexpected(Complaint{

@@ -24,6 +24,18 @@ QString exceptionLines(const std::map<int, std::uint64_t> &exceptions)
     return text;
 }
 
+// What is put up with; nothing is lost by it.
+QString toleratedLine(const LinkFigures &figures)
+{
+    if (figures.reconnections + figures.strayBytes + figures.echoes == 0)
+        return {};
+    return sentence(
+               CommandLine::tr("Connections that the gateway had closed while idle: %1. Stray bytes: %2. "
+                               "Echoes of our requests: %3."),
+               {countText(figures.reconnections), countText(figures.strayBytes), countText(figures.echoes)}) +
+           u'\n';
+}
+
 QJsonObject exceptionsJson(const std::map<int, std::uint64_t> &exceptions)
 {
     QJsonObject json;
@@ -43,7 +55,8 @@ QString figuresText(const LinkFigures &figures)
                   QLocale().toString(figures.exchangesPerSecond, 'f', 1), countText(figures.retries),
                   countText(figures.noAnswers), countText(figures.wrongAnswers),
                   countText(figures.connections), countText(figures.closed), countText(figures.tornWords)}) +
-        u'\n' + exceptionLines(figures.exceptions) + answerTimeText(figures.roundTrip);
+        u'\n' + toleratedLine(figures) + exceptionLines(figures.exceptions) +
+        answerTimeText(figures.roundTrip);
     if (figures.status)
         text += sentence(CommandLine::tr("Status register: %1"), {hexCode(*figures.status, statusDigits)}) +
                 u'\n';
@@ -60,6 +73,9 @@ QJsonObject figuresJson(const LinkFigures &figures)
             {QStringLiteral("wrongAnswers"), countJson(figures.wrongAnswers)},
             {QStringLiteral("exceptions"), exceptionsJson(figures.exceptions)},
             {QStringLiteral("connections"), countJson(figures.connections)},
+            {QStringLiteral("reconnections"), countJson(figures.reconnections)},
+            {QStringLiteral("strayBytes"), countJson(figures.strayBytes)},
+            {QStringLiteral("echoes"), countJson(figures.echoes)},
             {QStringLiteral("connectionsLost"), countJson(figures.closed)},
             {QStringLiteral("tornWords"), countJson(figures.tornWords)},
             {QStringLiteral("answerTime"), answerTimeJson(figures.roundTrip)},

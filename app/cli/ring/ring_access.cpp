@@ -166,6 +166,12 @@ Refusal RingAccess::whatIsLost() const
     return m_ring.latest().whyLost.value_or(BusAccess::whatIsLost());
 }
 
+std::optional<Complaint> RingAccess::whyItStands() const
+{
+    const auto &told = m_ring.latest().told;
+    return told && told->stands() ? std::optional(complaintAbout(told->whyItStands())) : std::nullopt;
+}
+
 Instant RingAccess::lookInterval() const
 {
     return 1ms;

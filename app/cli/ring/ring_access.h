@@ -34,6 +34,7 @@ public:
     // What the project knows stays with the devices that are the same or moved.
     void keepFound(const Call &call, Project &project) const override;
     Refusal whatIsLost() const override;
+    std::optional<Complaint> whyItStands() const override;
     void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
 
 private:
