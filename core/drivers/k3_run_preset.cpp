@@ -60,7 +60,10 @@ void K3Run::noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Wo
 {
     if (m_notSet)
         return;
-    arguments.push_back(m_reading.position ? RefusalArgument(*m_reading.position) : RefusalArgument(in));
+    if (m_reading.position)
+        arguments.emplace_back(*m_reading.position);
+    else
+        arguments.emplace_back(in);
     m_notSet = {RefusalKind::device, why, std::move(arguments)};
 }
 
