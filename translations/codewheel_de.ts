@@ -3108,6 +3108,14 @@
         <source>The gateway says that its ring has failed (status register %1): what it shows is old. The place it names is %2: check plugs, shields and 24 V there.</source>
         <translation>Das Gateway sagt, dass sein Ring ausgefallen ist (Statusregister %1): Was es zeigt, ist alt. Es nennt den Ort %2: Prüfen Sie dort Stecker, Schirme und 24 V.</translation>
     </message>
+    <message>
+        <source>%1 answers too late (%2, tries: %3): what comes is for earlier requests. Set a longer time-out.</source>
+        <translation>%1 antwortet zu spät (%2, Versuche: %3): Was kommt, gehört zu früheren Anfragen. Stellen Sie eine längere Zeitgrenze ein.</translation>
+    </message>
+    <message>
+        <source>%1 does not have all OUT registers of the ring as planned (%2), though it has the first. Nothing was sent. Compare the bus structure with the ring, and the first register of OUT with the manual of the gateway.</source>
+        <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Nichts wurde gesendet. Vergleichen Sie die Busstruktur mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -10439,6 +10447,10 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>They are those of a ring that Codewheel offers; its status register tells whether it runs.</source>
         <translation>Es sind die eines Rings, den Codewheel anbietet; sein Statusregister sagt, ob er läuft.</translation>
+    </message>
+    <message>
+        <source>each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP wants it</source>
+        <translation>jede ist für Transaktion %1: Das Gateway wiederholt nicht die Nummer der Anfrage, wie Modbus/TCP es will</translation>
     </message>
 </context>
 <context>

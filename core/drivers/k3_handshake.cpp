@@ -46,7 +46,7 @@ K3State K3Handshake::cycle(Word in, Word out, Instant now)
     m_inChanged = m_inChanged || in != m_inAtBegin;
     m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
     const K3State state = answerTo(in);
-    if (state == K3State::waiting && now - m_begin >= m_timing.timeOut)
+    if (state == K3State::waiting && now - m_begin >= m_timing.timeOut && m_cycles >= cyclesOfAnswer)
         return isErrorAnswer(in, m_dialect) ? K3State::error : K3State::noAnswer;
     return state;
 }

@@ -2,6 +2,7 @@
 #include "drivers/k3_preset_proof.h"
 
 #include "drivers/position_scale.h"
+#include "drivers/word_answer.h"
 #include "encoder/circle.h"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ bool K3PresetProof::mayBeEndOfRange(std::int64_t before, std::int64_t position, 
 // What is not seen without a gap proves nothing.
 void K3PresetProof::see(std::optional<std::int64_t> position, Instant now)
 {
+    ++m_cycles;
     if (!position) {
         m_last.reset();
         m_speed.reset();
@@ -77,6 +79,7 @@ void K3PresetProof::begin(std::optional<Target> target, Instant now)
 {
     m_target = target;
     m_begunAt = now;
+    m_cycles = 0;
     m_isAsked = true;
     m_hasJumped = false;
     m_hasArrived = false;
@@ -86,7 +89,7 @@ void K3PresetProof::begin(std::optional<Target> target, Instant now)
 
 bool K3PresetProof::hasActed(Instant now, const K3Timing &timing) const
 {
-    return m_hasJumped || now - m_begunAt >= timing.presetActs;
+    return m_hasJumped || (now - m_begunAt >= timing.presetActs && m_cycles >= cyclesOfAnswer);
 }
 
 // Position 0, or an encoder that has just lost its power, or its place on the bus.
@@ -97,7 +100,7 @@ bool K3PresetProof::showsOnlyZero(Instant now, const K3Timing &timing) const
 
 bool K3PresetProof::isOver(Instant now, const K3Timing &timing) const
 {
-    if (now - m_begunAt >= timing.timeOut)
+    if (now - m_begunAt >= timing.timeOut && m_cycles >= cyclesOfAnswer)
         return true;
     if (showsOnlyZero(now, timing))
         return false;

@@ -50,6 +50,7 @@ private:
 
     std::optional<Target> m_target;
     Instant m_begunAt{};
+    int m_cycles = 0; // since then
     std::optional<Seen> m_last;
     bool m_isAsked = false; // the word was put into OUT, and it is not over
     std::optional<double>

@@ -31,6 +31,7 @@ void La66Handshake::begin(const La66Step &step, Instant now)
 {
     m_step = step;
     m_cycles = 0;
+    m_stood = 0;
     m_begin = now;
 }
 
@@ -38,8 +39,10 @@ La66State La66Handshake::cycle(Word in, Word out, Instant now)
 {
     if (out != m_step.out)
         return La66State::waiting; // another word went out in this cycle
+    ++m_stood;
     const La66State state = answerTo(in);
-    return state == La66State::waiting && now - m_begin >= m_timing.timeOut ? La66State::noAnswer : state;
+    const bool isTooLong = now - m_begin >= m_timing.timeOut && m_stood >= cyclesOfAnswer;
+    return state == La66State::waiting && isTooLong ? La66State::noAnswer : state;
 }
 
 La66State La66Handshake::answerTo(Word in)

@@ -26,6 +26,7 @@ private:
     La66Timing m_timing;
     La66Step m_step;
     int m_cycles = 0; // for which the word has been in OUT, together with the IN it waits for
+    int m_stood = 0;  // cycles in OUT
     Instant m_begin{};
 };
 

@@ -172,8 +172,10 @@ enum class RefusalId : std::uint8_t {
     realRingNotOffered,   //
     closedRingNotOffered, //
     registersUnanswered,  // link, text of the registers, tries
+    registersLate,        // the same; answers come too late
     registersRefused,     // link, text of the registers, code of the exception, its meaning
     registersGarbled,     // link, text of the registers, what was wrong
+    outAreaTooShort,      // link, text of the registers
     notConnected,         // place
     deviceDiffers,        // place, planned, connected
     serialDiffers,        // place, serial number on the label, serial number reported by the encoder

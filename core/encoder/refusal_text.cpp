@@ -526,10 +526,18 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::registersUnanswered, "registersUnanswered",
                QT_TRANSLATE_NOOP("Refusal", "%1 does not answer (%2, tries: %3). Check unit number, settings "
                                             "of the line, and supply.")},
+    RefusalRow{RefusalId::registersLate, "registersLate",
+               QT_TRANSLATE_NOOP("Refusal", "%1 answers too late (%2, tries: %3): what comes is for earlier "
+                                            "requests. Set a longer time-out.")},
     RefusalRow{RefusalId::registersRefused, "registersRefused",
                QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
     RefusalRow{RefusalId::registersGarbled, "registersGarbled",
                QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
+    RefusalRow{RefusalId::outAreaTooShort, "outAreaTooShort",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1 does not have all OUT registers of the ring as planned (%2), though it has "
+                              "the first. Nothing was sent. Compare the bus structure with the ring, and the "
+                              "first register of OUT with the manual of the gateway.")},
     RefusalRow{RefusalId::notConnected, "notConnected",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 is not connected. Connect its bus, and look which devices are "

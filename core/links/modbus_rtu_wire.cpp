@@ -93,7 +93,7 @@ RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
         return {};
     // A line that takes no more, or not all: nobody will answer that.
     const bool isFull = written.error().id == RefusalId::linkFailed;
-    return tl::unexpected(RegisterError{isFull ? ErrorKind::noAnswer : ErrorKind::closed, 0,
+    return tl::unexpected(RegisterError{isFull ? ErrorKind::noAnswer : ErrorKind::unplugged, 0,
                                         isFull ? QString() : refusalText(written.error())});
 }
 
@@ -137,7 +137,7 @@ tl::expected<bool, RegisterError> ModbusRtuWire::takeBytes(Instant until)
 {
     const auto bytes = m_line.read(until);
     if (!bytes)
-        return tl::unexpected(RegisterError{ErrorKind::closed, 0, refusalText(bytes.error())});
+        return tl::unexpected(RegisterError{ErrorKind::unplugged, 0, refusalText(bytes.error())});
     if (m_line.wasInterrupted())
         return tl::unexpected(RegisterError{.kind = ErrorKind::stopped});
     if (bytes->isEmpty())

@@ -50,6 +50,7 @@ struct ModbusTcpServer::Private
 
     void accept(const std::stop_token &stop);
     void takeClient();
+    void disconnect(unsigned client);
     void serve(Connection &connection);
     void removeEnded();
 
@@ -84,11 +85,21 @@ void ModbusTcpServer::Private::takeClient()
             ::poll(&waited, 1, pauseWithoutSockets);
         return;
     }
+    if (const auto leaving = clients.giveWay(system_clock::now()))
+        disconnect(*leaving);
     const auto id = clients.come(address, system_clock::now());
     if (!id)
         return;
     Connection &connection = connections.emplace_back(std::move(socket), *id);
     connection.thread = std::jthread([this, &connection] { serve(connection); });
+}
+
+// Its thread ends then.
+void ModbusTcpServer::Private::disconnect(unsigned client)
+{
+    for (const Connection &connection : connections)
+        if (connection.id == client)
+            ::shutdown(connection.socket.get(), SHUT_RDWR);
 }
 
 void ModbusTcpServer::Private::serve(Connection &connection)

@@ -15,7 +15,9 @@ class ModbusTcpServer
 public:
     struct Limits
     {
-        std::size_t clients = 64;                     // more are disconnected at once
+        // A silent one gives way to one more (ServedClients::giveWay()); otherwise that is disconnected at
+        // once.
+        std::size_t clients = 64;
         std::chrono::milliseconds halfRequest{1'000}; // until the rest has to be there
         std::chrono::milliseconds idle{300'000};      // without a request
     };

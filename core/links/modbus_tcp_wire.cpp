@@ -10,6 +10,7 @@
 #include <cstring>
 #include <poll.h>
 #include <sys/socket.h>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -165,16 +166,31 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::receive(Time until)
             continue;
         }
         Answer &answer = **next;
-        if (isOver(answer.transaction))
+        if (isOver(answer.transaction)) {
+            m_comesLate = true;
             continue;
+        }
         if (answer.transaction != m_transaction)
-            return outOfStep(sentence(GatewayTexts::tr("it is for transaction %1, not %2"),
-                                      {QString::number(answer.transaction), QString::number(m_transaction)}));
+            return outOfStep(ofForeignTransaction(answer.transaction));
         if (answer.unit != m_settings.unit)
             return outOfStep(sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(answer.unit)}));
         ++m_answers;
+        m_comesLate = false;
         return std::move(answer.pdu);
     }
+}
+
+// A gateway that always sends the same number cannot be used: nothing tells its late answers.
+QString ModbusTcpWire::ofForeignTransaction(std::uint16_t transaction)
+{
+    const QString its = QString::number(transaction);
+    if (std::exchange(m_foreignBefore, transaction) == transaction)
+        return sentence(
+            GatewayTexts::tr("each is for transaction %1: the gateway does not repeat the number of "
+                             "the request, as Modbus/TCP wants it"),
+            {its});
+    return sentence(GatewayTexts::tr("it is for transaction %1, not %2"),
+                    {its, QString::number(m_transaction)});
 }
 
 // The one that has come completely; empty: none has.
@@ -202,7 +218,7 @@ RegisterPort::Done ModbusTcpWire::receiveMore(Time until)
     if (waited == Waited::timeOut && !m_received.empty())
         return outOfStep(GatewayTexts::tr("it is incomplete"));
     if (waited == Waited::timeOut)
-        return tl::unexpected(RegisterError{.kind = ErrorKind::noAnswer});
+        return tl::unexpected(RegisterError{.kind = ErrorKind::noAnswer, .isLate = m_comesLate});
     std::array<std::uint8_t, mostAtOnce> bytes{};
     const auto came = ::recv(m_socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (came < 0 && errno == EAGAIN)

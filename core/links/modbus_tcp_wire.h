@@ -54,6 +54,7 @@ private:
     RegisterPort::Done receiveMore(Time until);
     tl::expected<std::optional<Answer>, RegisterError> nextAnswer();
     bool isOver(std::uint16_t transaction) const;
+    QString ofForeignTransaction(std::uint16_t transaction);
     Failed failed(RegisterError error);
     Failed outOfStep(const QString &text);
 
@@ -64,6 +65,8 @@ private:
     Descriptor m_socket;                  // none: to be connected anew
     std::vector<std::uint8_t> m_received; // and not yet an answer
     bool m_isOutOfStep = false;
+    bool m_comesLate = false;        // an answer to an earlier request has come since the last right one
+    int m_foreignBefore = -1;        // the transaction of the last answer to none of ours
     std::uint16_t m_transaction = 0; // the last one
     int m_before = -1;               // transactions before it on this connection
     int m_answers = 0;               // on this connection

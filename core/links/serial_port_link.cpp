@@ -7,6 +7,7 @@
 
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QSerialPort>
 
 #include <algorithm>
@@ -54,6 +55,12 @@ QSerialPort::Parity parityOf(SerialSettings::Parity parity)
         return QSerialPort::OddParity;
     }
     return QSerialPort::NoParity;
+}
+
+// It has none, and refuses one once it was set.
+bool isPseudoTerminal(const QString &path)
+{
+    return QFileInfo(path).canonicalFilePath().startsWith(QStringLiteral("/dev/pts/"));
 }
 
 bool isFailure(QSerialPort::SerialPortError error)
@@ -150,7 +157,7 @@ Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, con
     if ((settings.stopBits != 1 && settings.stopBits != 2) ||
         !port.setStopBits(static_cast<QSerialPort::StopBits>(settings.stopBits)))
         return settingRefused(settings.stopBits);
-    port.setParity(parityOf(settings.parity));
+    port.setParity(isPseudoTerminal(path) ? QSerialPort::NoParity : parityOf(settings.parity));
     return {};
 }
 

@@ -318,6 +318,8 @@ GatewayFinding GatewayCheck::checkWord(std::size_t device)
     if (read && m_settings.readsBack && shown.out.count > 0 &&
         !this->read(RegisterArea::holding, shown.out, shown.outNow))
         shown.outNow.clear();
+    if (!read)
+        shown.inNow.clear(); // nobody knows them
     GatewayFinding finding = read ? judged(shown, its.sender) : failed(read.error());
     if (!finding.shown)
         finding.shown = shown;

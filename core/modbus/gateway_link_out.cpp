@@ -109,7 +109,8 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
     for (int refusals = 1; !read && cannotReadBack(read.error()); ++refusals) {
         if (refusals == refusalsOfReadBack) {
             if (canReadSomeOut())
-                return tl::unexpected(read.error());
+                return refuse(RefusalKind::link, RefusalId::outAreaTooShort,
+                              {read.error().arguments[0], read.error().arguments[1]});
             m_readsBack = false;
             m_written.clear();
             return notRead;

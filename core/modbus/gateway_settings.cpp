@@ -109,27 +109,27 @@ Setting optionalNumber(const char *name, std::optional<int> GatewaySettings::*it
 }
 
 // "2+3+9".
-QString bitsText(std::uint16_t bits)
+QString bitsText(std::uint16_t set)
 {
     QStringList numbers;
     for (int i = bit.least; i <= bit.most; ++i)
-        if ((bits >> i & 1) != 0)
+        if ((set >> i & 1) != 0)
             numbers << QString::number(i);
     return numbers.isEmpty() ? none : numbers.join(u'+');
 }
 
 std::optional<std::uint16_t> bitsIn(const QString &text)
 {
-    std::uint16_t bits = 0;
+    std::uint16_t set = 0;
     if (text == none)
-        return bits;
+        return set;
     for (const QString &part : text.split(u'+')) {
-        const auto read = numberIn(part, bit);
-        if (!read)
+        const auto number = numberIn(part, bit);
+        if (!number)
             return std::nullopt;
-        bits = static_cast<std::uint16_t>(bits | 1U << *read);
+        set = static_cast<std::uint16_t>(set | 1U << *number);
     }
-    return bits;
+    return set;
 }
 
 // "8E1".

@@ -28,13 +28,15 @@ struct RegisterError
         exception,   // the unit answered with an exception
         wrongAnswer, // of the wrong length, unit or function, or damaged
         closed,      // the connection is gone; the port has to be opened again
+        unplugged,   // so is the serial port itself
         stopped,     // by interrupt()
     };
 
     Kind kind = Kind::noAnswer;
-    int exception = 0;  // its code, 1..11
-    QString text{};     // what the system or the library says; may be empty
-    bool isSent = true; // false: closed before a write was sent
+    int exception = 0;   // its code, 1..11
+    QString text{};      // what the system or the library says; may be empty
+    bool isSent = true;  // false: closed before a write was sent
+    bool isLate = false; // noAnswer: answers do come, but to earlier requests
 
     friend bool operator==(const RegisterError &, const RegisterError &) = default;
 };

@@ -75,7 +75,9 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
     const QString registers = registersText(function, block);
     switch (error.kind) {
     case RegisterError::Kind::noAnswer:
-        return {RefusalKind::link, RefusalId::registersUnanswered, {port, registers, std::int64_t{tries}}};
+        return {RefusalKind::link,
+                error.isLate ? RefusalId::registersLate : RefusalId::registersUnanswered,
+                {port, registers, std::int64_t{tries}}};
     case RegisterError::Kind::exception:
         return {RefusalKind::link,
                 RefusalId::registersRefused,
@@ -84,6 +86,8 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
         return {RefusalKind::link, RefusalId::registersGarbled, {port, registers, error.text}};
     case RegisterError::Kind::closed:
         return {RefusalKind::link, RefusalId::connectionClosed, {port}};
+    case RegisterError::Kind::unplugged:
+        return {RefusalKind::link, RefusalId::portLost, {port}};
     case RegisterError::Kind::stopped:
         return {RefusalKind::stopped, RefusalId::cancelled, {}};
     }

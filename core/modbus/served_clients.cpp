@@ -5,6 +5,15 @@
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+// "192.168.0.7" of "192.168.0.7:51234".
+QString hostOf(const QString &address)
+{
+    return address.left(std::max<qsizetype>(address.lastIndexOf(u':'), 0));
+}
+
+} // namespace
 
 std::optional<unsigned> ServedClients::come(const QString &address, ServedClient::Time now)
 {
@@ -14,9 +23,31 @@ std::optional<unsigned> ServedClients::come(const QString &address, ServedClient
         tell(ClientNews::What::refused, {.address = address, .since = now});
         return std::nullopt;
     }
-    m_clients.push_back({.id = ++m_everCame, .address = address, .since = now});
+    m_clients.push_back({.id = ++m_everCame, .address = address, .since = now, .seen = now});
     tell(ClientNews::What::came, m_clients.back());
     return m_everCame;
+}
+
+std::optional<unsigned> ServedClients::giveWay(ServedClient::Time now)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_clients.size() < m_most)
+        return std::nullopt;
+    std::map<QString, int> connections;
+    for (const ServedClient &client : m_clients)
+        ++connections[hostOf(client.address)];
+    const auto rank = [&](const ServedClient &client) {
+        return std::pair(-connections[hostOf(client.address)], client.seen);
+    };
+    std::optional<ServedClient> leaving;
+    for (const ServedClient &client : m_clients)
+        if (now - client.seen >= silent && (!leaving || rank(client) < rank(*leaving)))
+            leaving = client;
+    if (!leaving)
+        return std::nullopt;
+    tell(ClientNews::What::left, *leaving);
+    std::erase_if(m_clients, [&](const ServedClient &client) { return client.id == leaving->id; });
+    return leaving->id;
 }
 
 void ServedClients::took(unsigned id, int unit, const ServedUnits::Answer &answer, ServedClient::Time now)
@@ -30,6 +61,7 @@ void ServedClients::took(unsigned id, int unit, const ServedUnits::Answer &answe
         return;
     count(*client, answer);
     client->unit = unit;
+    client->seen = now;
     if (answer.written)
         client->written = ServedClient::Written{unit, *answer.written, now};
 }

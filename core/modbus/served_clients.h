@@ -31,6 +31,7 @@ struct ServedClient
     unsigned id = 0; // counts the clients of a server, from 1
     QString address; // "192.168.0.7:51234", "/dev/ttyUSB0"
     Time since;
+    Time seen{};                      // its last request, or when it came
     std::optional<int> unit{};        // of its last request
     std::uint64_t requests = 0;       // all of them
     std::uint64_t writes = 0;         // those that were carried out
@@ -69,8 +70,13 @@ public:
         : m_most(most)
     {}
 
+    static constexpr std::chrono::seconds silent{5}; // without a request (assumed)
+
     // Its id; empty: it is refused, since there are as many as there may be.
     std::optional<unsigned> come(const QString &address, ServedClient::Time now);
+    // Where there are: the one that gives way to a new one, which has left then. Of the address with the most
+    // connections, it is the one that has been silent for longest; empty: none has been silent for that long.
+    std::optional<unsigned> giveWay(ServedClient::Time now);
     void took(unsigned id, int unit, const ServedUnits::Answer &answer, ServedClient::Time now);
     void leave(unsigned id);
 

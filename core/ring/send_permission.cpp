@@ -6,6 +6,8 @@ namespace codewheel {
 Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalId whenHeld)
 {
     const auto notNow = [&place](RefusalId why) { return refuse(RefusalKind::busy, why, {place}); };
+    if (!ring.connected && ring.whyLost)
+        return tl::unexpected(*ring.whyLost);
     if (ring.state != MasterState::run)
         return notNow(RefusalId::notRunning);
     if (!ring.operate)

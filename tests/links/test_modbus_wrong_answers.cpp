@@ -322,6 +322,32 @@ TEST_F(WrongTcp, AnAnswerToALaterTransaction)
     isWrong(readingFails());
 }
 
+// As some gateways do; then nothing would tell a late answer from the right one.
+TEST_F(WrongTcp, AGatewayThatDoesNotRepeatTheNumberIsNamedSo)
+{
+    m_way.peer.reactBy([](const SeenRequest &request) {
+        return Reaction{CrookedPeer::tcpFrame(0x7FFF, unit, rightAnswer(request.message))};
+    });
+    EXPECT_EQ(readingFails().kind, ErrorKind::wrongAnswer);
+    const RegisterError again = readingFails();
+    isWrong(again);
+    EXPECT_TRUE(again.text.contains(QStringLiteral("does not repeat the number")))
+        << again.text.toStdString();
+}
+
+TEST_F(WrongTcp, AnswersThatAreAlwaysTooLateAreNamedSo)
+{
+    const auto late = std::make_shared<QByteArray>();
+    m_way.peer.reactBy([late](const SeenRequest &request) {
+        return Reaction{std::exchange(*late, rightReaction(request).bytes)};
+    });
+    Registers read(2);
+    EXPECT_FALSE(m_port.read(RegisterArea::input, 20, read).error().isLate) << "none has come yet";
+    EXPECT_TRUE(m_port.read(RegisterArea::input, 20, read).error().isLate);
+    reactRightly();
+    nextAnswersAreRight();
+}
+
 TEST_F(WrongTcp, ALateAnswerCostsNoConnection)
 {
     const auto late = std::make_shared<QByteArray>();

@@ -109,6 +109,20 @@ TEST_F(SerialLink, SetsTheLine)
     EXPECT_EQ(settings.c_cflag & CSTOPB, 0U);
 }
 
+// It has no parity. Once one was set, the system refuses every further change.
+TEST_F(SerialLink, APseudoTerminalIsOpenedWithAParityAgainAndAgain)
+{
+    for (int i = 0; i < 3; ++i) {
+        SerialPortLink link(m_pty.path());
+        for (const auto parity :
+             {SerialSettings::Parity::even, SerialSettings::Parity::odd, SerialSettings::Parity::none}) {
+            const auto opened =
+                link.open({.baudRate = 19'200, .dataBits = 8, .parity = parity, .stopBits = 1});
+            EXPECT_TRUE(opened) << (opened ? "" : refusalText(opened.error()).toStdString());
+        }
+    }
+}
+
 TEST_F(SerialLink, TakesAnyBaudRateAndRefusesWhatIsNone)
 {
     open({.baudRate = 12'345});

@@ -136,7 +136,7 @@ TEST_F(GatewayLinkTest, AnOutAreaThatIsShorterThanTheRingIsRefused)
         makeOpen(devices);
         const auto back = link->readBackOut();
         ASSERT_FALSE(back);
-        EXPECT_EQ(back.error().id, RefusalId::registersRefused);
+        EXPECT_EQ(back.error().id, RefusalId::outAreaTooShort);
         EXPECT_EQ(bank->writes, 0);
     }
 }

@@ -291,6 +291,16 @@ TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilItIsAskedFor)
     EXPECT_TRUE(ring->isOutZero()) << "that was asked for everywhere";
 }
 
+TEST_F(GatewayRing, AJobIsRefusedWithTheReasonWhyTheLinkIsLost)
+{
+    open(EncoderBus::Start::operating);
+    loseLink();
+    const auto started = ring->encoder(writtenPlace).start(ReadParameters{{Parameter::steps}});
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().kind, RefusalKind::link);
+    EXPECT_EQ(started.error().id, RefusalId::connectionClosed);
+}
+
 TEST_F(GatewayRing, ASingleExceptionDoesNotSwitchReadingBackOff)
 {
     open(EncoderBus::Start::operating);

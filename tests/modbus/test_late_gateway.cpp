@@ -124,5 +124,29 @@ TEST_P(LateGateway, APresetOfABaumerNeedsItsOffset)
 
 INSTANTIATE_TEST_SUITE_P(Milliseconds, LateGateway, testing::Values(0, 20, 100, 300));
 
+// Each answer takes its time, 0.5 to 1.5 s with some: what is waited for goes by the pace of the link.
+class SlowGateway : public testing::TestWithParam<int>
+{};
+
+TEST_P(SlowGateway, JobsAreCarriedOut)
+{
+    GatewaySession session({.transaction = GetParam() * 1ms});
+    session.ring->setSpeed(lateBaumer.node, 0);
+    ASSERT_TRUE(session.bus->open(EncoderBus::Start::operating));
+    session.bus->advance(1min);
+    std::optional<Outcome> outcome;
+    QObject::connect(&session.encoder(lateFraba), &EncoderSession::finished, session.bus.get(),
+                     [&](const Outcome &how) { outcome = how; });
+    const WriteParameters job{.values = {{Parameter::steps, 255}}, .previous = {}};
+    ASSERT_TRUE(session.encoder(lateFraba).start(job));
+    for (int i = 0; i < 1'000 && !outcome; ++i)
+        session.bus->advance(1s);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(whyOf(*outcome), "");
+    EXPECT_EQ(outcome->written, job.values);
+}
+
+INSTANTIATE_TEST_SUITE_P(MillisecondsPerAnswer, SlowGateway, testing::Values(500, 1'000, 1'500));
+
 } // namespace
 } // namespace codewheel

@@ -118,5 +118,44 @@ TEST(ServedTable, EachDeviceHasItsRegistersInRingOrder)
     EXPECT_EQ(table[2].out, (RegisterBlock{2, 2}));
 }
 
+// Who only holds a seat gives way to somebody who wants it.
+class SilentClients : public ServedNewsTest
+{
+protected:
+    static ServedClient::Time at(std::chrono::seconds time) { return ServedClient::Time(time); }
+    unsigned come(const char *address, std::chrono::seconds time)
+    {
+        return clients.come(QString::fromLatin1(address), at(time)).value_or(0);
+    }
+    void ask(unsigned client, std::chrono::seconds time) { clients.took(client, 1, {.pdu = {}}, at(time)); }
+};
+
+TEST_F(SilentClients, NobodyGivesWayWhileThereIsRoom)
+{
+    come("10.0.0.1:1", 0s);
+    EXPECT_EQ(clients.giveWay(at(1h)), std::nullopt);
+}
+
+TEST_F(SilentClients, TheLongestSilentOfTheAddressWithMostConnectionsGivesWay)
+{
+    come("10.0.0.1:1", 0s);
+    const unsigned first = come("10.0.0.2:1", 1s);
+    const unsigned second = come("10.0.0.2:2", 2s);
+    const unsigned third = come("10.0.0.2:3", 3s);
+    ask(first, 30s);
+    EXPECT_EQ(clients.giveWay(at(60s)), second);
+    EXPECT_EQ(clients.clients().size(), 3u);
+    EXPECT_NE(come("10.0.0.3:1", 60s), 0u);
+    EXPECT_EQ(clients.giveWay(at(61s)), third);
+}
+
+TEST_F(SilentClients, WhoHasJustAskedStays)
+{
+    for (const char *address : {"10.0.0.1:1", "10.0.0.1:2", "10.0.0.1:3", "10.0.0.1:4"})
+        ask(come(address, 0s), 10s);
+    EXPECT_EQ(clients.giveWay(at(12s)), std::nullopt);
+    EXPECT_EQ(come("10.0.0.2:1", 12s), 0u) << "refused";
+}
+
 } // namespace
 } // namespace codewheel

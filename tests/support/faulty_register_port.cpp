@@ -131,21 +131,24 @@ RegisterPort::Done FaultyRegisterPort::transact(const Request &request, std::spa
     if (auto failure = failBefore(request))
         return *failure;
     Registers registers(to.size());
+    m_whole.clear();
     if (auto done = request.carryOut(registers); !done)
         return done;
+    // A torn answer that comes again would be two reads that agree.
+    const Registers whole = m_whole.empty() ? registers : m_whole;
     if (happens(m_faults.answerLost, answerLost)) {
         wait(now() + timeOut);
         return failed(RegisterError::Kind::noAnswer);
     }
     if (happens(m_faults.late, late)) {
-        keepLate(request, std::move(registers), now() + timeOut + someTime(latest - timeOut));
+        keepLate(request, whole, now() + timeOut + someTime(latest - timeOut));
         wait(now() + timeOut);
         return failed(RegisterError::Kind::noAnswer);
     }
     if (happens(m_faults.cut, cut))
         return failed(RegisterError::Kind::wrongAnswer);
     if (happens(m_faults.doubled, doubled))
-        keepLate(request, registers, now());
+        keepLate(request, whole, now());
     return answer(request, std::move(registers), to);
 }
 
@@ -155,7 +158,7 @@ RegisterPort::Done FaultyRegisterPort::answer(const Request &request, Registers 
 {
     if (auto stale = takeLate(request)) {
         if (m_random() % 4 == 0)
-            keepLate(request, std::move(registers), now());
+            keepLate(request, m_whole.empty() ? std::move(registers) : m_whole, now());
         registers = *std::move(stale);
     }
     std::copy_n(registers.begin(), to.size(), to.begin());
@@ -164,6 +167,7 @@ RegisterPort::Done FaultyRegisterPort::answer(const Request &request, Registers 
 
 void FaultyRegisterPort::tear(RegisterArea area, int first, Registers &registers)
 {
+    m_whole = registers;
     Registers &last = m_lastRead[{area, first}];
     const Registers before = std::exchange(last, registers);
     for (std::size_t i = 0; before.size() == registers.size() && i < registers.size(); ++i)

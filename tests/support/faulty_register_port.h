@@ -97,6 +97,7 @@ private:
     Instant m_opensAgainAt{};
     std::deque<LateAnswer> m_late;
     std::map<std::pair<RegisterArea, int>, Registers> m_lastRead;
+    Registers m_whole; // of the last read, before it was torn
 };
 
 } // namespace codewheel::test

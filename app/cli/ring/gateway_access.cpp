@@ -22,7 +22,8 @@ using namespace std::chrono_literals;
 
 // Beside the poll interval, in which nothing happens.
 constexpr Instant longestExchange = 5s;
-constexpr int exchangesOfContact = 3; // until a word can be believed
+constexpr int transactionsOfExchange = 10; // at most, in a ring of one block
+constexpr int exchangesOfContact = 3;      // until a word can be believed
 
 std::unique_ptr<RingSession> sessionBehind(const GatewaySettings &gateway, const Project *project, BusId ring,
                                            const Catalog &catalog)
@@ -243,7 +244,7 @@ void GatewayAccess::waitUntil(const std::function<bool()> &isSo)
 
 Instant GatewayAccess::longestTurn() const
 {
-    return longestExchange + m_gateway.pollInterval;
+    return std::max(longestExchange, transactionsOfExchange * m_gateway.timeOut) + m_gateway.pollInterval;
 }
 
 // A job ends with the bus, or does not begin after it has gone back to Watch; what the bus says is why.
