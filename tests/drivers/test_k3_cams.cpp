@@ -135,11 +135,11 @@ TEST_F(K3Cams, AnEncoderThatDoesNotAnswerAReadOutOfCamsGetsNoCamWord)
 
 TEST_F(K3Cams, AnEncoderThatIsSilentGetsNoCamWord)
 {
-    DriverTable table(u"fraba-ocd-ib", {.settle = Instant{0}, .timeOut = std::chrono::milliseconds(5)});
+    DriverTable table(u"fraba-ocd-ib", {.settle = Instant{0}, .timeOut = std::chrono::milliseconds(10)});
     ASSERT_TRUE(table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
     table.play({{0x0000'0000, pos}});
     table.repeat(3, {0x2080'0001, pos});
-    table.repeat(5, {0x2020'0000, pos});
+    table.repeat(10, {0x2020'0000, pos});
     table.repeat(3, {0x0000'0000, pos});
     ASSERT_TRUE(table.outcome());
     EXPECT_EQ(table.outcome()->result.error().id, RefusalId::noAnswer);
