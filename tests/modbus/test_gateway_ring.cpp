@@ -267,10 +267,10 @@ TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilItIsAskedFor)
     EXPECT_TRUE(isTold(RefusalId::outNotReadBack));
     ring->gateway->setOut(1, 0x4000'0001); // by a controller
     const auto known = [this] {
-        std::vector<bool> known;
+        std::vector<bool> each;
         for (const Snapshot::Device &device : ring->bus->latest().devices)
-            known.push_back(device.outIsKnown);
-        return known;
+            each.push_back(device.outIsKnown);
+        return each;
     };
     EXPECT_EQ(known(), std::vector<bool>(known().size(), false));
     ring->bus->setOperate(true);

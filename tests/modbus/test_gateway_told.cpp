@@ -12,10 +12,10 @@ using namespace std::chrono_literals;
 constexpr Place toldFraba = "1.0"_ring;
 constexpr int statusAt = 8'192;
 constexpr int placeAt = 8'193;
-constexpr Register healthy = 0x00E0;
-constexpr Register standing = 0x00C0;   // ready, active
-constexpr Register failed = 0x0084;     // ready, bus
-constexpr Register atSegment3 = 0x0300; // 3.0
+constexpr Register ringRuns = 0x00E0;
+constexpr Register ringStands = 0x00C0;      // ready, active
+constexpr Register busFailed = 0x0084;       // ready, bus
+constexpr Register placeAtSegment3 = 0x0300; // 3.0
 
 const GatewaySettings ofCodewheel{
     .statusRegister = statusAt, .runBit = 5, .faultBits = 1 << 2 | 1 << 3 | 1 << 9, .placeRegister = placeAt};
@@ -26,7 +26,7 @@ class PortWithStatus final : public RegisterPort
 public:
     struct Told
     {
-        Register status = healthy;
+        Register status = ringRuns;
         Register place = 0;
     };
 
@@ -99,7 +99,7 @@ TEST_F(ToldRingBehindGateway, RunsAsFarAsItSays)
 TEST_F(ToldRingBehindGateway, ThatHasFailedLooksSoEverywhere)
 {
     open();
-    say(failed, atSegment3);
+    say(busFailed, placeAtSegment3);
     EXPECT_FALSE(isLive()) << "its last words are old";
     EXPECT_EQ(session.bus->outline().state(), (StateWord{Role::fault, QStringLiteral("ring failed")}));
     EXPECT_EQ(session.bus->outline().state(0).shown.role, Role::inactive);
@@ -118,7 +118,7 @@ TEST_F(ToldRingBehindGateway, ThatHasFailedLooksSoEverywhere)
 TEST_F(ToldRingBehindGateway, ThatStandsStillIsOldAsWell)
 {
     open();
-    say(standing);
+    say(ringStands);
     EXPECT_FALSE(isLive());
     EXPECT_EQ(session.bus->outline().state(), (StateWord{Role::fault, QStringLiteral("ring stands still")}));
     EXPECT_EQ(session.lastRefusal()->id, RefusalId::ringStands);
@@ -127,8 +127,8 @@ TEST_F(ToldRingBehindGateway, ThatStandsStillIsOldAsWell)
 TEST_F(ToldRingBehindGateway, ThatRunsAgainIsLiveAgain)
 {
     open();
-    say(failed);
-    say(healthy);
+    say(busFailed);
+    say(ringRuns);
     EXPECT_TRUE(isLive());
     EXPECT_TRUE(faults().empty());
     EXPECT_EQ(session.countOf(MessageId::ringRunsAgain), 1u);
@@ -145,16 +145,16 @@ TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)
     ASSERT_TRUE(session.encoder(toldFraba).start(
         WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, Pace::byHand));
     session.bus->advance(30ms);
-    say(failed);
+    say(busFailed);
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->result.error().id, RefusalId::ringFailed);
     EXPECT_EQ(outcome->leftIn, EncoderState::unknown);
 }
 
-// It is failed from the beginning.
+// It is busFailed from the beginning.
 TEST_F(ToldRingBehindGateway, ThatWasConnectedAsItStoodIsNeverLive)
 {
-    told->status = failed;
+    told->status = busFailed;
     open(EncoderBus::Start::watching);
     EXPECT_FALSE(isLive());
     EXPECT_EQ(session.lastRefusal()->id, RefusalId::ringFailed);
