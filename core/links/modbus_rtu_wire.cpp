@@ -19,6 +19,11 @@ constexpr Instant shortestGap = 2ms; // 1.75 ms, there
 constexpr int longestQuietWait = 5;  // times the time-out
 constexpr int frameOverhead = 3;     // unit and checksum
 
+ErrorKind goneBy(const Refusal &why)
+{
+    return why.id == RefusalId::portLost ? ErrorKind::unplugged : ErrorKind::closed;
+}
+
 // Whichever adapter is at the path: a gateway's is the one that its settings name.
 KeptAdapter adapterAt(const QString &port)
 {
@@ -93,7 +98,7 @@ RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
         return {};
     // A line that takes no more, or not all: nobody will answer that.
     const bool isFull = written.error().id == RefusalId::linkFailed;
-    return tl::unexpected(RegisterError{isFull ? ErrorKind::noAnswer : ErrorKind::unplugged, 0,
+    return tl::unexpected(RegisterError{isFull ? ErrorKind::noAnswer : goneBy(written.error()), 0,
                                         isFull ? QString() : refusalText(written.error())});
 }
 
@@ -137,7 +142,7 @@ tl::expected<bool, RegisterError> ModbusRtuWire::takeBytes(Instant until)
 {
     const auto bytes = m_line.read(until);
     if (!bytes)
-        return tl::unexpected(RegisterError{ErrorKind::unplugged, 0, refusalText(bytes.error())});
+        return tl::unexpected(RegisterError{goneBy(bytes.error()), 0, refusalText(bytes.error())});
     if (m_line.wasInterrupted())
         return tl::unexpected(RegisterError{.kind = ErrorKind::stopped});
     if (bytes->isEmpty())

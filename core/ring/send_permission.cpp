@@ -10,10 +10,10 @@ Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &pl
         return tl::unexpected(*ring.whyLost);
     if (ring.state != MasterState::run)
         return notNow(RefusalId::notRunning);
+    if (ring.told && ring.told->stands()) // in Watch, too: Operate would not help
+        return tl::unexpected(ring.told->whyItStands());
     if (!ring.operate)
         return notNow(RefusalId::watchOnly);
-    if (ring.told && ring.told->stands())
-        return tl::unexpected(ring.told->whyItStands());
     if (!ring.devices[device].inRing)
         return refuse(RefusalKind::link, RefusalId::notInRing, {place});
     if (ring.devices[device].heldByJob)

@@ -16,7 +16,7 @@ def commands(bench):
         ("--help",), ("--version",), ("devices",), ("devices", "fraba-ocd-ib"), ("scan",), ("read", "1.0"),
         ("explain", "020000FF", "--device", "fraba-ocd-ib", "--direction", "out"),
         ("write", "1.0", "steps=4096", "--yes", "--beyond-eeprom-limit", "1.0", *ledger),
-        ("preset", "2.0", "100", *ledger), ("cams", "1.0", "read"), ("monitor", "2.0", "--for", "1"),
+        ("preset", "1.0", "100", *ledger), ("cams", "1.0", "read"), ("monitor", "2.0", "--for", "1"),
         ("words", "1.0", "020000FF", "80000000", "--yes", *ledger), ("ledger", *ledger),
         ("compare", bench.example("training.codewheel")), ("store", plant),
         ("report", plant, "-o", bench.path("report.html"), "--yes"),

@@ -381,7 +381,7 @@ TEST(ModbusLine, AnUnpluggedAdapterIsClosedAndItsPortIsGone)
         pty.unplug();
     });
     std::vector<Register> read(2);
-    EXPECT_EQ(port.read(RegisterArea::input, 5, read).error().kind, RegisterError::Kind::closed);
+    EXPECT_EQ(port.read(RegisterArea::input, 5, read).error().kind, RegisterError::Kind::unplugged);
     adapter.join();
     EXPECT_EQ(port.read(RegisterArea::input, 5, read).error().kind, RegisterError::Kind::closed);
     EXPECT_EQ(port.open().error().id, RefusalId::portNotFound);
@@ -394,7 +394,7 @@ TEST(ModbusLine, AnAdapterThatWasUnpluggedBetweenTwoRequestsIsClosed)
     ASSERT_TRUE(port.open());
     pty.unplug();
     std::vector<Register> read(2);
-    EXPECT_EQ(port.read(RegisterArea::input, 5, read).error().kind, RegisterError::Kind::closed);
+    EXPECT_EQ(port.read(RegisterArea::input, 5, read).error().kind, RegisterError::Kind::unplugged);
 }
 
 TEST(ModbusLine, ALineThatNeverIsQuietIsTold)

@@ -151,7 +151,7 @@ TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)
     EXPECT_EQ(outcome->leftIn, EncoderState::unknown);
 }
 
-// It is busFailed from the beginning.
+// It has failed from the beginning.
 TEST_F(ToldRingBehindGateway, ThatWasConnectedAsItStoodIsNeverLive)
 {
     told->status = busFailed;

@@ -206,7 +206,7 @@ TEST_F(RingGuestsTest, AWordOfACycleThatFailedIsRefusedAndNotSentLater)
 {
     m_link->failAt(1);
     m_link->lose();
-    EXPECT_EQ(refusalOf(write({{0, 7}})), RefusalId::notRunning);
+    EXPECT_EQ(refusalOf(write({{0, 7}})), RefusalId::linkFailed) << "why the link is lost";
     EXPECT_EQ(m_guests->image(patience).status & 0x0020, 0) << "not in RUN";
     m_link->comeBack();
     m_now += 1s;

@@ -168,8 +168,10 @@ RegisterPort::Done FaultyRegisterPort::answer(const Request &request, Registers 
 void FaultyRegisterPort::tear(RegisterArea area, int first, Registers &registers)
 {
     m_whole = registers;
-    Registers &last = m_lastRead[{area, first}];
-    const Registers before = std::exchange(last, registers);
+    const auto last = std::exchange(m_lastRead[{area, first}], {registers, now()});
+    if (now() - last.at >= copyTime) // by then the other half has been copied, too
+        return;
+    const Registers &before = last.registers;
     for (std::size_t i = 0; before.size() == registers.size() && i < registers.size(); ++i)
         if (registers[i] != before[i] && happens(m_faults.torn, torn))
             registers[i] = before[i];

@@ -96,7 +96,14 @@ private:
     bool m_open = false;
     Instant m_opensAgainAt{};
     std::deque<LateAnswer> m_late;
-    std::map<std::pair<RegisterArea, int>, Registers> m_lastRead;
+    struct LastRead
+    {
+        Registers registers;
+        Instant at{};
+    };
+    static constexpr Instant copyTime = std::chrono::milliseconds(3); // spec modbus-gateway.md
+
+    std::map<std::pair<RegisterArea, int>, LastRead> m_lastRead;
     Registers m_whole; // of the last read, before it was torn
 };
 
