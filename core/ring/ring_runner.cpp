@@ -353,9 +353,7 @@ void RingRunner::Private::endWhatWaitsTooLong(std::size_t i)
 {
     if (!ring.devices[i].heldByJob || ring.at - ring.devices[i].reading.at < longestOutOfSight)
         return;
-    drivers[i]->stop({RefusalKind::link, RefusalId::notInRing, {structure[i].number.toString()}}, ring.at);
-    ring.devices[i].heldByJob = drivers[i]->busy();
-    takeDriverEvents(i);
+    endJob(i, {RefusalKind::link, RefusalId::notInRing, {structure[i].number.toString()}});
 }
 
 void RingRunner::Private::tellWritten()
@@ -407,13 +405,16 @@ Word RingRunner::Private::goesOn(std::size_t device, Word last) const
 
 void RingRunner::Private::endJobs(const Refusal &why)
 {
-    for (std::size_t i = 0; i < drivers.size(); ++i) {
-        if (!drivers[i] || !drivers[i]->busy())
-            continue;
-        drivers[i]->stop(why, ring.at);
-        ring.devices[i].heldByJob = drivers[i]->busy();
-        takeDriverEvents(i);
-    }
+    for (std::size_t i = 0; i < drivers.size(); ++i)
+        if (drivers[i] && drivers[i]->busy())
+            endJob(i, why);
+}
+
+void RingRunner::Private::endJob(std::size_t device, const Refusal &why)
+{
+    drivers[device]->stop(why, ring.at);
+    ring.devices[device].heldByJob = drivers[device]->busy();
+    takeDriverEvents(device);
 }
 
 void RingRunner::Private::takeDriverEvents(std::size_t device)

@@ -219,10 +219,8 @@ void RingRunner::Private::showWhoIsInRing(const MasterStatus &status)
 // What it showed last is no longer a reading, and what was in OUT is not sent again automatically.
 void RingRunner::Private::leaveRing(std::size_t i)
 {
-    if (drivers[i] && drivers[i]->busy()) {
-        drivers[i]->stop({RefusalKind::stopped, RefusalId::busStopped, {}}, ring.at);
-        takeDriverEvents(i);
-    }
+    if (drivers[i] && drivers[i]->busy())
+        endJob(i, {RefusalKind::stopped, RefusalId::busStopped, {}});
     std::erase(written, i);
     image[i] = 0;
     Snapshot::Device &device = ring.devices[i];

@@ -56,6 +56,7 @@ struct RingRunner::Private
     void showStandingWords();
     void leaveRun(MasterState state, const Refusal &why = {RefusalKind::stopped, RefusalId::busStopped, {}});
     void endJobs(const Refusal &why);
+    void endJob(std::size_t device, const Refusal &why);
     void endJobs(RefusalId why) { endJobs(Refusal{RefusalKind::stopped, why, {}}); }
     void goOnWithWhatWasExchanged();
     Word goesOn(std::size_t device, Word last) const;
