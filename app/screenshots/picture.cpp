@@ -7,6 +7,18 @@
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+// Layout and painting; which window is active, and what has the focus, comes from the window system, and what
+// that changes comes behind it. One round is enough on some computers only.
+void settle()
+{
+    constexpr int rounds = 10;
+    for (int i = 0; i < rounds; ++i)
+        QCoreApplication::processEvents();
+}
+
+} // namespace
 
 QPixmap Picture::take(TrainingWindow &shown) const
 {
@@ -20,7 +32,7 @@ Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> p
     return {QString::fromLatin1(name), window,
             [prepare = std::move(prepare)](TrainingWindow &shown, const Picture::Look &look) {
                 QWidget *seen = prepare(shown);
-                QCoreApplication::processEvents(); // waits for layout and painting
+                settle();
                 look(*seen);
             }};
 }
@@ -36,7 +48,7 @@ Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)
                     if (question == nullptr)
                         return;
                     watch.stop();
-                    QCoreApplication::processEvents();
+                    settle();
                     look(*question);
                     question->close();
                 });
