@@ -15,6 +15,7 @@ struct Answer
 {
     QString text{};
     QJsonObject json{};
+    bool hasBegunJson = false; // its object has been printed so far, by a JsonList
     // What was done to encoders or files, if the text is no account of it, or of nothing else.
     QString done{};
     std::optional<Complaint> complaint{};

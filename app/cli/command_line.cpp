@@ -31,12 +31,13 @@ QString commandNames()
                   [](const Subcommand *command) { return QString::fromLatin1(command->name); });
 }
 
-QString jsonText(const QJsonObject &json, const QString &command)
+QString jsonText(const QJsonObject &json, const QString &command, bool hasBegun = false)
 {
     const Subcommand *known = commandNamed(command);
     if (known != nullptr && known->answersInLines)
         return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact)) + u'\n';
-    return QString::fromUtf8(QJsonDocument(json).toJson());
+    const QString text = QString::fromUtf8(QJsonDocument(json).toJson());
+    return hasBegun ? text.sliced(1) : text; // without its brace
 }
 
 QString whatWasDone(const Subcommand &command, const Answer &answer)
@@ -59,14 +60,14 @@ int asTold(int exit, const QString &done, const Terminal &terminal)
 }
 
 int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonObject json,
-         const Terminal &terminal)
+         const Terminal &terminal, bool hasBegunJson = false)
 {
     if (asJson) {
         if (!command.isEmpty())
             json.insert(QStringLiteral("command"), command);
         json.insert(QStringLiteral("exit"), static_cast<int>(complaint.exit));
         json.insert(QStringLiteral("error"), errorJson(complaint));
-        terminal.print(jsonText(json, command));
+        terminal.print(jsonText(json, command, hasBegunJson));
     }
     terminal.complain((complaint.text + u'\n' + commandToCopy(complaint.command)).trimmed());
     return static_cast<int>(complaint.exit);
@@ -265,12 +266,14 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Proj
         terminal.print(answer->text);
     const QString done = whatWasDone(command, *answer);
     if (answer->complaint)
-        return asTold(fail(*answer->complaint, name, asJson, answer->json, terminal), done, terminal);
+        return asTold(
+            fail(*answer->complaint, name, asJson, answer->json, terminal, answer->hasBegunJson), done,
+            terminal);
     if (asJson) {
         QJsonObject json = answer->json;
         json.insert(QStringLiteral("command"), name);
         json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
-        terminal.print(jsonText(json, name));
+        terminal.print(jsonText(json, name, answer->hasBegunJson));
     }
     return asTold(static_cast<int>(ExitCode::done), done, terminal);
 }

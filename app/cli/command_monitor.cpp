@@ -3,6 +3,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/json_list.h"
 #include "cli/places.h"
 #include "cli/stop_signals.h"
 #include "cli/text_table.h"
@@ -11,6 +12,8 @@
 #include "encoder/hex.h"
 
 #include <array>
+#include <memory>
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -49,17 +52,37 @@ void watch(const Call &call, BusAccess &bus, const WatchTime &time, Look look)
     }
 }
 
-// One row for each sample that differs from the previous one.
-Answer watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
+bool isInJson(const Call &call)
 {
-    std::vector<Exchange> rows;
+    return call.arguments.has("--json");
+}
+
+// Empty unless the answer is in JSON.
+std::unique_ptr<JsonList> samplesOf(const Call &call)
+{
+    return isInJson(call) ? std::make_unique<JsonList>(call.terminal, QStringLiteral("samples")) : nullptr;
+}
+
+// One row for each sample that differs from the previous one.
+void watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
+{
+    const DeviceDescription &device = encoder.device();
+    TextTable table = traceTable();
+    const auto samples = samplesOf(call);
+    if (!samples)
+        call.terminal.print(table.next(traceHead(device)));
+    std::optional<Exchange> last;
     watch(call, bus, time, [&] {
         const Exchange row = *bus.currentRow(encoder);
-        if (rows.empty() || row.in != rows.back().in || row.out != rows.back().out)
-            rows.push_back(row);
+        if (last && row.in == last->in && row.out == last->out)
+            return;
+        const Exchange *before = last ? &*last : nullptr;
+        if (samples)
+            samples->add(traceRowJson(device, row, before, rodScale(encoder)));
+        else
+            call.terminal.print(table.next(traceCells(device, row, before, rodScale(encoder))));
+        last = row;
     });
-    return {traceText(encoder.device(), rows, rodScale(encoder)),
-            {{QStringLiteral("samples"), traceJson(encoder.device(), rows, rodScale(encoder))}}};
 }
 
 QString readingRow(const QString &time, const QString &hex, const QString &position, const QString &more)
@@ -89,26 +112,25 @@ QJsonObject readingJson(const BusAccess &bus, Instant at, const Reading &reading
 }
 
 // What says the same as the previous reading is no row, whenever it came.
-Answer watchReadings(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
+void watchReadings(const Call &call, BusAccess &bus, const EncoderSession &encoder, const WatchTime &time)
 {
     const Instant begin = bus.bus().now();
-    const bool isShown = !call.arguments.has("--json");
+    const auto samples = samplesOf(call);
     QString shownBefore;
     QJsonObject toldBefore;
-    QJsonArray samples;
-    if (isShown)
+    if (!samples)
         call.terminal.print(readingRow(QStringLiteral("ms"), QStringLiteral("hex"),
                                        CommandLine::tr("position"), CommandLine::tr("alarms and warnings")));
     watch(call, bus, time, [&] {
         const Reading &reading = encoder.latest();
         const Instant at = bus.bus().now() - begin;
-        if (const QJsonObject told = readingJson(bus, {}, reading); std::exchange(toldBefore, told) != told)
-            samples.append(readingJson(bus, at, reading));
+        if (const QJsonObject told = readingJson(bus, {}, reading);
+            samples && std::exchange(toldBefore, told) != told)
+            samples->add(readingJson(bus, at, reading));
         if (const QString shown = readingText(bus, {}, reading);
-            isShown && std::exchange(shownBefore, shown) != shown)
+            !samples && std::exchange(shownBefore, shown) != shown)
             call.terminal.print(readingText(bus, at, reading));
     });
-    return {.json = {{QStringLiteral("samples"), samples}}};
 }
 
 Checked<Answer> runMonitor(const Call &call, EncoderSession &encoder)
@@ -122,8 +144,8 @@ Checked<Answer> runMonitor(const Call &call, EncoderSession &encoder)
 
     BusAccess &bus = call.busOf(encoder.place());
     const auto watched = bus.currentRow(encoder) ? watchWords : watchReadings;
-    Answer answer =
-        watched(call, bus, encoder, {std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval)});
+    watched(call, bus, encoder, {std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval)});
+    Answer answer{.hasBegunJson = isInJson(call)};
     bus.addFigures(call, encoder, answer);
     if (!bus.isConnected())
         answer.complaint = bus.linkLost();
@@ -142,9 +164,9 @@ const Subcommand monitorCommand{
         QT_TRANSLATE_NOOP("codewheel::CommandLine",
                           "Looks at the words of an encoder every 100 ms and prints a row when they differ "
                           "from the last look.\n"
-                          "Sends nothing. The time is the bus's own: on the training bus a cycle is 1 ms, "
-                          "and as it runs without\n"
-                          "waiting, the answer comes at once.\n\n"
+                          "Each row is printed as it comes. Sends nothing. The time is the bus's own: on "
+                          "the training bus a\n"
+                          "cycle is 1 ms, and as it runs without waiting, the answer comes at once.\n\n"
                           "Of an encoder on a serial line (PLACE 05) it looks at position, alarms and "
                           "warnings, which are polled, "
                           "and\ntells at the end how the line has done. Nothing is written. Ctrl+C ends it."),

@@ -12,19 +12,6 @@ namespace {
 
 constexpr qsizetype gap = 2;
 
-std::vector<qsizetype> widthsOf(const std::vector<QStringList> &lines)
-{
-    std::vector<qsizetype> widths;
-    for (const QStringList &cells : lines) {
-        widths.resize(std::max(widths.size(), static_cast<std::size_t>(cells.size())));
-        for (qsizetype i = 0; i < cells.size(); ++i) {
-            qsizetype &width = widths[static_cast<std::size_t>(i)];
-            width = std::max(width, cells[i].size());
-        }
-    }
-    return widths;
-}
-
 QString withoutTrailingSpaces(QString line)
 {
     while (line.endsWith(u' '))
@@ -37,23 +24,43 @@ QString withoutTrailingSpaces(QString line)
 void TextTable::add(QStringList cells)
 {
     std::ranges::transform(cells, cells.begin(), shownInLine);
+    widen(cells);
     m_lines.push_back(std::move(cells));
+}
+
+QString TextTable::next(QStringList cells)
+{
+    std::ranges::transform(cells, cells.begin(), shownInLine);
+    widen(cells);
+    return line(cells, 0);
+}
+
+void TextTable::widen(const QStringList &cells)
+{
+    m_widths.resize(std::max(m_widths.size(), static_cast<std::size_t>(cells.size())));
+    for (qsizetype i = 0; i < cells.size(); ++i) {
+        qsizetype &width = m_widths[static_cast<std::size_t>(i)];
+        width = std::max(width, cells[i].size());
+    }
+}
+
+QString TextTable::line(const QStringList &cells, int indent) const
+{
+    QString line(indent, u' ');
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.size()); ++i) {
+        const QString &cell = cells[static_cast<qsizetype>(i)];
+        const bool right = i < m_columns.size() && m_columns[i] == Align::right;
+        line += right ? cell.rightJustified(m_widths[i]) : cell.leftJustified(m_widths[i]);
+        line += QString(gap, u' ');
+    }
+    return withoutTrailingSpaces(line) + u'\n';
 }
 
 QString TextTable::toString(int indent) const
 {
-    const std::vector<qsizetype> widths = widthsOf(m_lines);
     QString text;
-    for (const QStringList &cells : m_lines) {
-        QString line(indent, u' ');
-        for (std::size_t i = 0; i < static_cast<std::size_t>(cells.size()); ++i) {
-            const QString &cell = cells[static_cast<qsizetype>(i)];
-            const bool right = i < m_columns.size() && m_columns[i] == Align::right;
-            line += right ? cell.rightJustified(widths[i]) : cell.leftJustified(widths[i]);
-            line += QString(gap, u' ');
-        }
-        text += withoutTrailingSpaces(line) + u'\n';
-    }
+    for (const QStringList &cells : m_lines)
+        text += line(cells, indent);
     return text;
 }
 

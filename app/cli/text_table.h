@@ -24,9 +24,15 @@ public:
     void add(QStringList cells);
     // Every line ends with a line break and without trailing spaces.
     QString toString(int indent = 0) const;
+    // A line that is printed at once, and not kept: in columns as wide as those before it have needed.
+    QString next(QStringList cells);
 
 private:
+    void widen(const QStringList &cells);
+    QString line(const QStringList &cells, int indent) const;
+
     std::vector<Align> m_columns;
+    std::vector<qsizetype> m_widths;
     std::vector<QStringList> m_lines;
 };
 

@@ -3,7 +3,6 @@
 
 #include "catalog/explain_exchange.h"
 #include "cli/json.h"
-#include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/asked_word.h"
 #include "encoder/hex.h"
@@ -11,9 +10,14 @@
 namespace codewheel {
 namespace {
 
-ExplainedExchange meanings(const DeviceDescription &device, const std::vector<Exchange> &rows, std::size_t i)
+ExplainedExchange meanings(const DeviceDescription &device, const Exchange &row, const Exchange *before)
 {
-    return explainExchange(device, rows[i], askedWord(rows[i], i > 0 ? &rows[i - 1] : nullptr));
+    return explainExchange(device, row, askedWord(row, before));
+}
+
+const Exchange *before(const std::vector<Exchange> &rows, std::size_t i)
+{
+    return i > 0 ? &rows[i - 1] : nullptr;
 }
 
 // The position of a rod that is in IN.
@@ -35,25 +39,51 @@ QString inText(const DeviceDescription &device, const Explanation &in, const std
 
 } // namespace
 
+TextTable traceTable()
+{
+    return TextTable({TextTable::Align::right});
+}
+
+QStringList traceHead(const DeviceDescription &device)
+{
+    if (device.outWords == 0)
+        return {CommandLine::tr("cycle"), QStringLiteral("IN"), CommandLine::tr("IN means")};
+    return {CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
+            CommandLine::tr("OUT means"), CommandLine::tr("IN means")};
+}
+
+QStringList traceCells(const DeviceDescription &device, const Exchange &row, const Exchange *before,
+                       const std::optional<RodScale> &scale)
+{
+    const auto [out, in] = meanings(device, row, before);
+    if (device.outWords == 0)
+        return {QString::number(row.cycle), hexWord(row.in), explanationText(device, in)};
+    return {QString::number(row.cycle), hexWord(row.out), hexWord(row.in), explanationText(device, out),
+            inText(device, in, scale)};
+}
+
+QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, const Exchange *before,
+                         const std::optional<RodScale> &scale)
+{
+    const auto [out, in] = meanings(device, row, before);
+    QJsonObject json{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
+                     {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
+                     {QStringLiteral("out"), wordJson(row.out)},
+                     {QStringLiteral("in"), wordJson(row.in)},
+                     {QStringLiteral("outMeanings"), meaningsJson(out)},
+                     {QStringLiteral("inMeanings"), meaningsJson(in)}};
+    if (device.profile == Profile::la66)
+        json.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
+    return json;
+}
+
 QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows,
                   const std::optional<RodScale> &scale)
 {
-    TextTable table({TextTable::Align::right});
-    if (device.outWords == 0) {
-        table.add({CommandLine::tr("cycle"), QStringLiteral("IN"), CommandLine::tr("IN means")});
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            table.add({QString::number(rows[i].cycle), hexWord(rows[i].in),
-                       explanationText(device, meanings(device, rows, i).in)});
-        return table.toString();
-    }
-    table.add({CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
-               CommandLine::tr("OUT means"), CommandLine::tr("IN means")});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Exchange &row = rows[i];
-        const auto [out, in] = meanings(device, rows, i);
-        table.add({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                   explanationText(device, out), inText(device, in, scale)});
-    }
+    TextTable table = traceTable();
+    table.add(traceHead(device));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        table.add(traceCells(device, rows[i], before(rows, i), scale));
     return table.toString();
 }
 
@@ -61,19 +91,8 @@ QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange
                      const std::optional<RodScale> &scale)
 {
     QJsonArray json;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Exchange &row = rows[i];
-        const auto [out, in] = meanings(device, rows, i);
-        QJsonObject object{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
-                           {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
-                           {QStringLiteral("out"), wordJson(row.out)},
-                           {QStringLiteral("in"), wordJson(row.in)},
-                           {QStringLiteral("outMeanings"), meaningsJson(out)},
-                           {QStringLiteral("inMeanings"), meaningsJson(in)}};
-        if (device.profile == Profile::la66)
-            object.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
-        json.append(object);
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        json.append(traceRowJson(device, rows[i], before(rows, i), scale));
     return json;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "cli/text_table.h"
 #include "encoder/exchange.h"
 #include "encoder/rod_scale.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 
 #include <vector>
 
@@ -17,5 +19,13 @@ QString traceText(const DeviceDescription &device, const std::vector<Exchange> &
                   const std::optional<RodScale> &scale = {});
 QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows,
                      const std::optional<RodScale> &scale = {});
+
+// The same row by row, as it comes. `before`: the row before it, null for the first.
+TextTable traceTable();
+QStringList traceHead(const DeviceDescription &device);
+QStringList traceCells(const DeviceDescription &device, const Exchange &row, const Exchange *before,
+                       const std::optional<RodScale> &scale);
+QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, const Exchange *before,
+                         const std::optional<RodScale> &scale);
 
 } // namespace codewheel

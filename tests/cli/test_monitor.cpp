@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/ring/ring_access.h"
 #include "tests/cli/cli_run.h"
 
 #include <QJsonArray>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace codewheel {
 namespace {
@@ -72,6 +75,44 @@ TEST(CliMonitor, ShowsEncodersThatHaveOnlyAnInWord)
               "cycle  IN        IN means\n"
               "    1  007A1200  Running, position 8000000\n"
               " 1001  007A1066  Running, position 7999590\n");
+}
+
+// Notes the cycle of the bus whenever something is printed.
+class PrintsSeen : public std::stringbuf
+{
+public:
+    explicit PrintsSeen(RingSession &bus)
+        : m_bus(bus)
+    {}
+    std::vector<std::uint64_t> cycles;
+
+protected:
+    int sync() override
+    {
+        cycles.push_back(m_bus.latest().cycle);
+        return 0;
+    }
+
+private:
+    RingSession &m_bus;
+};
+
+// Somebody watches for an hour, and the rows of an hour are not kept.
+TEST(CliMonitor, EachRowIsPrintedAsItComes)
+{
+    for (const auto &line : {QStringLiteral("2.0 --for 1 --every 250"),
+                             QStringLiteral("2.0 --for 1 --every 250 --json")}) {
+        SharedBus shared;
+        PrintsSeen seen(shared.bus());
+        std::istringstream in;
+        std::ostream out(&seen);
+        std::ostringstream err;
+        RingAccess ring(shared.bus());
+        const auto arguments = parseArguments(line.split(u' '), optionsOf(monitorCommand), {});
+        ASSERT_TRUE(arguments);
+        EXPECT_EQ(runOn(monitorCommand, *arguments, Catalog::builtIn(), {&ring}, Terminal{in, out, err}), 0);
+        EXPECT_THAT(seen.cycles, testing::IsSupersetOf({1u, 251u, 501u, 751u, 1'001u})) << line.toStdString();
+    }
 }
 
 TEST(CliMonitor, RefusesTimesThatMakeNoSense)
