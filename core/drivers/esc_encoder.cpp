@@ -88,6 +88,7 @@ void EscEncoder::forgetPosition()
     guard.forget();
     m_speed.restart();
     reading.stepsPerSecond.reset();
+    reading.mayMissTurns = false;
 }
 
 bool EscEncoder::takePosition(std::uint32_t position, Instant now)
@@ -102,6 +103,7 @@ bool EscEncoder::takePosition(std::uint32_t position, Instant now)
     reading.at = now;
     reading.position = position;
     reading.stepsPerSecond = m_speed.after(reading.position, now);
+    reading.mayMissTurns = m_speed.mayMissTurns();
     return true;
 }
 

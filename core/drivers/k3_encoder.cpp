@@ -89,6 +89,7 @@ void K3Encoder::observe(Word in, Word out, Instant now)
                              knowledge.camProgram()});
     const bool isSetting = (out & k3::presetBit) != 0;
     reading.stepsPerSecond = m_speed.after(isSetting ? std::nullopt : reading.position, now);
+    reading.mayMissTurns = m_speed.mayMissTurns();
     const auto shown = reading.position.value_or(k3::data(in)); // of an unknown coding: only for its jumps
     preset.see(k3::isOperation(in) ? std::optional(shown) : std::nullopt, now);
 }

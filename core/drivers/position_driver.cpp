@@ -29,6 +29,7 @@ Word PositionDriver::cycle(Word in, Word out, Instant now)
     m_reading.position = position_word::position(in, m_format);
     m_reading.state = m_reading.position ? EncoderState::operation : EncoderState::unknown;
     m_reading.stepsPerSecond = m_speed.after(m_reading.position, now);
+    m_reading.mayMissTurns = m_speed.mayMissTurns();
     return out;
 }
 

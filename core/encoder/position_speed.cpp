@@ -41,6 +41,7 @@ void PositionSpeed::restart()
 {
     m_last.reset();
     m_changes.clear();
+    m_mayMissTurns = false;
 }
 
 void PositionSpeed::begin(const Sample &first)
@@ -89,7 +90,7 @@ std::optional<double> PositionSpeed::recently() const
 
 // From the last position; empty where the shaft cannot have turned that far, or may have got there in more
 // than one way.
-std::optional<std::int64_t> PositionSpeed::wayTo(std::int64_t position, double after) const
+std::optional<std::int64_t> PositionSpeed::wayTo(std::int64_t position, double after)
 {
     const double turn = m_scale->stepsPerTurn;
     const auto speed = recently();
@@ -101,9 +102,11 @@ std::optional<std::int64_t> PositionSpeed::wayTo(std::int64_t position, double a
     std::int64_t way = position - m_last->position;
     if (m_scale->total) {
         const auto total = static_cast<double>(*m_scale->total);
-        if (2 * tolerance >= total)
-            return std::nullopt;
         way += std::llround((expected - static_cast<double>(way)) / total) * *m_scale->total;
+        const double otherWay = total - std::abs(static_cast<double>(way) - expected);
+        m_mayMissTurns = otherWay <= tolerance;
+        if (m_mayMissTurns)
+            return std::nullopt;
     }
     return std::abs(static_cast<double>(way) - expected) > tolerance ? std::nullopt : std::optional(way);
 }

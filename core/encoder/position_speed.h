@@ -34,6 +34,9 @@ public:
     // The speed after this position; without a position it starts anew.
     std::optional<double> after(const std::optional<std::int64_t> &position, Instant at);
     std::optional<double> stepsPerSecond() const;
+    // The last positions came so late that the shaft may have made a whole turn between two: that is why there
+    // is no speed.
+    bool mayMissTurns() const { return m_mayMissTurns; }
 
 private:
     struct Sample
@@ -45,7 +48,7 @@ private:
 
     void begin(const Sample &first);
     std::optional<double> recently() const;
-    std::optional<std::int64_t> wayTo(std::int64_t position, double seconds) const;
+    std::optional<std::int64_t> wayTo(std::int64_t position, double seconds);
     void noteChange();
     void forgetOldChanges();
     double slope() const;
@@ -57,6 +60,7 @@ private:
     Instant m_changedAt{};        // or started
     std::deque<Sample> m_changes; // when the position had just changed
     double m_slope = 0;           // of them
+    bool m_mayMissTurns = false;
 };
 
 } // namespace codewheel

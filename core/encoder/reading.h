@@ -37,6 +37,7 @@ struct Reading
     Word in = 0;
     std::optional<std::int64_t> position;   // steps, as parameterized
     std::optional<double> stepsPerSecond{}; // of the position, from those before; empty: not known (yet)
+    bool mayMissTurns = false; // of the shaft, since positions come too seldom: so no speed can be told
     std::optional<std::int64_t> velocity{}; // revolutions per minute, in velocity mode
     std::optional<Cams> cams{};             // in cam mode
     std::optional<Mode> mode;               // empty: not known

@@ -102,6 +102,26 @@ TEST_F(PositionSpeedTest, WhereATurnMayHaveBeenMissedThereIsNoSpeed)
     EXPECT_EQ(turn(6000, 2s, 5ms, 30ms), Tenths{60'000});
 }
 
+// At 12000 rpm, the fastest that the manuals allow, an encoder makes four fifths of a turn in 4 ms: less than a
+// fifth of a turn the other way cannot be that.
+TEST_F(PositionSpeedTest, AShaftOfOneTurnHasASpeedWhereNoOtherIsPossible)
+{
+    scale({.stepsPerTurn = 4096, .total = 4096});
+    for (const double rpm : {0.0, 60.0, -1'500.0, 2'900.0}) {
+        turn(rpm, 2s, 4ms, 4ms);
+        EXPECT_EQ(turn(rpm, 2s, 4ms, 4ms), Tenths{std::lround(10 * rpm)});
+        EXPECT_FALSE(speed.mayMissTurns());
+        speed.restart();
+    }
+    EXPECT_EQ(turn(3'600, 2s, 4ms, 4ms), Tenths{std::nullopt}) << "or it turns at 11400 the other way";
+    EXPECT_TRUE(speed.mayMissTurns());
+    speed.restart();
+    EXPECT_EQ(turn(60, 2s, 20ms, 20ms), Tenths{std::nullopt});
+    EXPECT_TRUE(speed.mayMissTurns());
+    EXPECT_FALSE(speed.after({}, now)) << "no position";
+    EXPECT_FALSE(speed.mayMissTurns());
+}
+
 TEST_F(PositionSpeedTest, APresetIsNoSpeed)
 {
     scale(multiTurn);

@@ -187,6 +187,8 @@ QString ShaftDial::note(const Reading &reading) const
         return tr("The position comes in Gray code.");
     if (reading.coding == PositionCoding::signedBinary)
         return tr("The position is signed.");
+    if (m_scale && reading.mayMissTurns)
+        return tr("No speed: positions come so seldom that the shaft may make a whole turn between two.");
     return {};
 }
 
