@@ -237,6 +237,16 @@ DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Partic
     return passedCheck(DataCheck::Id::kind, what, expected, came);
 }
 
+QString withUnchanged(const QString &seen, const EncoderBus &bus, NodeId node)
+{
+    const EncoderSession *encoder = bus.encoder(node);
+    const auto since = encoder != nullptr ? encoder->unchangedSince() : std::nullopt;
+    const QString moment = since ? unchangedText(bus.dateTime(*since), bus.dateTime(bus.now())) : QString();
+    return moment.isEmpty() ? seen
+                            : sentence(DataCheckText::tr("%1, the same since %2", "20 s ago, 14:02"),
+                                       {seen, moment});
+}
+
 DataCheck upToDateCheck(const EncoderBus &bus, NodeId node)
 {
     const QString what = DataCheckText::tr("Last word or answer");
@@ -248,7 +258,7 @@ DataCheck upToDateCheck(const EncoderBus &bus, NodeId node)
                              ? DataCheckText::tr("none yet")
                              : agoText(bus.dateTime(freshness->seen()), bus.dateTime(bus.now()));
     if (freshness->isLive())
-        return passedCheck(DataCheck::Id::upToDate, what, expected, seen);
+        return passedCheck(DataCheck::Id::upToDate, what, expected, withUnchanged(seen, bus, node));
     if (freshness->isOfRecording())
         return remarkOf(
             passedCheck(DataCheck::Id::upToDate, what, expected, freshnessBrief(freshness->reason())),

@@ -7,6 +7,14 @@
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+bool showsTheSame(const Reading &before, const Reading &now)
+{
+    return before.state == now.state && before.in == now.in && before.position == now.position;
+}
+
+} // namespace
 
 DrivenEncoderSession::DrivenEncoderSession(std::size_t device, Place place,
                                            const DeviceDescription &description)
@@ -80,6 +88,10 @@ void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circums
 {
     const Reading before = std::exchange(m_reading, reading);
     setFreshness({reading, bus});
+    if (!freshness().isLive())
+        m_unchangedSince.reset(); // what came meanwhile was not seen
+    else if (!m_unchangedSince || !showsTheSame(before, reading))
+        m_unchangedSince = reading.at;
     if (!freshness().isLive() || bus.now - reading.at > PositionSpeed::longestGap)
         m_reading.stepsPerSecond.reset();
     const bool isNewer = reading.at != before.at || reading.state != before.state;

@@ -26,6 +26,7 @@ public:
     const Capabilities &can() const override { return m_can; }
 
     const Reading &latest() const override { return m_reading; }
+    std::optional<Instant> unchangedSince() const override { return m_unchangedSince; }
     std::optional<Known> known(Parameter parameter) const override;
     std::optional<KnownCams> cams(unsigned program) const override;
     QString version() const override { return m_version; }
@@ -71,6 +72,7 @@ private:
     const DeviceDescription &m_description;
     Capabilities m_can;
     Reading m_reading;
+    std::optional<Instant> m_unchangedSince;
     QString m_version;
     std::map<Parameter, Known> m_known;
     std::map<unsigned, KnownCams> m_cams; // by program number

@@ -49,6 +49,12 @@ QString momentText(const QDateTime &at, const QDateTime &now)
                                       : QLocale().toString(there, QLocale::ShortFormat);
 }
 
+QString unchangedText(const QDateTime &since, const QDateTime &now)
+{
+    constexpr qint64 notable = 10;
+    return since.secsTo(now) < notable ? QString() : momentText(since, now);
+}
+
 QString freshnessText(Freshness::Reason reason)
 {
     switch (reason) {

@@ -18,6 +18,9 @@ QString recordedText(const QDateTime &then);
 // "14:02", with the date if it was not on the day of `now`, in whose time zone both are; by locale.
 QString momentText(const QDateTime &at, const QDateTime &now);
 
+// "14:02": since when something has been the same; empty for less than 10 s.
+QString unchangedText(const QDateTime &since, const QDateTime &now);
+
 // Why it is not live, as a sentence: "The bus does not run."; empty while it is live.
 QString freshnessText(Freshness::Reason reason);
 // In two or three words: "Bus stopped".

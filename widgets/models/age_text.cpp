@@ -50,6 +50,14 @@ QString ageSentence(const EncoderSession &encoder)
                              : QString();
 }
 
+QString unchangedSentence(const EncoderSession &encoder)
+{
+    const auto since = encoder.freshness().isLive() ? encoder.unchangedSince() : std::nullopt;
+    const QString moment =
+        since ? unchangedText(encoder.dateTime(*since), encoder.dateTime(encoder.latest().at)) : QString();
+    return moment.isEmpty() ? QString() : AgeText::tr("It has shown the same since %1.", "14:02").arg(moment);
+}
+
 QString ageSentence(const NotLive &old)
 {
     const QString why = freshnessText(old.reason);

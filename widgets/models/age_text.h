@@ -17,4 +17,7 @@ QString ageText(const WordChannel &word);
 QString ageSentence(const EncoderSession &encoder);
 QString ageSentence(const NotLive &old);
 
+// Since when what is live has been the same: "It has shown the same since 14:02."; empty for less than 10 s.
+QString unchangedSentence(const EncoderSession &encoder);
+
 } // namespace codewheel
