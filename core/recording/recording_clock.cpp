@@ -5,13 +5,37 @@
 
 namespace codewheel {
 
-bool ClockWatch::isNews(const RecordedClock &clock)
+namespace {
+
+Instant aheadOf(const RecordedClock &clock)
 {
-    const Instant ahead = clock.wall - clock.at;
-    if (m_ahead && ahead - *m_ahead < least && *m_ahead - ahead < least)
-        return false;
-    m_ahead = ahead;
-    return true;
+    return clock.wall - clock.at;
+}
+
+} // namespace
+
+bool ClockWatch::isAhead(const RecordedClock &clock, Instant ahead) const
+{
+    return aheadOf(clock) - ahead < least && ahead - aheadOf(clock) < least;
+}
+
+std::optional<RecordedClock> ClockWatch::news(const RecordedClock &clock)
+{
+    if (m_ahead && isAhead(clock, *m_ahead)) {
+        m_doubtful.reset();
+        return std::nullopt;
+    }
+    const bool isFirst = !m_ahead;
+    if (!isFirst && !(m_doubtful && isAhead(clock, aheadOf(*m_doubtful)))) {
+        m_doubtful = clock;
+        return std::nullopt;
+    }
+    if (!isFirst && clock.at - m_doubtful->at < moment)
+        return std::nullopt;
+    const RecordedClock set = isFirst ? clock : *m_doubtful;
+    m_ahead = aheadOf(set);
+    m_doubtful.reset();
+    return set;
 }
 
 WallClock::WallClock(std::vector<RecordedClock> clocks)

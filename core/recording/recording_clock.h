@@ -11,12 +11,19 @@ namespace codewheel {
 class ClockWatch
 {
 public:
-    static constexpr Instant least = std::chrono::milliseconds(500); // that it was set by
+    static constexpr Instant least = std::chrono::milliseconds(500);  // that it was set by
+    static constexpr Instant moment = std::chrono::milliseconds(100); // between two that are compared
 
-    bool isNews(const RecordedClock &clock);
+    // What has to be kept since the last call; empty: nothing. A clock that was set says the same a moment
+    // later; one that only seems to be was compared with the time of a bus that had not gone on yet, after a
+    // pause of the program.
+    std::optional<RecordedClock> news(const RecordedClock &clock);
 
 private:
-    std::optional<Instant> m_ahead; // of the recording
+    bool isAhead(const RecordedClock &clock, Instant ahead) const;
+
+    std::optional<Instant> m_ahead;          // of the recording
+    std::optional<RecordedClock> m_doubtful; // the first that says something else
 };
 
 // What the clock of the computer said at a time of the recording. After it was set back there are two of

@@ -158,9 +158,10 @@ void RecordingComposer::take(const RecordedLoss &entry)
 
 void RecordingComposer::take(const RecordedClock &entry)
 {
-    if (!m_clock.isNews(entry))
+    const auto news = m_clock.news(entry);
+    if (!news)
         return;
-    m_changes.clocks.push_back(entry);
+    m_changes.clocks.push_back(*news);
     reach(entry.at);
 }
 

@@ -11,13 +11,27 @@ using namespace std::chrono_literals;
 TEST(ClockWatch, OnlyTheFirstTimeAndAClockThatWasSetAreNews)
 {
     ClockWatch watch;
-    EXPECT_TRUE(watch.isNews({10s, 10s}));
-    EXPECT_FALSE(watch.isNews({11s, 11s}));
-    EXPECT_FALSE(watch.isNews({3611s, 3611s + 499ms})) << "a slow drift";
-    EXPECT_TRUE(watch.isNews({3612s, 3612s + 500ms}));
-    EXPECT_TRUE(watch.isNews({3613s, 13s})) << "set back by an hour";
-    EXPECT_FALSE(watch.isNews({3614s, 14s}));
-    EXPECT_TRUE(watch.isNews({3615s, 3615s}));
+    EXPECT_EQ(watch.news({10s, 10s}), (RecordedClock{10s, 10s}));
+    EXPECT_EQ(watch.news({11s, 11s}), std::nullopt);
+    EXPECT_EQ(watch.news({3611s, 3611s + 499ms}), std::nullopt) << "a slow drift";
+    EXPECT_EQ(watch.news({3613s, 13s}), std::nullopt) << "it may be the time of the bus that is wrong";
+    EXPECT_EQ(watch.news({3613s + 50ms, 13s + 50ms}), std::nullopt) << "the same moment";
+    EXPECT_EQ(watch.news({3614s, 14s}), (RecordedClock{3613s, 13s})) << "set back by an hour";
+    EXPECT_EQ(watch.news({3615s, 15s}), std::nullopt);
+}
+
+// After SIGSTOP, or on a starved computer, the bus tells its time later than the clock of the computer is
+// read.
+TEST(ClockWatch, APauseOfTheProgramIsNoClockThatWasSet)
+{
+    ClockWatch watch;
+    EXPECT_TRUE(watch.news({10s, 10s}));
+    EXPECT_EQ(watch.news({11s, 21s}), std::nullopt);
+    EXPECT_EQ(watch.news({11s, 22s}), std::nullopt) << "the bus has not gone on";
+    EXPECT_EQ(watch.news({23s, 23s}), std::nullopt);
+    EXPECT_EQ(watch.news({24s, 24s}), std::nullopt);
+    EXPECT_EQ(watch.news({24s, 34s}), std::nullopt);
+    EXPECT_EQ(watch.news({35s, 35s}), std::nullopt);
 }
 
 TEST(WallClock, SaysWhatTheClockOfTheComputerSaid)
