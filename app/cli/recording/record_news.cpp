@@ -49,7 +49,8 @@ void RecordNews::lookAtFile(const RecordingStatus &status)
         tell(refusalText(*status.problem));
     if (before && !now)
         tell(CommandLine::tr("The recording is written again."));
-    if (status.lost > 0 && !std::exchange(m_hasLost, true))
+    // Whoever knows that it has ended expects no more of it.
+    if (status.lost > 0 && !status.hasEnded && !std::exchange(m_hasLost, true))
         tell(CommandLine::tr("Values are lost from now on: more wait to be written than there is memory for. "
                              "The recording has a gap in their place."));
 }
