@@ -20,6 +20,9 @@ public:
     // decoded.
     virtual void setKnown(const std::vector<Known> &known) = 0;
 
+    // The link may show a word of which one half is that of the word before.
+    virtual void expectTornWords() {}
+
     // Accepts the job or says why not; nothing is sent before the next cycle. `in` and `out` are the words of
     // the last one.
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) = 0;

@@ -48,6 +48,8 @@ void K3Knowledge::set(const std::vector<Known> &known)
 void K3Knowledge::observe(Word in, Word out, Instant now)
 {
     observeMode(out, now);
+    if (k3::isOperation(in))
+        m_lastPosition = in;
     if (m_device.capabilities.cams)
         m_cams.observe(in, out, mode(), camProgram(), now);
     const bool isFirst = !std::exchange(m_hasSeenWords, true); // what was in OUT by then was sent by others
@@ -159,11 +161,32 @@ void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
     if (!m_answerIsFresh || !k3::isReadOutRequest(out) || k3::number(in) != 0)
         return;
     const unsigned code = out & 0xFFFF;
+    if (mayBeTorn(code, in)) {
+        m_answerIsFresh = false;
+        return;
+    }
     for (const ParameterDescription &parameter : m_device.parameters)
         if (parameter.readOut == code)
             if (const auto value = valueOfReadOut(parameter.parameter, k3::data(in)))
                 learn(parameter.parameter, *value, Evidence::read, now);
     m_answerIsFresh = false; // learned once per request
+}
+
+bool K3Knowledge::mayBeTorn(unsigned code, Word in)
+{
+    constexpr Word lowHalf = 0xFFFF;
+    const bool isAgain = m_doubtful && m_doubtful->code == code && m_doubtful->anotherCame;
+    if (m_doubtful && m_doubtful->code != code)
+        m_doubtful->anotherCame = true;
+    const bool isOfPosition = (in & lowHalf) == (m_lastPosition & lowHalf);
+    if (m_wordsMayTear && isOfPosition && !isAgain) {
+        if (!isDoubtful(code))
+            m_doubtful = Doubtful{code};
+        return true;
+    }
+    if (isDoubtful(code))
+        m_doubtful.reset();
+    return false;
 }
 
 void K3Knowledge::observeOperation(Word in, Word out, Instant now)

@@ -30,6 +30,10 @@ public:
     // writes that may cost which are not counted.
     int loseSight(Word out);
     Word lastOut() const { return m_out; }
+    // From now on a read-out answer with the low half of the last position counts only after another read-out
+    // word stood between, and it came again (spec modbus-gateway.md).
+    void expectTornWords() { m_wordsMayTear = true; }
+    bool isDoubtful(unsigned readOut) const { return m_doubtful && m_doubtful->code == readOut; }
 
     const KnownValues &known() const { return m_known; }
     std::optional<std::int64_t> value(Parameter parameter) const { return m_known.value(parameter); }
@@ -56,6 +60,7 @@ private:
     void observeConfirmation(Word in, Word out);
     void observeError(Word in, Word out);
     void observeReadOut(Word in, Word out, Instant now);
+    bool mayBeTorn(unsigned code, Word in);
     void observeOperation(Word in, Word out, Instant now);
     void observeRun(Word in, Instant now);
     void observeMode(Word out, Instant now);
@@ -84,6 +89,14 @@ private:
     Instant m_modeSince{};        // anything told before that is out of date
     bool m_hasRun = false;        // what was confirmed became active, whether known or not
     bool m_answerIsFresh = false; // IN has held no read-out answer since the request was put into OUT
+    struct Doubtful
+    {
+        unsigned code = 0;
+        bool anotherCame = false; // since
+    };
+    bool m_wordsMayTear = false;
+    std::optional<Doubtful> m_doubtful; // the last read-out that may be torn
+    Word m_lastPosition = 0;            // IN in operation
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
     Word m_out = 0;

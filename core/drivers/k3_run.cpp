@@ -177,6 +177,12 @@ void K3Run::ran()
 
 void K3Run::readDone(const K3Step &step, Word in)
 {
+    if (step.isBetween)
+        return;
+    if (m_encoder.knowledge.isDoubtful(step.out & 0xFFFF)) {
+        readAgain(step);
+        return;
+    }
     const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter, k3::data(in));
     if (!value)
         return;
@@ -188,6 +194,21 @@ void K3Run::readDone(const K3Step &step, Word in)
     if (*step.parameter == Parameter::presetFlag)
         presetFlagRead(*value);
     refine(m_steps, m_account, m_job, m_encoder, {*step.parameter, *value});
+}
+
+// Behind another read-out, so that the same answer cannot be the same torn word.
+void K3Run::readAgain(const K3Step &step)
+{
+    K3Steps between;
+    for (const ParameterDescription &other : m_encoder.device.parameters)
+        if (between.empty() && other.readOut && k3::readOutWord(*other.readOut) != step.out)
+            m_encoder.plan.appendRead(between, other.parameter);
+    if (between.empty())
+        return;
+    between.front().isBetween = true;
+    between.push_back(step);
+    between.push_back(k3Step(StepKind::endReadOut, k3::normalRunning));
+    m_steps.all.insert(m_steps.rest() + 1, between.begin(), between.end()); // behind the end of this one
 }
 
 // A difference is a failure, but the others are read all the same, so that it is known what the encoder has.

@@ -56,6 +56,7 @@ private:
     void ran();
     void wordDone(const K3Step &step);
     void readDone(const K3Step &step, Word in);
+    void readAgain(const K3Step &step);
     void verify(const K3Step &step, std::int64_t value);
     void camReadOutEnded(const K3Step &step);
     void answeredByError(Word in);

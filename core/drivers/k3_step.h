@@ -31,6 +31,7 @@ struct K3Step : Step
     bool standsUntilItActs = false;       // word 40000000h
     bool inCamMode = false;               // word: what it means in cam mode decides what ends it
     unsigned camProgram = 0;              // camParameter, camReadOut: of this program
+    bool isBetween = false;               // readOut that only stands between two others
     bool writesCams = false;              // follows from what was read of the program
 };
 using K3Steps = std::vector<K3Step>;

@@ -136,5 +136,30 @@ TEST(K3Read, TheSelfTestIsWaitedForAndNotTakenForAnAnswer)
     EXPECT_EQ(table.known(Parameter::preset), 0);
 }
 
+// Behind a gateway the serial number may come as the high half of the answer and the low half of the
+// position. It decides which encoder the EEPROM writes are counted for.
+TEST(K3Read, AnAnswerWithHalfOfThePositionIsAskedForAgainBehindAnother)
+{
+    for (const Word serial : {Word{0xA000'4FC1}, Word{0xA000'3039}}) { // 20417, or really the position
+        DriverTable table(u"fraba-ocd-ib");
+        table.driver().expectTornWords();
+        ASSERT_TRUE(table.begin(ReadParameters{{Parameter::serialNumber}}));
+        table.play({{0x0000'0000, pos}, {0x2021'0000, pos}, {0x2021'0000, 0xA000'3039}});
+        EXPECT_EQ(table.known(Parameter::serialNumber), std::nullopt);
+        table.play({{0x0000'0000, pos},
+                    {0x2021'0001, pos},
+                    {0x2021'0001, 0xA000'2000},
+                    {0x0000'0000, pos},
+                    {0x2021'0000, pos},
+                    {0x2021'0000, serial},
+                    {0x0000'0000, pos},
+                    {0x0000'0000, pos}});
+        ASSERT_TRUE(table.outcome());
+        EXPECT_TRUE(table.outcome()->result);
+        EXPECT_EQ(table.outcome()->read, (ParameterValues{{Parameter::serialNumber, k3::data(serial)}}));
+        EXPECT_EQ(table.known(Parameter::serialNumber), k3::data(serial));
+    }
+}
+
 } // namespace
 } // namespace codewheel
