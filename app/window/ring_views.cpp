@@ -249,6 +249,11 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
     if (action == FaultAction::start)
         return {tr("Start again"), tr("Activates the configuration, and starts data transfer"),
                 m_ring.bus()->isReadingIn() ? tr("The ring is being read in.") : QString()};
+    if (action == FaultAction::acknowledge)
+        return {
+            tr("Acknowledge"),
+            tr("Writes the register that acknowledges the watchdog of the gateway, as the connection says"),
+            {}};
     if (action == FaultAction::bringBack)
         return {tr("Bring back"),
                 tr("Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since")
@@ -273,6 +278,8 @@ void RingViews::act(const Fault &fault, FaultAction action)
         m_ring.bus()->setRunning(true);
     else if (action == FaultAction::confirm)
         m_connection->confirmDiagnostics();
+    else if (action == FaultAction::acknowledge)
+        m_ring.bus()->acknowledgeWatchdog();
     else if (action == FaultAction::bringBack)
         m_ring.bus()->bringBack(m_ring.bus()->placeOf(fault.node));
     else

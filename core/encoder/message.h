@@ -87,6 +87,7 @@ enum class MessageId : std::uint8_t {
     portBack,                 // port
     linkBack,                 // of a ring
     ringRunsAgain,            // as its gateway says
+    watchdogAcknowledged,     // of a gateway
     lowLatencyRefused,        // port
     encoderSilent,            // tries without an answer
     encoderAnswers,           //

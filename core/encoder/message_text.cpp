@@ -202,6 +202,8 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
     MessageRow{MessageId::ringRunsAgain, "ringRunsAgain",
                QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
+    MessageRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
+               QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
     MessageRow{
         MessageId::lowLatencyRefused, "lowLatencyRefused",
         QT_TRANSLATE_NOOP(

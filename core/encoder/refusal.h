@@ -91,6 +91,7 @@ enum class RefusalId : std::uint8_t {
     jobNotSupported,                // device name
     onlyRecorded,                   //
     masterServiceNotSupported,      // text of the service
+    watchdogNotSet,                 //
     outNotReadBack,                 //
     noIdCycle,                      //
     encodersDiffer,                 // place, device name, place, device name
@@ -176,6 +177,7 @@ enum class RefusalId : std::uint8_t {
     registersRefused,     // link, text of the registers, code of the exception, its meaning
     registersGarbled,     // link, text of the registers, what was wrong
     outAreaTooShort,      // link, text of the registers
+    outputsBlocked,       // link, text of the registers
     notConnected,         // place
     deviceDiffers,        // place, planned, connected
     serialDiffers,        // place, serial number on the label, serial number reported by the encoder

@@ -207,6 +207,11 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP(
             "Refusal",
             "This link does not reach the master: %1 is not possible. It shows the process data only.")},
+    RefusalRow{
+        RefusalId::watchdogNotSet, "watchdogNotSet",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "No register is set that acknowledges the watchdog of this gateway. Enter it and "
+                          "its value, by the manual of the gateway, in the connection.")},
     RefusalRow{RefusalId::outNotReadBack, "outNotReadBack",
                QT_TRANSLATE_NOOP("Refusal", "The OUT words cannot be read back: what is there now is not "
                                             "known. Operate replaces it.")},
@@ -538,6 +543,10 @@ constexpr std::array refusalRows{
                    "Refusal", "%1 does not have all OUT registers of the ring as planned (%2), though it has "
                               "the first. Nothing was sent. Compare the bus structure with the ring, and the "
                               "first register of OUT with the manual of the gateway.")},
+    RefusalRow{RefusalId::outputsBlocked, "outputsBlocked",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1 does not carry out %2 (exception 4). The watchdog of its outputs may have "
+                              "tripped: acknowledge it, then go to Operate again.")},
     RefusalRow{RefusalId::notConnected, "notConnected",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 is not connected. Connect its bus, and look which devices are "

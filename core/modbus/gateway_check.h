@@ -19,6 +19,7 @@ enum class GatewayStep : std::uint8_t {
     outArea,   // all OUT registers exist and can be read back
     status,    // the status register says that the ring runs
     word,      // what the registers of a device show is a word it can have sent
+    map,       // no other register map near this one gives words that fit as well
 };
 QString gatewayStepKey(GatewayStep step); // language-neutral: "inArea"
 
@@ -96,6 +97,8 @@ private:
     void recognise(GatewayFinding &finding);
     bool isOfCodewheel();
     GatewayFinding checkWord(std::size_t device);
+    GatewayFinding checkMap();
+    Result<std::vector<Register>> readAround(int &first);
 
     GatewayFinding withOutcome(CheckOutcome outcome, const QString &sentence) const;
     GatewayFinding passed(const QString &sentence) const;

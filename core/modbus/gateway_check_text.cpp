@@ -60,9 +60,13 @@ QString orderText(bool highWordFirst)
     return highWordFirst ? GatewayTexts::tr("high word first") : GatewayTexts::tr("low word first");
 }
 
-QString whatToDo(const DeviceRegisters &shown, const GatewaySettings &settings)
+QString whatToDo(const DeviceRegisters &shown, const GatewaySettings &settings, bool advises)
 {
-    if (const WordReading *other = readingOtherwise(shown, settings); fits(other))
+    const WordReading *other = readingOtherwise(shown, settings);
+    if (fits(other) && !advises)
+        return sentence(GatewayTexts::tr("It can with %1 (%2)."),
+                        {orderText(!settings.highWordFirst), hexWord(other->word)});
+    if (fits(other))
         return sentence(GatewayTexts::tr("It can with %1 (%2): change the word order."),
                         {orderText(!settings.highWordFirst), hexWord(other->word)});
     if (fitsExchanged(shown))
@@ -83,6 +87,17 @@ QString whatItProves(const DeviceRegisters &shown, const GatewaySettings &settin
         return GatewayTexts::tr("It is the same in both word orders. Test again with another position.");
     return sentence(GatewayTexts::tr("With %1 it can be %2 as well. Test again with another position."),
                     {orderText(!settings.highWordFirst), hexWord(other->word)});
+}
+
+bool isSet(const MapReading &map, const GatewaySettings &settings)
+{
+    return map.in == settings.inFirst && map.highWordFirst == settings.highWordFirst;
+}
+
+QString mapName(const MapReading &map)
+{
+    return sentence(GatewayTexts::tr("IN from register %1, %2"),
+                    {QString::number(map.in), orderText(map.highWordFirst)});
 }
 
 QString spaced(const QString &one, const QString &other)
@@ -110,6 +125,8 @@ QString gatewayStepText(GatewayStep step, GatewaySettings::Transport transport, 
         return GatewayTexts::tr("Status register");
     case GatewayStep::word:
         return sentence(GatewayTexts::tr("Word of %1"), {place.toString()});
+    case GatewayStep::map:
+        return GatewayTexts::tr("Register map");
     }
     return {};
 }
@@ -152,7 +169,7 @@ CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &se
     return fits(set) ? CheckOutcome::passed : CheckOutcome::failed;
 }
 
-QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings)
+QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings, bool advises)
 {
     const WordReading *set = readingSet(shown, settings);
     if (set == nullptr)
@@ -165,14 +182,55 @@ QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings)
     case Plausibility::unlikely:
         return spaced(
             sentence(GatewayTexts::tr("IN is %1, which is beyond the total range of the encoder."), {word}),
-            whatToDo(shown, settings));
+            whatToDo(shown, settings, advises));
     case Plausibility::cannotBe:
         return spaced(sentence(GatewayTexts::tr("IN is %1, which this encoder never sends."), {word}),
-                      whatToDo(shown, settings));
+                      whatToDo(shown, settings, advises));
     case Plausibility::notKnown:
         break;
     }
     return sentence(GatewayTexts::tr("IN is %1. What this device sends is not described."), {word});
+}
+
+CheckOutcome mapOutcome(const MapReadings &readings, const GatewaySettings &settings)
+{
+    const MapReadings fitting = fittingMaps(readings);
+    const bool isSetFitting =
+        std::ranges::any_of(fitting, [&](const MapReading &map) { return isSet(map, settings); });
+    if (readings.empty() || (isSetFitting && fitting.size() > 1))
+        return CheckOutcome::skipped;
+    return isSetFitting ? CheckOutcome::passed : CheckOutcome::failed;
+}
+
+QString mapText(const MapReadings &readings, const GatewaySettings &settings)
+{
+    if (readings.empty())
+        return GatewayTexts::tr("No word of this ring can be judged.");
+    const MapReadings fitting = fittingMaps(readings);
+    QStringList others;
+    for (const MapReading &map : fitting)
+        if (!isSet(map, settings))
+            others << mapName(map);
+    const QString named = others.join(QStringLiteral("; "));
+    if (fitting.empty())
+        return sentence(
+            GatewayTexts::tr("The words fit no map near this one (%1). Check the first register of IN, "
+                             "and the bus structure."),
+            {mapName({settings.inFirst, settings.highWordFirst})});
+    if (others.size() < static_cast<qsizetype>(fitting.size()))
+        return others.isEmpty()
+                   ? GatewayTexts::tr("The words fit this map, and none near it.")
+                   : sentence(
+                         GatewayTexts::tr("The words fit this map, but also: %1. Test again with other "
+                                          "positions, of a shaft that was turned by 65536 steps, before you "
+                                          "write."),
+                         {named});
+    return others.size() == 1
+               ? sentence(GatewayTexts::tr("The words do not fit this map, but this one: %1."), {named})
+               : sentence(GatewayTexts::tr(
+                              "The words do not fit this map, but several others: %1. Test again with "
+                              "other positions, or look into the manual of the gateway."),
+                          {named});
 }
 
 DataCheck wordCheck(const DeviceRegisters &shown, const GatewaySettings &settings)

@@ -3,6 +3,7 @@
 
 #include "bus/data_check.h"
 #include "modbus/gateway_check.h"
+#include "modbus/map_reading.h"
 
 namespace codewheel {
 
@@ -16,7 +17,11 @@ QString endsBeforeText(NodeId place, const RegisterBlock &its);
 QString registerText(Register word); // "00E0h"
 
 CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);
-QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings);
+// `advises`: to change the word order where that would help.
+QString wordText(const DeviceRegisters &shown, const GatewaySettings &settings, bool advises = true);
+
+CheckOutcome mapOutcome(const MapReadings &readings, const GatewaySettings &settings);
+QString mapText(const MapReadings &readings, const GatewaySettings &settings);
 
 // The same as a step on the way of the data.
 DataCheck wordCheck(const DeviceRegisters &shown, const GatewaySettings &settings);

@@ -125,6 +125,21 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
     return words;
 }
 
+// Once: whoever asks for it sees what comes of it.
+Result<void> GatewayLink::acknowledgeWatchdog()
+{
+    if (!m_map)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    if (!m_settings.watchdogRegister)
+        return refuse(RefusalKind::notSupported, RefusalId::watchdogNotSet);
+    const auto value = static_cast<Register>(m_settings.watchdogValue);
+    const RegisterBlock its{*m_settings.watchdogRegister, 1};
+    const auto done = transact([&] { return m_port->write(its.first, std::span(&value, 1)); }, false);
+    return done
+               ? Result<void>()
+               : tl::unexpected(registerRefusal(done.error(), m_port->name(), gateway::writeHolding, its, 1));
+}
+
 void GatewayLink::claimOut(std::size_t device)
 {
     if (!m_map || writesOut(device))

@@ -111,12 +111,16 @@ Result<GatewayMap> GatewayMap::of(const RingStructure &ring, const GatewaySettin
         return mapWrong(sentence(GatewayTexts::tr("IN (registers %1 to %2) and OUT (%3 to %4) overlap."),
                                  {QString::number(in.first), QString::number(in.end() - 1),
                                   QString::number(out.first), QString::number(out.end() - 1)}));
-    if (settings.controlRegister) {
-        const RegisterBlock control{*settings.controlRegister, 1};
-        if (overlap(control, out) || (settings.inArea == RegisterArea::holding && overlap(control, in)))
-            return mapWrong(sentence(GatewayTexts::tr("The control register %1 is within the image."),
-                                     {QString::number(control.first)}));
-    }
+    const auto isWithin = [&](const std::optional<int> &at) {
+        const RegisterBlock its{at.value_or(0), 1};
+        return at && (overlap(its, out) || (settings.inArea == RegisterArea::holding && overlap(its, in)));
+    };
+    if (isWithin(settings.controlRegister))
+        return mapWrong(sentence(GatewayTexts::tr("The control register %1 is within the image."),
+                                 {QString::number(*settings.controlRegister)}));
+    if (isWithin(settings.watchdogRegister))
+        return mapWrong(sentence(GatewayTexts::tr("The watchdog register %1 is within the image."),
+                                 {QString::number(*settings.watchdogRegister)}));
     return GatewayMap(ring, settings);
 }
 

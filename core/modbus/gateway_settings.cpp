@@ -186,6 +186,8 @@ std::vector<Setting> makeSettings()
          sentence(GatewayTexts::tr("bits from 0 to 15, as %1, or %2"), {QStringLiteral("2+3"), none})},
         optionalNumber("place", &GatewaySettings::placeRegister, registers),
         optionalNumber("control", &GatewaySettings::controlRegister, registers),
+        optionalNumber("watchdog", &GatewaySettings::watchdogRegister, registers),
+        number("watchdog-value", &GatewaySettings::watchdogValue, registerValue),
         number("most-read", &GatewaySettings::mostRead, mostRead),
         number("most-written", &GatewaySettings::mostWritten, mostWritten),
         choice("read-back", "on", "off", &GatewaySettings::readsBack),

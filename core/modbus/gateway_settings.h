@@ -44,6 +44,10 @@ struct GatewaySettings
     // Whether OUT can be read back by function 3. Without it nobody notices what somebody else writes.
     bool readsBack = true;
 
+    // Holding register that acknowledges a watchdog of the gateway that has tripped, and the value it takes.
+    std::optional<int> watchdogRegister{};
+    int watchdogValue = 1;
+
     int mostRead = modbus_limit::readRegisters;       // registers in one request
     int mostWritten = modbus_limit::writtenRegisters; // and with function 23 at most writtenWithRead
 
@@ -83,6 +87,7 @@ inline constexpr Limits tcpUnit{0, modbus_limit::lastUnit};
 inline constexpr Limits rtuUnit{1, modbus_limit::lastSerialUnit};
 inline constexpr Limits registers{0, modbus_limit::lastRegister};
 inline constexpr Limits bit{0, 15};
+inline constexpr Limits registerValue{0, 0xFFFF};
 inline constexpr Limits mostRead{2, modbus_limit::readRegisters};
 inline constexpr Limits mostWritten{2, modbus_limit::writtenRegisters};
 inline constexpr Limits baudRate{1'200, 10'000'000};

@@ -7,6 +7,8 @@
 namespace codewheel {
 namespace {
 
+constexpr int firstFunctionThatWrites = 16; // of those that are used: 3, 4, 16, 23
+constexpr int exceptionOfFailure = 4;
 constexpr int exceptionOfAcknowledge = 5; // in progress
 constexpr int exceptionOfBusy = 6;
 constexpr int exceptionOfNoPath = 10;
@@ -79,6 +81,8 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
                 error.isLate ? RefusalId::registersLate : RefusalId::registersUnanswered,
                 {port, registers, std::int64_t{tries}}};
     case RegisterError::Kind::exception:
+        if (error.exception == exceptionOfFailure && function >= firstFunctionThatWrites)
+            return {RefusalKind::link, RefusalId::outputsBlocked, {port, registers}};
         return {RefusalKind::link,
                 RefusalId::registersRefused,
                 {port, registers, std::int64_t{error.exception}, exceptionText(error.exception)}};

@@ -62,6 +62,9 @@ struct SwitchSegment
 };
 struct ConfirmDiagnostics
 {};
+// Of a gateway, whose outputs it blocks.
+struct AcknowledgeWatchdog
+{};
 struct KeepConfiguration
 {
     KeptConfiguration configuration;
@@ -81,6 +84,6 @@ using Command = std::variant<command::UseRing, command::SetOut, command::StartJo
                              command::Cancel, command::SetKnown, command::SetDriver, command::StartBus,
                              command::StopBus, command::SetOperate, command::AlarmStop, command::ReadIn,
                              command::SwitchSegment, command::ConfirmDiagnostics, command::KeepConfiguration,
-                             command::AskKeptConfiguration, command::OfferTo>;
+                             command::AskKeptConfiguration, command::OfferTo, command::AcknowledgeWatchdog>;
 
 } // namespace codewheel

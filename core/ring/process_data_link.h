@@ -57,6 +57,11 @@ public:
         const std::vector<Word> zeros(in.size());
         return exchange(zeros, in).map([] { return ZerosSent(); });
     }
+    // Its watchdog has set its outputs to 0 since nobody wrote for a while: they are to be written again.
+    virtual Result<void> acknowledgeWatchdog()
+    {
+        return refuse(RefusalKind::notSupported, RefusalId::watchdogNotSet);
+    }
     // What the peer says of its ring; empty: nothing.
     virtual std::optional<ToldRing> toldRing() const { return std::nullopt; }
     // How old the word is that the last cycle gave for this device, at the end of the cycle. Empty: the cycle

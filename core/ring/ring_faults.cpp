@@ -147,6 +147,16 @@ Fault leftOut(const RingSession &bus, std::size_t device)
             .actions = {FaultAction::bringBack}};
 }
 
+Fault blockedOutputs()
+{
+    return {.extent = Fault::Extent::bus,
+            .shown = {Role::fault, RingFaultText::tr("outputs blocked", "of a gateway")},
+            .text = RingFaultText::tr(
+                "The gateway did not carry out the last write (exception 4). The watchdog of its "
+                "outputs may have tripped: acknowledge it, then go to Operate again."),
+            .actions = {FaultAction::acknowledge}};
+}
+
 Fault lateZeros()
 {
     return {.extent = Fault::Extent::bus,
@@ -211,6 +221,8 @@ std::vector<Fault> ringFaults(const RingSession &bus)
     const auto &told = bus.latest().told;
     if (bus.isOpen() && bus.isRunning() && told && told->stands())
         faults.push_back(toldFault(bus, *told));
+    if (bus.isOpen() && bus.latest().outputsAreBlocked)
+        faults.push_back(blockedOutputs());
     if (bus.isOpen() && bus.areZerosLate())
         faults.push_back(lateZeros());
     const std::size_t devices = std::min(bus.structure().size(), bus.latest().devices.size());

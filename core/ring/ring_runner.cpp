@@ -231,6 +231,7 @@ void RingRunner::Private::exchange()
     }
     ++ring.cycle;
     ring.at = std::max(ring.at, link.now()); // a gateway takes its time
+    ring.outputsAreBlocked = ring.outputsAreBlocked && !ring.operate;
     tellWritten();
     lookAtToldRing();
     for (std::size_t i = 0; i < image.size(); ++i)

@@ -48,11 +48,25 @@ void RingRunner::Private::loseLink(const Refusal &why)
     leaveRun(MasterState::busFail, ofLink(why));
     ring.operate = false;
     ring.whyLost = ofLink(why);
+    ring.outputsAreBlocked = ring.outputsAreBlocked || why.id == RefusalId::outputsBlocked;
     refuseOfRing(*ring.whyLost);
     if (zerosAreDue)
         tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
     link.close();
     reopenAt = link.now() + betweenTries; // the last exchange may have taken long
+}
+
+void RingRunner::Private::carryOut(command::AcknowledgeWatchdog)
+{
+    const auto done = ring.connected ? link.acknowledgeWatchdog()
+                                     : Result<void>(tl::unexpected(ring.whyLost.value_or(
+                                           Refusal{RefusalKind::link, RefusalId::lineClosed, {}})));
+    if (!done) {
+        refuseOfRing(done.error());
+        return;
+    }
+    ring.outputsAreBlocked = false;
+    tellOfRing({.id = MessageId::watchdogAcknowledged});
 }
 
 void RingRunner::Private::waitForLink()

@@ -40,6 +40,7 @@ struct RingRunner::Private
     void carryOut(const command::KeepConfiguration &c);
     void carryOut(const command::AskKeptConfiguration &c);
     void carryOut(command::OfferTo &c);
+    void carryOut(command::AcknowledgeWatchdog);
 
     void work();
     void publish();

@@ -58,6 +58,8 @@ std::unique_ptr<CyclicDriver> RingSession::Private::makeSession(RingSession &bus
         return nullptr;
     const DeviceDescription &own = descriptions.emplace_back(*description);
     auto driver = driverFor(own);
+    if (driver && !link->boundsWordsToCycles())
+        driver->expectTornWords();
     if (driver)
         sessions[place] = std::make_unique<RingEncoderSession>(
             bus, place, bus.placeOf(structure[place].number), own, link->boundsWordsToCycles());

@@ -86,6 +86,8 @@ public:
     void alarmStop() override;
     // The zeros of an ALARM STOP were asked for a second ago, and have not arrived.
     bool areZerosLate() const;
+    // Of a gateway; refused where no register is set for it.
+    void acknowledgeWatchdog();
     // Goes to Operate, sets the OUT that a job has left to 00000000 and reads what is not known since. What
     // comes of it is reported like any job.
     void bringBack(Place place);

@@ -120,6 +120,11 @@ void RingSession::showNewRing(const RingFound &found, const RingState &state)
     showLatest();
 }
 
+void RingSession::acknowledgeWatchdog()
+{
+    post(command::AcknowledgeWatchdog{});
+}
+
 void RingSession::bringBack(Place place)
 {
     d->toBringBack = place;

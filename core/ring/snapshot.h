@@ -24,6 +24,7 @@ struct RingState
     MasterState state = MasterState::ready;
     bool operate = false;              // writing is allowed
     bool zerosAreDue = false;          // of an ALARM STOP: they have not arrived yet
+    bool outputsAreBlocked = false;    // by the gateway, it seems: its watchdog has tripped
     std::optional<ToldRing> told{};    // by a gateway; empty: it does not tell
     Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started

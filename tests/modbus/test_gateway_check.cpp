@@ -50,6 +50,10 @@ protected:
             findings.push_back(check.next());
         EXPECT_EQ(findings.size(), check.steps());
         EXPECT_EQ(bank->writes, 0);
+        if (findings.back().step == GatewayStep::map) { // each test of the other steps is about one of them
+            map = findings.back();
+            findings.pop_back();
+        }
         return findings;
     }
     void show(int device, Word word)
@@ -78,6 +82,7 @@ protected:
     std::shared_ptr<RegisterBank> bank = std::make_shared<RegisterBank>();
     RefusingPort port{bank};
     GatewaySettings settings;
+    GatewayFinding map;
 };
 
 constexpr CheckOutcome passed = CheckOutcome::passed;
@@ -220,6 +225,43 @@ TEST_F(GatewayCheckTest, OneDeviceCanBeReadAlone)
     ASSERT_EQ(findings.size(), 6U);
     EXPECT_EQ(shownBy(findings[5]).place, DeviceNumber({2, 0}).node());
     EXPECT_EQ(shownBy(findings[5]).inNow, (std::vector<Register>{0, 0x42}));
+}
+
+TEST_F(GatewayCheckTest, AMapThatNoOtherNearItFitsIsRight)
+{
+    bank->inputEnd = 4;
+    show(0, 0x0000'1234);
+    show(1, 0x0000'0777);
+    run(frabaRing(2));
+    EXPECT_EQ(map.outcome, passed) << map.sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, AMapThatIsOffByOneIsRecognizedAndTheRightOneProposed)
+{
+    settings.inFirst = 10;
+    bank->input = {{10, 0xFFFF}, {11, 0}, {12, 0x1234}, {13, 0}, {14, 0x0777}, {15, 0xFFFF}};
+    run(frabaRing(2));
+    EXPECT_EQ(map.outcome, failed);
+    EXPECT_EQ(map.proposed, (std::map<QString, QString>{{QStringLiteral("in"), QStringLiteral("11")},
+                                                        {QStringLiteral("order"), QStringLiteral("high")}}))
+        << map.sentence.toStdString();
+}
+
+// A word order that is exchanged makes up for a map that is off by one: OUT would go out beside its devices.
+TEST_F(GatewayCheckTest, AMapThatSeveralFitIsNotGreen)
+{
+    bank->input = {{10, 0x0A0B}, {11, 0}, {12, 0x1234}, {13, 0}, {14, 0x0777}};
+    settings.inFirst = 10;
+    settings.highWordFirst = false;
+    const auto findings = run(frabaRing(2));
+    EXPECT_EQ(findings[5].outcome, passed) << "each word fits by itself";
+    EXPECT_EQ(map.outcome, skipped);
+    EXPECT_TRUE(map.sentence.contains(QStringLiteral("IN from register 11, high word first")))
+        << map.sentence.toStdString();
+    settings.highWordFirst = true;
+    EXPECT_FALSE(run(frabaRing(2))[5].sentence.contains(QStringLiteral("change the word order")));
+    EXPECT_EQ(map.outcome, failed);
+    EXPECT_TRUE(map.proposed.empty()) << "which is right is not known";
 }
 
 TEST_F(GatewayCheckTest, WhatIsNotDescribedIsShownAndNotJudged)

@@ -397,6 +397,110 @@ TEST_F(GatewayThread, AfterTheComputerSleptTheBusIsInWatch)
     ring->bus->close();
 }
 
+// Refuses to write while its watchdog has tripped (exception 4), until that is acknowledged.
+class WatchdogPort final : public RegisterPort
+{
+public:
+    struct Control
+    {
+        bool hasTripped = false;
+        int acknowledged = 0;
+    };
+    static constexpr int at = 500;
+    static constexpr Register value = 7;
+
+    WatchdogPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
+        : m_port(std::move(port))
+        , m_control(std::move(control))
+    {}
+
+    Result<void> open() override { return m_port->open(); }
+    void close() override { m_port->close(); }
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        return m_port->read(area, first, to);
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        if (first == at && from.size() == 1 && from[0] == value) {
+            ++m_control->acknowledged;
+            m_control->hasTripped = false;
+            return {};
+        }
+        if (m_control->hasTripped)
+            return tl::unexpected(RegisterError{RegisterError::Kind::exception, 4, {}});
+        return m_port->write(first, from);
+    }
+    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
+                      std::span<Register> to) override
+    {
+        return m_port->writeAndRead(writeFirst, from, readFirst, to);
+    }
+    Instant now() const override { return m_port->now(); }
+    void wait(Instant until) override { m_port->wait(until); }
+    void interrupt() override { m_port->interrupt(); }
+    QString name() const override { return m_port->name(); }
+
+private:
+    std::unique_ptr<RegisterPort> m_port;
+    std::shared_ptr<Control> m_control;
+};
+
+class TrippedWatchdog : public testing::Test
+{
+protected:
+    void open(const GatewaySettings &settings)
+    {
+        session = std::make_unique<GatewaySession>(
+            GatewayMaking{.settings = settings}, [this](std::unique_ptr<RegisterPort> port) {
+                return std::make_unique<WatchdogPort>(std::move(port), control);
+            });
+        ASSERT_TRUE(session->bus->open(EncoderBus::Start::operating));
+        session->bus->advance(1s);
+        control->hasTripped = true;
+        session->bus->advance(3s);
+        ASSERT_EQ(session->bus->state(), BusState::open) << "it is back, and only reads";
+    }
+    bool isOffered() const
+    {
+        return std::ranges::any_of(session->bus->outline().faults(), [](const Fault &fault) {
+            return fault.actions == std::vector{FaultAction::acknowledge};
+        });
+    }
+
+    std::shared_ptr<WatchdogPort::Control> control = std::make_shared<WatchdogPort::Control>();
+    std::unique_ptr<GatewaySession> session;
+};
+
+TEST_F(TrippedWatchdog, IsNamedAndAcknowledgedWhenTheUserSaysSo)
+{
+    open({.watchdogRegister = WatchdogPort::at, .watchdogValue = WatchdogPort::value});
+    EXPECT_TRUE(std::ranges::any_of(session->messages, [](const Message &message) {
+        return message.refusal && message.refusal->id == RefusalId::outputsBlocked;
+    }));
+    EXPECT_TRUE(isOffered());
+    session->bus->advance(10s);
+    EXPECT_EQ(control->acknowledged, 0) << "nobody has asked for it";
+    session->bus->acknowledgeWatchdog();
+    session->bus->advance(1s);
+    EXPECT_EQ(control->acknowledged, 1);
+    EXPECT_EQ(session->countOf(MessageId::watchdogAcknowledged), 1u);
+    EXPECT_FALSE(isOffered());
+    session->bus->setOperate(true);
+    session->bus->advance(1s);
+    EXPECT_TRUE(session->bus->isOperating());
+}
+
+TEST_F(TrippedWatchdog, ThatHasNoRegisterCannotBeAcknowledged)
+{
+    open({});
+    EXPECT_TRUE(isOffered());
+    session->bus->acknowledgeWatchdog();
+    session->bus->advance(1s);
+    EXPECT_EQ(session->lastRefusal()->id, RefusalId::watchdogNotSet);
+    EXPECT_EQ(control->acknowledged, 0);
+}
+
 // Hangs in a write until it is released, whoever interrupts it.
 class HangingPort final : public RegisterPort
 {

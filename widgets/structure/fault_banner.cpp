@@ -27,7 +27,9 @@ FaultBanner::FaultBanner(OfferOf offerOf, QWidget *parent)
     });
     for (const auto &[action, id] :
          {std::pair(FaultAction::start, "startAgain"), std::pair(FaultAction::switchOff, "switchFaultOff"),
-          std::pair(FaultAction::confirm, "confirmFault"), std::pair(FaultAction::bringBack, "bringBack")}) {
+          std::pair(FaultAction::confirm, "confirmFault"),
+          std::pair(FaultAction::acknowledge, "acknowledgeWatchdog"),
+          std::pair(FaultAction::bringBack, "bringBack")}) {
         QToolButton *button = makeButton(id, tr("What can be done"), tr("What can be done about the fault"));
         addButton(button);
         m_actions.emplace_back(action, button);

@@ -26,7 +26,13 @@ constexpr const char *gatewayExamples[] = {
     "gateway 3.0 --link modbus-tcp:192.168.0.5,order=low --project crane.codewheel",
     "gateway --link modbus-rtu:ttyUSB0,baud=9600,unit=3 --project crane.codewheel --json"};
 
-constexpr std::array gatewayOptions{busOption};
+constexpr std::array gatewayOptions{
+    busOption,
+    Option{"--acknowledge-watchdog", nullptr,
+           QT_TRANSLATE_NOOP(
+               "codewheel::CommandLine",
+               "write the register that acknowledges the watchdog of the gateway, and nothing else")},
+};
 
 constexpr int textColumn = 18; // behind the name of a step
 constexpr int outcomeColumn = 12;
@@ -186,12 +192,33 @@ std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &
                      {failed->shown ? failed->shown->place.toString() : QString()}};
 }
 
+Checked<Answer> acknowledgeWatchdog(const GatewaySettings &gateway)
+{
+    if (!gateway.watchdogRegister)
+        return tl::unexpected(complaintAbout({RefusalKind::notSupported, RefusalId::watchdogNotSet, {}}));
+    ModbusPort port(gateway);
+    if (const auto opened = port.open(); !opened)
+        return tl::unexpected(complaintAbout(opened.error()));
+    const auto value = static_cast<Register>(gateway.watchdogValue);
+    if (const auto done = port.write(*gateway.watchdogRegister, std::span(&value, 1)); !done)
+        return tl::unexpected(complaintAbout(
+            registerRefusal(done.error(), port.name(), 16, {*gateway.watchdogRegister, 1}, 1)));
+    return Answer{sentence(CommandLine::tr("%1 was written to register %2."),
+                           {registerText(value), QString::number(*gateway.watchdogRegister)}) +
+                      u'\n',
+                  {{QStringLiteral("gateway"), gatewayUnit(gateway)},
+                   {QStringLiteral("register"), *gateway.watchdogRegister},
+                   {QStringLiteral("value"), value}}};
+}
+
 Checked<Answer> runGateway(const Call &call)
 {
     const auto wish = wishOf(call);
     if (!wish)
         return tl::unexpected(wish.error());
     const GatewayAccess &ring = *wish->gateway;
+    if (call.arguments.has("--acknowledge-watchdog"))
+        return acknowledgeWatchdog(ring.gateway());
     const bool isShown = !call.arguments.has("--json");
     StopSignals stop;
     ModbusPort port(ring.gateway());
@@ -216,7 +243,7 @@ Checked<Answer> runGateway(const Call &call)
 
 const Subcommand gatewayCommand{
     .name = "gateway",
-    .usage = "[PLACE] [--bus BUS]",
+    .usage = "[PLACE] [--bus BUS] [--acknowledge-watchdog]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "test a gateway step by step, and show the registers of its devices"),
     .details = QT_TRANSLATE_NOOP(
