@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -219,6 +220,35 @@ QString GatewayCheck::whereItEnds(RegisterArea area, Blocks of)
     return endsBeforeText(m_devices[*first].participant.number, ((*m_map).*of)(*first));
 }
 
+// The most registers that it moves in one read, found by halving. Empty: not even those of one word.
+std::optional<int> GatewayCheck::mostInRead(RegisterArea area, const std::vector<RegisterBlock> &blocks)
+{
+    const RegisterBlock &longest = *std::ranges::max_element(blocks, {}, &RegisterBlock::count);
+    std::vector<Register> registers;
+    int most = 0;
+    int tooMany = longest.count;
+    while (tooMany - most > 1) {
+        const int middle = std::midpoint(most, tooMany);
+        (read(area, {longest.first, middle}, registers) ? most : tooMany) = middle;
+    }
+    return most < gateway_limits::mostRead.least ? std::nullopt : std::optional(most);
+}
+
+GatewayFinding GatewayCheck::failedArea(const Refusal &why, RegisterArea area, Blocks of,
+                                        const std::vector<RegisterBlock> &blocks)
+{
+    if (!isOfMap(why))
+        return failed(why);
+    if (const QString end = whereItEnds(area, of); !end.isEmpty())
+        return failed(why, end);
+    const auto most = mostInRead(area, blocks);
+    if (!most)
+        return failed(why);
+    GatewayFinding found = failed(why, mostInReadText(*most));
+    found.proposed = {{QStringLiteral("most-read"), QString::number(*most)}};
+    return found;
+}
+
 GatewayFinding GatewayCheck::checkIn()
 {
     if (!m_map)
@@ -231,8 +261,7 @@ GatewayFinding GatewayCheck::checkIn()
         recognise(found);
         return found;
     }
-    return failed(done.error(),
-                  isOfMap(done.error()) ? whereItEnds(m_settings.inArea, &GatewayMap::in) : QString());
+    return failedArea(done.error(), m_settings.inArea, &GatewayMap::in, m_map->inBlocks());
 }
 
 GatewayFinding GatewayCheck::checkOut()
@@ -247,8 +276,7 @@ GatewayFinding GatewayCheck::checkOut()
     const auto done = readAll(RegisterArea::holding, m_map->readBackBlocks());
     if (done)
         return passed(readableText(readFunction(RegisterArea::holding), spanOf(m_map->readBackBlocks())));
-    return failed(done.error(),
-                  isOfMap(done.error()) ? whereItEnds(RegisterArea::holding, &GatewayMap::out) : QString());
+    return failedArea(done.error(), RegisterArea::holding, &GatewayMap::out, m_map->readBackBlocks());
 }
 
 GatewayFinding GatewayCheck::readStatus()

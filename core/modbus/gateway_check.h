@@ -108,7 +108,11 @@ private:
     Result<void> read(RegisterArea area, const RegisterBlock &block, std::vector<Register> &to);
     Result<void> readAll(RegisterArea area, const std::vector<RegisterBlock> &blocks);
     using Blocks = const RegisterBlock &(GatewayMap::*)(std::size_t device) const;
+    // Why an area cannot be read: it ends too early, or so many registers at once are more than it moves.
+    GatewayFinding failedArea(const Refusal &why, RegisterArea area, Blocks of,
+                              const std::vector<RegisterBlock> &blocks);
     QString whereItEnds(RegisterArea area, Blocks of);
+    std::optional<int> mostInRead(RegisterArea area, const std::vector<RegisterBlock> &blocks);
     Result<void> readSteady(const RegisterBlock &block, DeviceRegisters &to);
     GatewayFinding judged(DeviceRegisters shown, const SendingEncoder &sender) const;
 

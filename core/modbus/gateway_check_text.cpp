@@ -156,6 +156,14 @@ QString endsBeforeText(NodeId place, const RegisterBlock &its)
                     {place.toString(), QString::number(its.first)});
 }
 
+QString mostInReadText(int most)
+{
+    return sentence(GatewayTexts::tr("All registers can be read, but no more than %1 in one request: set that "
+                                     "many in a read. How many it takes in a write is not tested, since the "
+                                     "test writes nothing."),
+                    {QString::number(most)});
+}
+
 QString registerText(Register word)
 {
     return hexCode(word, registerDigits);

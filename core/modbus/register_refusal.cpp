@@ -13,7 +13,10 @@ constexpr int exceptionOfAcknowledge = 5; // in progress
 constexpr int exceptionOfBusy = 6;
 constexpr int exceptionOfNoPath = 10;
 constexpr int exceptionOfSilentTarget = 11;
-constexpr int lastExceptionOfMap = 3; // illegal function, address, or value
+constexpr int exceptionOfValue = 3;
+constexpr int firstExceptionOfMap = 1; // illegal function, address, or value
+constexpr int lastExceptionOfMap = exceptionOfValue;
+constexpr int registersOfWord = 2;
 
 } // namespace
 
@@ -47,6 +50,8 @@ QString registersText(int function, const RegisterBlock &block)
 QString exceptionText(int code)
 {
     switch (code) {
+    case 0:
+        return GatewayTexts::tr("0 is no exception code: its answer is faulty.");
     case 1:
         return GatewayTexts::tr("it does not have this function.");
     case 2:
@@ -71,6 +76,19 @@ QString exceptionText(int code)
     }
 }
 
+namespace {
+
+// A limit of the gateway shows nowhere else: the test of the connection writes nothing.
+QString whyRefused(int code, int function, const RegisterBlock &block)
+{
+    return code == exceptionOfValue && function >= firstFunctionThatWrites && block.count > registersOfWord
+               ? GatewayTexts::tr("it does not accept so many registers at once, or not these values. Set fewer "
+                                  "registers in a write, in the connection.")
+               : exceptionText(code);
+}
+
+} // namespace
+
 Refusal registerRefusal(const RegisterError &error, const QString &port, int function,
                         const RegisterBlock &block, int tries)
 {
@@ -85,7 +103,8 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
             return {RefusalKind::link, RefusalId::outputsBlocked, {port, registers}};
         return {RefusalKind::link,
                 RefusalId::registersRefused,
-                {port, registers, std::int64_t{error.exception}, exceptionText(error.exception)}};
+                {port, registers, std::int64_t{error.exception},
+                 whyRefused(error.exception, function, block)}};
     case RegisterError::Kind::wrongAnswer:
         return {RefusalKind::link, RefusalId::registersGarbled, {port, registers, error.text}};
     case RegisterError::Kind::closed:
@@ -100,8 +119,10 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
 
 bool isOfMap(const Refusal &refusal)
 {
-    return refusal.id == RefusalId::registersRefused &&
-           std::get<std::int64_t>(refusal.arguments[2]) <= lastExceptionOfMap;
+    if (refusal.id != RefusalId::registersRefused)
+        return false;
+    const auto code = std::get<std::int64_t>(refusal.arguments[2]);
+    return code >= firstExceptionOfMap && code <= lastExceptionOfMap;
 }
 
 } // namespace codewheel

@@ -21,6 +21,8 @@ public:
         ++reads;
         if (failures > 0 && failures-- > 0)
             return failed(how);
+        if (static_cast<int>(to.size()) > most)
+            return exception(3);
         return RegisterBankPort::read(area, first, to);
     }
 
@@ -28,6 +30,7 @@ public:
     RegisterError::Kind how = RegisterError::Kind::noAnswer;
     int failures = 0;
     int reads = 0;
+    int most = 125; // registers in one request
 };
 
 class GatewayCheckTest : public testing::Test
@@ -216,6 +219,24 @@ TEST_F(GatewayCheckTest, AWordThatProvesNoOrderIsSaid)
     EXPECT_EQ(findings[5].outcome, passed);
     EXPECT_TRUE(findings[5].sentence.contains(QStringLiteral("same in both word orders")))
         << findings[5].sentence.toStdString();
+}
+
+TEST_F(GatewayCheckTest, HowManyRegistersItMovesInARequestIsFoundAndProposed)
+{
+    constexpr int devices = 40;
+    for (const int most : {61, 3, 2, 79}) {
+        port.most = most;
+        settings.mostRead = 125;
+        for (const auto &area : {run(frabaRing(devices))[3], run(frabaRing(devices))[4]}) {
+            EXPECT_EQ(area.outcome, failed);
+            EXPECT_EQ(area.proposed, (std::map<QString, QString>{
+                                         {QStringLiteral("most-read"), QString::number(most)}}));
+            EXPECT_TRUE(area.sentence.contains(QStringLiteral("no more than %1 in one").arg(most)))
+                << area.sentence.toStdString();
+        }
+        settings.mostRead = most;
+        EXPECT_EQ(run(frabaRing(devices))[4].outcome, passed);
+    }
 }
 
 TEST_F(GatewayCheckTest, OneDeviceCanBeReadAlone)
