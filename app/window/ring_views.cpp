@@ -258,7 +258,7 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
         return {tr("Bring back"),
                 tr("Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since")
                     .arg(fault.node.toString()),
-                {}};
+                m_ring.bus()->isRunning() ? QString() : tr("The bus does not run. Start it first.")};
     const QString whyNot =
         m_ring.bus()->isOperating() ? QString() : tr("The program only watches. Switch to Operate first.");
     if (action == FaultAction::confirm)

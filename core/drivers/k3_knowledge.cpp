@@ -69,6 +69,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         if (k3::isParameterWord(out)) {
             m_asked = out;
             m_askedIsProcessed = false;
+            m_wordIsOfOthers = isFirst;
         }
     }
     if (!k3::isOperation(in))
@@ -134,7 +135,7 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
     m_pending[number] = k3::data(in) == k3::data(asked) ? std::optional(k3::data(asked)) : std::nullopt;
     m_lastConfirmed = number;
     m_asked.reset();
-    if (!stands)
+    if (!stands && !m_wordIsOfOthers)
         m_known.countEepromWrite(); // confirmed after it left OUT
 }
 
@@ -247,7 +248,7 @@ void K3Knowledge::observeManufacturerPreset()
 // One write per parameter that was confirmed and not refused by the time its word leaves OUT.
 void K3Knowledge::countConfirmed()
 {
-    if (k3::isParameterWord(m_out) && m_pending.contains(k3::number(m_out)))
+    if (k3::isParameterWord(m_out) && m_pending.contains(k3::number(m_out)) && !m_wordIsOfOthers)
         m_known.countEepromWrite();
 }
 
@@ -281,7 +282,8 @@ int K3Knowledge::writesInDoubt(Word out)
     const bool stands = out == m_out;
     if (!stands)
         countConfirmed();
-    else if (k3::isParameterWord(out) && (m_asked || m_pending.contains(k3::number(out))))
+    else if (k3::isParameterWord(out) && !m_wordIsOfOthers &&
+             (m_asked || m_pending.contains(k3::number(out))))
         ++perhaps;
     if (!stands && k3::isParameterWord(out))
         ++perhaps;

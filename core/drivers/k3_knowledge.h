@@ -99,6 +99,7 @@ private:
     Word m_lastPosition = 0;            // IN in operation
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
+    bool m_wordIsOfOthers = false; // the last parameter word, or it was counted before sight was lost
     Word m_out = 0;
     Word m_in = 0;
 };

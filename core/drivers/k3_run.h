@@ -32,7 +32,7 @@ private:
     bool mayBegin(Word in) override;
     std::optional<Refusal> whyNotNow(Word in) const override;
     void begin(Word in, Instant now) override;
-    void doubt(InDoubt &doubt) override;
+    void doubt(InDoubt &doubt, bool nextMayBeSent) override;
     WordAnswer answerTo(Word in, Word out, Instant now) override;
     void stepDone(Word in) override;
     void stepFailed(WordAnswer how, Word in) override;

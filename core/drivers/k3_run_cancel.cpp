@@ -51,10 +51,12 @@ bool K3Run::hasTaken() const
 }
 
 // The word that is in OUT, or on its way there, may be carried out; what it has confirmed may become active.
-void K3Run::doubt(InDoubt &doubt)
+void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
-    const bool isSent = m_steps.begun && !m_steps.atEnd();
-    const Word out = isSent ? m_steps.current().out : m_encoder.knowledge.lastOut();
+    const Word last = m_encoder.knowledge.lastOut();
+    const bool isSent =
+        m_steps.begun && !m_steps.atEnd() && (nextMayBeSent || m_steps.current().out == last);
+    const Word out = isSent ? m_steps.current().out : last;
     if (out == k3::run) {
         doubt.values = std::exchange(m_confirmed.values, {});
         doubt.reset = std::exchange(m_confirmed.reset, false);

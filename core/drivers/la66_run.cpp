@@ -174,11 +174,14 @@ void La66Run::leaveOffAt(Instant /*now*/)
 }
 
 // A service is carried out once its service bit is set.
-void La66Run::doubt(InDoubt &doubt)
+void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
-    if (m_out != la66::normalMode)
-        doubt.out = m_out;
-    const bool isAsked = m_steps.begun && !m_steps.atEnd() && m_steps.current().kind == StepKind::serviceBit;
+    const Word out = nextMayBeSent ? m_out : m_sent;
+    if (out != la66::normalMode)
+        doubt.out = out;
+    const bool isAsked = m_steps.begun && !m_steps.atEnd() &&
+                         m_steps.current().kind == StepKind::serviceBit &&
+                         (nextMayBeSent || m_steps.current().out == m_sent);
     if (!isAsked || !la66::isWrite(m_steps.current().out))
         return;
     const La66Step &step = m_steps.current();

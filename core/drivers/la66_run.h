@@ -16,11 +16,11 @@ public:
 
 private:
     Result<void> plan(Word in, Word out) override;
-    void watch(Word /*in*/, Word out) override { m_out = out; }
+    void watch(Word /*in*/, Word out) override { m_out = m_sent = out; }
     bool mayBegin(Word in) override;
     std::optional<Refusal> whyNotNow(Word in) const override;
     void begin(Word in, Instant now) override;
-    void doubt(InDoubt &doubt) override;
+    void doubt(InDoubt &doubt, bool nextMayBeSent) override;
     WordAnswer answerTo(Word in, Word out, Instant now) override { return m_handshake.cycle(in, out, now); }
     void stepDone(Word in) override;
     void stepFailed(WordAnswer how, Word in) override;
@@ -39,7 +39,8 @@ private:
 
     La66Encoder &m_encoder;
     La66Handshake m_handshake;
-    Word m_out = 0; // as it was on the bus in the last cycle, or goes there in the next
+    Word m_out = 0;  // as it was on the bus in the last cycle, or goes there in the next
+    Word m_sent = 0; // as it was on the bus in the last cycle
 };
 
 } // namespace codewheel

@@ -59,7 +59,7 @@ public:
         if (endsOutOfSight(why)) {
             this->leaveOutOfSight();
             if (m_isPrepared)
-                doubt(m_account.outcome.inDoubt);
+                doubt(m_account.outcome.inDoubt, why.id != RefusalId::busStopped);
         }
         finish(tl::unexpected(why));
     }
@@ -90,8 +90,9 @@ protected:
     // Why the current step must not begin with this in IN.
     virtual std::optional<Refusal> whyNotNow(Word /*in*/) const { return std::nullopt; }
     virtual void begin(Word in, Instant now) = 0;
-    // Nobody sees what becomes of the words that were sent: what they may have done.
-    virtual void doubt(InDoubt &doubt) = 0;
+    // Nobody sees what becomes of the words that were sent: what they may have done. `nextMayBeSent`: so may the
+    // one that goes out next; a bus that was stopped has not sent it.
+    virtual void doubt(InDoubt &doubt, bool nextMayBeSent) = 0;
 
     virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;
     virtual void stepDone(Word in) = 0;

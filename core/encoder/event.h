@@ -57,7 +57,7 @@ struct Progress
 };
 
 // What was sent, or was on its way, when a job ended, and what nobody has seen the answer to: the link was
-// lost, or the computer slept. Whether the encoder has it is not known until it is read.
+// lost, the computer slept, or the bus was stopped. Whether the encoder has it is not known until it is read.
 struct InDoubt
 {
     ParameterValues values; // perhaps active, or confirmed
@@ -98,7 +98,8 @@ struct Outcome
 // Whether nobody sees any more what a job that ends because of this has sent.
 inline bool endsOutOfSight(const Refusal &why)
 {
-    return why.kind == RefusalKind::link || why.id == RefusalId::computerSlept;
+    return why.kind == RefusalKind::link || why.id == RefusalId::computerSlept ||
+           why.id == RefusalId::busStopped;
 }
 
 // What is known of the encoder changed, whatever caused it: a job, or words sent from the monitor.

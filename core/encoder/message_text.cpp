@@ -79,8 +79,7 @@ constexpr std::array messageRows{
         MessageId::outLeft, "outLeft",
         QT_TRANSLATE_NOOP(
             "Message",
-            "OUT may still hold %1: the encoder may give no position. Bring it back once the link is there "
-            "again.")},
+            "OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.")},
     MessageRow{MessageId::leftInParameterization, "leftInParameterization",
                QT_TRANSLATE_NOOP("Message",
                                  "The encoder was left in parameterization. Send run to bring it back to "

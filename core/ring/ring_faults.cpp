@@ -126,7 +126,7 @@ Fault toldFault(const RingSession &bus, const ToldRing &told)
     return fault;
 }
 
-// What a job was about to do when its link was lost.
+// What a job was about to do when its link was lost, or the bus stopped.
 Fault leftOut(const RingSession &bus, std::size_t device)
 {
     const Snapshot::Device &its = bus.latest().devices[device];
@@ -134,11 +134,11 @@ Fault leftOut(const RingSession &bus, std::size_t device)
     const QString number = bus.structure()[device].number.toString();
     const QString text =
         its.outIsKnown
-            ? sentence(RingFaultText::tr("A job that lost its link has left %1 in OUT of %2. The encoder may "
+            ? sentence(RingFaultText::tr("A job that was cut has left %1 in OUT of %2. The encoder may "
                                          "show no position, and the controller gets none."),
                        {word, number})
             : sentence(
-                  RingFaultText::tr("A job that lost its link may have left %1 in OUT of %2, which cannot "
+                  RingFaultText::tr("A job that was cut may have left %1 in OUT of %2, which cannot "
                                     "be read back. The encoder may show no position then."),
                   {word, number});
     return {.node = bus.structure()[device].number,

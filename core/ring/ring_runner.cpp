@@ -314,7 +314,8 @@ void RingRunner::Private::step(std::size_t i)
         device.inRing = link.isUpToDate(i);
     const Word out = image[i];
     device.outEdges = device.out ^ out;
-    device.out = out; // a gateway has got it, whatever it says of IN
+    if (out != device.out)
+        device.outBefore = std::exchange(device.out, out); // a gateway has got it, whatever it says of IN
     device.outIsKnown = device.outIsKnown || (ring.operate && link.writesOut(i));
     if (device.leftOut && device.outIsKnown && out != *device.leftOut)
         device.leftOut.reset();
@@ -415,14 +416,25 @@ void RingRunner::Private::endJob(std::size_t device, const Refusal &why)
 {
     drivers[device]->stop(why, ring.at);
     ring.devices[device].heldByJob = drivers[device]->busy();
-    takeDriverEvents(device);
+    takeDriverEvents(device, wordLeftBy(why, device));
 }
 
-void RingRunner::Private::takeDriverEvents(std::size_t device)
+// A gateway keeps what was written to it last, and nothing more arrives there.
+std::optional<Word> RingRunner::Private::wordLeftBy(const Refusal &why, std::size_t device) const
+{
+    const Word out = ring.devices[device].out;
+    return endsOutOfSight(why) && !link.boundsWordsToCycles() && out != 0 ? std::optional(out) : std::nullopt;
+}
+
+// `left`: what a job that has ended leaves in OUT besides what it says itself.
+void RingRunner::Private::takeDriverEvents(std::size_t device, std::optional<Word> left)
 {
     for (Event &event : drivers[device]->takeEvents()) {
-        if (const auto *outcome = std::get_if<Outcome>(&event); outcome != nullptr && outcome->inDoubt.out)
-            ring.devices[device].leftOut = outcome->inDoubt.out;
+        if (auto *outcome = std::get_if<Outcome>(&event)) {
+            outcome->inDoubt.out = outcome->inDoubt.out ? outcome->inDoubt.out : left;
+            if (outcome->inDoubt.out)
+                ring.devices[device].leftOut = outcome->inDoubt.out;
+        }
         tell(device, std::move(event));
     }
 }

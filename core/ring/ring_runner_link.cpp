@@ -76,6 +76,15 @@ void RingRunner::Private::waitForLink()
     showStandingWords();
 }
 
+// What did arrive of the words of a job that was cut, or of the last words, though a later one was acknowledged: an
+// answer may be that to an earlier request.
+std::optional<Word> RingRunner::Private::wordLeftThere(std::size_t i) const
+{
+    const Snapshot::Device &device = ring.devices[i];
+    const bool isLeft = device.leftOut || (image[i] != device.out && image[i] == device.outBefore);
+    return isLeft && image[i] != 0 ? std::optional(image[i]) : std::nullopt;
+}
+
 // That it does not open was reported when it was lost; why may have changed since. A master that was stopped
 // meanwhile is not started.
 void RingRunner::Private::tryToReopen()
@@ -101,8 +110,10 @@ void RingRunner::Private::tryToReopen()
     }
     for (std::size_t i = 0; i < image.size(); ++i) {
         ring.devices[i].outIsKnown = outIsKnown;
-        if (outIsKnown)
-            image[i] = goesOn(i, there->out[i]);
+        if (!outIsKnown)
+            continue;
+        image[i] = goesOn(i, there->out[i]);
+        ring.devices[i].leftOut = wordLeftThere(i);
     }
     if (!outIsKnown)
         tellOutIsUnknown();

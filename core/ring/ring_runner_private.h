@@ -96,7 +96,9 @@ struct RingRunner::Private
     void lookAtStatus();
     void showWhoIsInRing(const MasterStatus &status);
     void leaveRing(std::size_t device);
-    void takeDriverEvents(std::size_t device);
+    void takeDriverEvents(std::size_t device, std::optional<Word> left = {});
+    std::optional<Word> wordLeftThere(std::size_t i) const;
+    std::optional<Word> wordLeftBy(const Refusal &why, std::size_t device) const;
 
     void tell(std::size_t device, decltype(RingEvent::what) what)
     {

@@ -45,6 +45,10 @@ public:
               })
     {
         m_link->lookAt(m_session.gateway);
+        m_session.gateway->written = [this, before = m_session.gateway->written] {
+            before();
+            countEdges();
+        };
         m_rules.oldest = FaultyRegisterPort::latest + 2 * FaultyRegisterPort::timeOut;
     }
 
@@ -58,6 +62,10 @@ public:
             bus().advance(Instant(pick(10, 3'000) * 1ms));
             if (!zerosWereDue && !m_rules.zerosAreDue)
                 m_rules.mayWrite = bus().isOperating();
+            m_session.gateway->passUntil(bus().now()); // the ring goes on, whoever looks
+            expectThatWhatIsShownIsTrue();
+            expectThatNothingWasWrittenUncounted();
+            expectThatNothingIsLeftUnsaid();
             m_session.messages.clear();
         }
     }
@@ -103,6 +111,75 @@ private:
     RingSession &bus() { return *m_session.bus; }
     int pick(int least, int most) { return std::uniform_int_distribution(least, most)(m_random); }
 
+    // What the simulated encoders know.
+    int writesOf(std::size_t device) const { return m_session.ring->shafts().at(device).eepromWrites; }
+
+    // Run and preset act when they come into OUT.
+    void countEdges()
+    {
+        const std::vector<Word> &out = m_session.gateway->out();
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const Word before = std::exchange(m_out[i], out[i]);
+            for (const Word acts : {k3::run, k3::initialisePreset})
+                if (out[i] == acts && before != acts)
+                    ++m_edges[i][acts];
+        }
+    }
+    void expectThatWhatIsShownIsTrue()
+    {
+        for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
+            if (!encoder.freshness().isLive())
+                continue;
+            const Reading &shown = encoder.latest();
+            EXPECT_TRUE(m_session.gateway->wasIn(i, shown.in, shown.at - m_rules.oldest))
+                << "encoder " << i << " shows " << std::hex << shown.in;
+        }
+    }
+    // No encoder has stored less than was counted by the last time, or more than is, or perhaps was.
+    void expectThatNothingWasWrittenUncounted()
+    {
+        for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            const int counted = m_session.encoder(bus().places()[i]).eepromWrites();
+            EXPECT_LE(std::exchange(m_counted[i], counted), writesOf(i)) << "encoder " << i;
+            if (!m_session.encoder(bus().places()[i]).runningJob())
+                EXPECT_LE(writesOf(i), counted + m_perhaps[i]) << "encoder " << i;
+        }
+    }
+    // In OUT, by a job that has ended without its user having said so. A word that was acknowledged and got lost
+    // is named by the message that OUT is not ours.
+    void expectThatNothingIsLeftUnsaid()
+    {
+        const bool isNamed = std::ranges::any_of(m_session.messages, [](const Message &message) {
+            return message.refusal && message.refusal->id == RefusalId::outNotOurs;
+        });
+        for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            const Word out = m_session.gateway->out()[i];
+            m_mayLeave[i] = (m_mayLeave[i] || isNamed) && out != 0;
+            const auto &device = bus().latest().devices[i];
+            const bool isSeen = bus().latest().connected && device.outIsKnown && !m_rules.zerosAreDue;
+            if (out != 0 && isSeen && !m_mayLeave[i] && !m_session.encoder(bus().places()[i]).runningJob())
+                EXPECT_TRUE(device.leftOut) << "encoder " << i << ": OUT is " << std::hex << out;
+        }
+    }
+    struct JobSeen
+    {
+        std::size_t device = 0;
+        int writes = 0; // of the encoder, before
+        std::map<Word, int> edges;
+    };
+    void judge(const JobSeen &job, const Outcome &outcome)
+    {
+        const std::size_t i = job.device;
+        m_perhaps[i] += outcome.inDoubt.eepromWrites;
+        if (m_isCancelled[i]) // and perhaps written back
+            return;
+        EXPECT_LE(writesOf(i) - job.writes, 2) << "a parameter, and what stores along";
+        for (const auto &[word, edges] : m_edges[i])
+            EXPECT_LE(edges - (job.edges.contains(word) ? job.edges.at(word) : 0), 1)
+                << std::hex << word << " acted twice";
+    }
+
     void act()
     {
         switch (pick(0, 11)) {
@@ -124,11 +201,17 @@ private:
             m_session.ring->setSpeed(somePlace().node, pick(-3'000, 3'000));
             break;
         case 5:
-            m_session.encoder(somePlace()).cancel(static_cast<OnCancel>(pick(0, 3)));
+            cancelOne();
             break;
         default:
             startJob();
         }
+    }
+    void cancelOne()
+    {
+        const auto device = static_cast<std::size_t>(pick(0, faultyEncoders - 1));
+        m_isCancelled[device] = m_mayLeave[device] = true;
+        m_session.encoder(bus().places()[device]).cancel(static_cast<OnCancel>(pick(0, 3)));
     }
     Place somePlace() { return bus().places().at(static_cast<std::size_t>(pick(0, faultyEncoders - 1))); }
     void startJob()
@@ -138,7 +221,8 @@ private:
             bus().setOperate(m_rules.mayWrite = true);
             return;
         }
-        EncoderSession &encoder = m_session.encoder(somePlace());
+        const auto device = static_cast<std::size_t>(pick(0, faultyEncoders - 1));
+        EncoderSession &encoder = m_session.encoder(bus().places()[device]);
         const std::array<Job, 4> some{
             ReadParameters{{Parameter::direction, Parameter::revolutions}},
             WriteParameters{.values = {{Parameter::steps, pick(100, 8'000)}}, .previous = {}},
@@ -148,9 +232,12 @@ private:
         if (!id)
             return;
         ++m_jobs;
-        QObject::connect(&encoder, &EncoderSession::finished, &bus(), [this, id](const Outcome &outcome) {
+        m_isCancelled[device] = false;
+        const JobSeen job{device, writesOf(device), m_edges[device]};
+        QObject::connect(&encoder, &EncoderSession::finished, &bus(), [this, id, job](const Outcome &outcome) {
             if (outcome.job != *id)
                 return;
+            judge(job, outcome);
             m_jobsThatWorked += outcome.result ? 1 : 0;
             m_foreignWords += whyOf(outcome) == "outsOfOther" ? 1 : 0;
         });
@@ -165,6 +252,12 @@ private:
     int m_jobs = 0;
     int m_jobsThatWorked = 0;
     int m_foreignWords = 0;
+    std::array<Word, faultyEncoders> m_out{};
+    std::array<std::map<Word, int>, faultyEncoders> m_edges;
+    std::array<int, faultyEncoders> m_counted{};
+    std::array<int, faultyEncoders> m_perhaps{}; // written, of what is in doubt
+    std::array<bool, faultyEncoders> m_isCancelled{}; // the last job
+    std::array<bool, faultyEncoders> m_mayLeave{};    // its word in OUT
 };
 
 TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
