@@ -13,6 +13,11 @@
         <comment>reason, date and time</comment>
         <translation>%1 Gezeigt ist der Stand vom %2.</translation>
     </message>
+    <message>
+        <source>It has shown the same since %1.</source>
+        <comment>14:02</comment>
+        <translation>Es zeigt dasselbe seit %1.</translation>
+    </message>
 </context>
 <context>
     <name>BitText</name>
@@ -1996,10 +2001,6 @@
         <translation>Gesendet und nicht beantwortet: %1. Ob der Geber es hat, ist nicht bekannt, bis er ausgelesen wird.</translation>
     </message>
     <message>
-        <source>OUT may still hold %1: the encoder may give no position. Bring it back once the link is there again.</source>
-        <translation>In OUT steht vielleicht noch %1: Der Geber liefert dann womöglich keine Position. Zurücksetzen, sobald die Verbindung wieder da ist.</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else: %1. Somebody else may write to it: stop the machine by its own means.</source>
         <translation>Die Nullen des ALARM STOP wurden gesendet, aber OUT wurde anders zurückgelesen: %1. Vielleicht schreibt noch jemand darauf: Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
@@ -2010,6 +2011,14 @@
     <message>
         <source>The zeros of the ALARM STOP have not arrived yet: the gateway does not acknowledge them. The program goes on trying. Stop the machine by its own means.</source>
         <translation>Die Nullen des ALARM STOP sind noch nicht angekommen: Das Gateway bestätigt sie nicht. Das Programm versucht es weiter. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+    </message>
+    <message>
+        <source>The watchdog of the gateway was acknowledged.</source>
+        <translation>Der Watchdog des Gateways wurde quittiert.</translation>
+    </message>
+    <message>
+        <source>OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.</source>
+        <translation>In OUT steht vielleicht noch %1: Der Geber liefert dann womöglich keine Position. Zurückholen, sobald der Bus wieder läuft.</translation>
     </message>
 </context>
 <context>
@@ -3115,6 +3124,14 @@
     <message>
         <source>%1 does not have all OUT registers of the ring as planned (%2), though it has the first. Nothing was sent. Compare the bus structure with the ring, and the first register of OUT with the manual of the gateway.</source>
         <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Nichts wurde gesendet. Vergleichen Sie die Busstruktur mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
+    </message>
+    <message>
+        <source>No register is set that acknowledges the watchdog of this gateway. Enter it and its value, by the manual of the gateway, in the connection.</source>
+        <translation>Es ist kein Register eingetragen, das den Watchdog dieses Gateways quittiert. Tragen Sie es mit seinem Wert nach dem Handbuch des Gateways in der Verbindung ein.</translation>
+    </message>
+    <message>
+        <source>%1 does not carry out %2 (exception 4). The watchdog of its outputs may have tripped: acknowledge it, then go to Operate again.</source>
+        <translation>%1 führt %2 nicht aus (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: Quittieren Sie ihn und schalten Sie dann wieder auf Bedienen.</translation>
     </message>
 </context>
 <context>
@@ -6140,20 +6157,6 @@ es verlassen wird.</translation>
         <translation>die Worte oder die Position eines Gebers beobachten</translation>
     </message>
     <message>
-        <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
-Sends nothing. The time is the bus&apos;s own: on the training bus a cycle is 1 ms, and as it runs without
-waiting, the answer comes at once.
-
-Of an encoder on a serial line (PLACE 05) it looks at position, alarms and warnings, which are polled, and
-tells at the end how the line has done. Nothing is written. Ctrl+C ends it.</source>
-        <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich seit dem letzten
-Mal geändert haben. Sendet nichts. Die Zeit ist die des Busses: Am Übungsbus dauert ein Zyklus 1 ms,
-und da er läuft, ohne zu warten, kommt die Antwort sofort.
-
-Bei einem Geber an einer seriellen Leitung (PLACE 05) werden Position, Alarme und Warnungen abgefragt;
-am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet es.</translation>
-    </message>
-    <message>
         <source>Encoders on a serial line have no command that resets them to factory settings. Write the values with codewheel-cli write.</source>
         <translation>Geber an einer seriellen Leitung haben keinen Befehl, der sie auf Werkseinstellungen zurücksetzt. Die Werte mit codewheel-cli write schreiben.</translation>
     </message>
@@ -7628,6 +7631,28 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
         <source>Add to the link: %1</source>
         <translation>In den Link aufnehmen: %1</translation>
     </message>
+    <message>
+        <source>write the register that acknowledges the watchdog of the gateway, and nothing else</source>
+        <translation>das Register schreiben, das den Watchdog des Gateways quittiert, und sonst nichts</translation>
+    </message>
+    <message>
+        <source>%1 was written to register %2.</source>
+        <translation>%1 wurde in Register %2 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
+Each row is printed as it comes. Sends nothing. The time is the bus&apos;s own: on the training bus a
+cycle is 1 ms, and as it runs without waiting, the answer comes at once.
+
+Of an encoder on a serial line (PLACE 05) it looks at position, alarms and warnings, which are polled, and
+tells at the end how the line has done. Nothing is written. Ctrl+C ends it.</source>
+        <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich seit dem letzten
+Mal geändert haben, jede sofort. Sendet nichts. Die Zeit ist die des Busses: Am Übungsbus dauert ein Zyklus
+1 ms, und da er läuft, ohne zu warten, kommt die Antwort sofort.
+
+Bei einem Geber an einer seriellen Leitung (PLACE 05) werden Position, Alarme und Warnungen abgefragt;
+am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet es.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -8275,6 +8300,11 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>a speed: %1 rpm</source>
         <translation>eine Geschwindigkeit: %1 U/min</translation>
+    </message>
+    <message>
+        <source>%1, the same since %2</source>
+        <comment>20 s ago, 14:02</comment>
+        <translation>%1, dasselbe seit %2</translation>
     </message>
 </context>
 <context>
@@ -10451,6 +10481,58 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     <message>
         <source>each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP wants it</source>
         <translation>jede ist für Transaktion %1: Das Gateway wiederholt nicht die Nummer der Anfrage, wie Modbus/TCP es will</translation>
+    </message>
+    <message>
+        <source>It can with %1 (%2).</source>
+        <translation>Mit „%1“ kann er es (%2).</translation>
+    </message>
+    <message>
+        <source>IN from register %1, %2</source>
+        <translation>IN ab Register %1, %2</translation>
+    </message>
+    <message>
+        <source>Register map</source>
+        <translation>Registerplan</translation>
+    </message>
+    <message>
+        <source>No word of this ring can be judged.</source>
+        <translation>Kein Wort dieses Rings lässt sich beurteilen.</translation>
+    </message>
+    <message>
+        <source>The words fit no map near this one (%1). Check the first register of IN, and the bus structure.</source>
+        <translation>Die Worte passen zu keinem Registerplan in der Nähe von diesem (%1). Prüfen Sie das erste Register von IN und den Busaufbau.</translation>
+    </message>
+    <message>
+        <source>The words fit this map, and none near it.</source>
+        <translation>Die Worte passen zu diesem Registerplan und zu keinem daneben.</translation>
+    </message>
+    <message>
+        <source>The words fit this map, but also: %1. Test again with other positions, of a shaft that was turned by 65536 steps, before you write.</source>
+        <translation>Die Worte passen zu diesem Registerplan, aber auch zu: %1. Testen Sie noch einmal mit anderen Positionen, nachdem eine Welle um 65536 Schritte gedreht wurde, bevor Sie schreiben.</translation>
+    </message>
+    <message>
+        <source>The words do not fit this map, but this one: %1.</source>
+        <translation>Die Worte passen nicht zu diesem Registerplan, aber zu: %1.</translation>
+    </message>
+    <message>
+        <source>The words do not fit this map, but several others: %1. Test again with other positions, or look into the manual of the gateway.</source>
+        <translation>Die Worte passen nicht zu diesem Registerplan, aber zu mehreren anderen: %1. Testen Sie noch einmal mit anderen Positionen oder sehen Sie im Handbuch des Gateways nach.</translation>
+    </message>
+    <message>
+        <source>The watchdog register %1 is within the image.</source>
+        <translation>Das Watchdog-Register %1 liegt im Abbild.</translation>
+    </message>
+    <message>
+        <source>All registers can be read, but no more than %1 in one request: set that many in a read. How many it takes in a write is not tested, since the test writes nothing.</source>
+        <translation>Alle Register lassen sich lesen, aber nicht mehr als %1 in einer Anfrage: Stellen Sie so viele je Lesen ein. Wie viele es je Schreiben annimmt, wird nicht getestet, da der Test nichts schreibt.</translation>
+    </message>
+    <message>
+        <source>0 is no exception code: its answer is faulty.</source>
+        <translation>0 ist kein Exception-Code: Die Antwort ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>it does not accept so many registers at once, or not these values. Set fewer registers in a write, in the connection.</source>
+        <translation>Es nimmt nicht so viele Register auf einmal an oder diese Werte nicht. Stellen Sie in der Verbindung weniger Register je Schreiben ein.</translation>
     </message>
 </context>
 <context>
@@ -17026,17 +17108,26 @@ Zustand: %3 (%4)</translation>
         <translation>Das Gateway wird jede Sekunde neu versucht.</translation>
     </message>
     <message>
-        <source>A job that lost its link has left %1 in OUT of %2. The encoder may show no position, and the controller gets none.</source>
-        <translation>Ein Auftrag, dessen Verbindung abriss, hat %1 in OUT von %2 hinterlassen. Der Drehgeber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
-    </message>
-    <message>
-        <source>A job that lost its link may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
-        <translation>Ein Auftrag, dessen Verbindung abriss, hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Drehgeber vielleicht keine Position.</translation>
-    </message>
-    <message>
         <source>zeros missing</source>
         <comment>of ALARM STOP</comment>
         <translation>Nullen fehlen</translation>
+    </message>
+    <message>
+        <source>outputs blocked</source>
+        <comment>of a gateway</comment>
+        <translation>Ausgänge gesperrt</translation>
+    </message>
+    <message>
+        <source>The gateway did not carry out the last write (exception 4). The watchdog of its outputs may have tripped: acknowledge it, then go to Operate again.</source>
+        <translation>Das Gateway hat das letzte Schreiben nicht ausgeführt (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: Quittieren Sie ihn und schalten Sie dann wieder auf Bedienen.</translation>
+    </message>
+    <message>
+        <source>A job that was cut has left %1 in OUT of %2. The encoder may show no position, and the controller gets none.</source>
+        <translation>Ein abgerissener Auftrag hat %1 in OUT von %2 hinterlassen. Der Drehgeber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
+    </message>
+    <message>
+        <source>A job that was cut may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
+        <translation>Ein abgerissener Auftrag hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Drehgeber vielleicht keine Position.</translation>
     </message>
 </context>
 <context>
@@ -17531,6 +17622,18 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since</source>
         <translation>Wechselt zu Bedienen, setzt OUT von %1 auf 00000000 und liest, was seitdem nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Writes the register that acknowledges the watchdog of the gateway, as the connection says</source>
+        <translation>Schreibt das Register, das den Watchdog des Gateways quittiert, wie in der Verbindung eingetragen</translation>
+    </message>
+    <message>
+        <source>The bus does not run. Start it first.</source>
+        <translation>Der Bus läuft nicht. Starten Sie ihn zuerst.</translation>
     </message>
 </context>
 <context>
@@ -18611,6 +18714,22 @@ Worte: IN %3, OUT %4</translation>
         <source>The most that the gateway takes in one request; 123 by the standard</source>
         <translation>So viele, wie das Gateway höchstens in einer Anfrage nimmt; 123 nach der Norm</translation>
     </message>
+    <message>
+        <source>Watchdog register</source>
+        <translation>Watchdog-Register</translation>
+    </message>
+    <message>
+        <source>The holding register that acknowledges a watchdog of the gateway that has tripped; it is written when you say so</source>
+        <translation>Das Holding-Register, das einen angesprochenen Watchdog des Gateways quittiert; es wird geschrieben, wenn Sie es sagen</translation>
+    </message>
+    <message>
+        <source>Value for it</source>
+        <translation>Wert dafür</translation>
+    </message>
+    <message>
+        <source>What acknowledges the watchdog, by the manual of the gateway</source>
+        <translation>Was den Watchdog nach dem Handbuch des Gateways quittiert</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::SettingsAtWork</name>
@@ -18900,6 +19019,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The position is signed.</source>
         <translation>Die Position hat ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>No speed: positions come so seldom that the shaft may make a whole turn between two.</source>
+        <translation>Keine Drehzahl: Die Positionen kommen so selten, dass die Welle zwischen zweien eine ganze Umdrehung machen kann.</translation>
     </message>
 </context>
 <context>

@@ -126,8 +126,10 @@ void CrookedPeer::send(int descriptor, const Reaction &reaction) const
         ::poll(waited.data(), waited.size(), -1);
         if ((waited[0].revents & ~POLLOUT) != 0 || waited[1].revents != 0)
             return;
-        ::send(descriptor, reaction.bytes.constData(), static_cast<std::size_t>(reaction.bytes.size()),
-               MSG_NOSIGNAL | MSG_DONTWAIT);
+        const auto size = static_cast<std::size_t>(reaction.bytes.size());
+        if (::send(descriptor, reaction.bytes.constData(), size, MSG_NOSIGNAL | MSG_DONTWAIT) < 0 &&
+            errno == ENOTSOCK)
+            (void)!::write(descriptor, reaction.bytes.constData(), size);
     }
 }
 
