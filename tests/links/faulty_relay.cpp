@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/links/faulty_relay.h"
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
+#include <span>
 #include <sys/socket.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -17,6 +21,8 @@ namespace {
 constexpr std::size_t headerSize = 6; // transaction, protocol, length of the rest
 constexpr int lookMs = 20;            // whether it is to end
 constexpr int longestDelayMs = 250;
+constexpr auto betweenPieces = std::chrono::milliseconds(2);
+constexpr auto longestFlood = std::chrono::milliseconds(300);
 
 sockaddr_in loopbackAt(int port)
 {
@@ -25,6 +31,12 @@ sockaddr_in loopbackAt(int port)
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     return address;
+}
+
+void require(int result)
+{
+    if (result != 0)
+        throw std::system_error(errno, std::system_category(), "relay");
 }
 
 bool isReadable(int descriptor, int milliseconds)
@@ -48,9 +60,35 @@ std::vector<std::uint8_t> receiveMessage(int from)
     return receiveAll(from, message.data() + headerSize, rest) ? message : std::vector<std::uint8_t>();
 }
 
-bool sendAll(int to, const std::vector<std::uint8_t> &message, std::size_t count)
+bool sendAll(int to, std::span<const std::uint8_t> bytes)
 {
-    return ::send(to, message.data(), count, MSG_NOSIGNAL) == static_cast<ssize_t>(count);
+    return ::send(to, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+}
+
+bool sendInPieces(int to, std::span<const std::uint8_t> message)
+{
+    for (; !message.empty(); message = message.subspan(std::min<std::size_t>(message.size(), 5))) {
+        if (!sendAll(to, message.first(std::min<std::size_t>(message.size(), 5))))
+            return false;
+        std::this_thread::sleep_for(betweenPieces);
+    }
+    return true;
+}
+
+// Until something is asked, or for a while.
+bool sendEndlessly(int to, std::span<const std::uint8_t> message)
+{
+    const auto end = std::chrono::steady_clock::now() + longestFlood;
+    while (std::chrono::steady_clock::now() < end)
+        if (!sendAll(to, message))
+            return false;
+    return true;
+}
+
+void sendAtOnce(int socket)
+{
+    const int on = 1;
+    ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
 }
 
 } // namespace
@@ -62,9 +100,9 @@ FaultyRelay::FaultyRelay(int serverPort, unsigned seed)
 {
     sockaddr_in address = loopbackAt(0);
     socklen_t size = sizeof(address);
-    EXPECT_EQ(::bind(m_listener, reinterpret_cast<sockaddr *>(&address), size), 0);
-    EXPECT_EQ(::listen(m_listener, 8), 0);
-    EXPECT_EQ(::getsockname(m_listener, reinterpret_cast<sockaddr *>(&address), &size), 0);
+    require(::bind(m_listener, reinterpret_cast<sockaddr *>(&address), size));
+    require(::listen(m_listener, 8));
+    require(::getsockname(m_listener, reinterpret_cast<sockaddr *>(&address), &size));
     m_port = ntohs(address.sin_port);
     m_thread = std::jthread([this](const std::stop_token &stop) { serve(stop); });
 }
@@ -82,6 +120,7 @@ void FaultyRelay::serve(const std::stop_token &stop)
         if (!isReadable(m_listener, lookMs))
             continue;
         const int client = ::accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
+        sendAtOnce(client);
         relay(client, stop);
         ::close(client);
     }
@@ -90,6 +129,7 @@ void FaultyRelay::serve(const std::stop_token &stop)
 void FaultyRelay::relay(int client, const std::stop_token &stop)
 {
     const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sendAtOnce(server);
     const sockaddr_in address = loopbackAt(m_serverPort);
     bool goesOn = ::connect(server, reinterpret_cast<const sockaddr *>(&address), sizeof(address)) == 0;
     while (goesOn && !stop.stop_requested()) {
@@ -123,11 +163,24 @@ bool FaultyRelay::pass(int from, int to)
     if (isMade(delayed))
         std::this_thread::sleep_for(std::chrono::milliseconds(m_random() % longestDelayMs));
     if (isMade(cut)) {
-        sendAll(to, message, message.size() / 2);
+        sendAll(to, std::span(message).first(message.size() / 2));
         return false;
     }
-    const bool isSent = sendAll(to, message, message.size());
-    return isMade(doubled) ? isSent && sendAll(to, message, message.size()) : isSent;
+    if (isMade(strayByte) && !sendAll(to, std::span(message).last(1)))
+        return false;
+    const bool isSent = sendOn(to, message);
+    if (isMade(flood))
+        return isSent && sendEndlessly(to, message);
+    return isMade(doubled) ? isSent && sendAll(to, message) : isSent;
+}
+
+bool FaultyRelay::sendOn(int to, const std::vector<std::uint8_t> &message)
+{
+    if (isMade(inPieces))
+        return sendInPieces(to, message);
+    const std::span whole(message);
+    return m_splitsAll ? sendAll(to, whole.first(headerSize)) && sendAll(to, whole.subspan(headerSize))
+                       : sendAll(to, whole);
 }
 
 } // namespace codewheel::test
