@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Attacks codewheel-cli: kills, parallel processes, full disks, output that cannot be written, hostile files.
+"""Attacks codewheel-cli: kills, parallel processes, full disks, output that cannot be written, hostile files, bad networks.
 
 Prints what it tried and what was lost by it; exit code 1 if anything was. What it does is drawn from --seed, which
 is printed; when things happen is up to the machine.
@@ -16,6 +16,7 @@ import tempfile
 import time
 
 import disk
+import gateway
 import hostile
 import journal
 import ledger
@@ -35,6 +36,7 @@ ATTACKS = {
     "disk-full": disk.full,
     "output": output.unwritable,
     "hostile-files": hostile.files,
+    "gateway-network": gateway.bad_network,
 }
 
 
