@@ -140,6 +140,15 @@ TEST_F(FaultBannerInWindow, HasItsButtonBesideTheSentenceWhereThatTakesLessHeigh
     EXPECT_LT(banner().height(), 2 * show.height());
 }
 
+// Of all that can be done about faults, only what is offered takes its place.
+TEST_F(FaultBannerInWindow, DoesNotWidenTheWindow)
+{
+    resizeTo({1024, 640});
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    ASSERT_TRUE(banner().isVisible());
+    EXPECT_EQ(window().width(), 1024);
+}
+
 TEST_F(FaultBannerInWindow, ClosedItComesBackForAnotherFaultOnly)
 {
     befall(TrainingFault::parametersLost, "1.0"_ring);

@@ -32,6 +32,7 @@ FaultBanner::FaultBanner(OfferOf offerOf, QWidget *parent)
           std::pair(FaultAction::bringBack, "bringBack")}) {
         QToolButton *button = makeButton(id, tr("What can be done"), tr("What can be done about the fault"));
         addButton(button);
+        button->hide(); // all of them together would widen the window
         m_actions.emplace_back(action, button);
         connect(button, &QToolButton::clicked, this, [this, what = action] {
             const OnBus worst = m_faults.front();
