@@ -177,9 +177,13 @@ std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &
         messages.push_back({.severity = Severity::attention,
                             .id = MessageId::inDoubt,
                             .arguments = {text, std::int64_t{doubt.eepromWrites}}});
-    if (doubt.out)
-        messages.push_back(
-            {.severity = Severity::attention, .id = MessageId::outLeft, .arguments = {*doubt.out}});
+    QStringList words;
+    for (const Word out : doubt.out)
+        words << hexWord(out);
+    if (!words.isEmpty())
+        messages.push_back({.severity = Severity::attention,
+                            .id = MessageId::outLeft,
+                            .arguments = {words.join(QCoreApplication::translate("JobReport", " or "))}});
     return messages;
 }
 

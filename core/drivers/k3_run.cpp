@@ -128,6 +128,10 @@ void K3Run::stepDone(Word in)
     case StepKind::run:
         ran();
         break;
+    case StepKind::toNormal:
+        if (m_steps.index == 1 && !m_cancelled)
+            outIsCleared(in);
+        break;
     case StepKind::readOut:
         readDone(step, in);
         break;
@@ -149,6 +153,14 @@ void K3Run::stepDone(Word in)
     }
     if (hasLeftOffNow())
         m_steps.append(stepsOfCancel(in));
+}
+
+// What stood in OUT before, such as a read-out, may have hidden that the encoder is in parameterization.
+void K3Run::outIsCleared(Word in)
+{
+    m_foundParameterizing = m_encoder.stateOf(in) == EncoderState::parameterization;
+    if (auto checked = m_encoder.checkState(m_job, in); !checked)
+        fail(checked.error());
 }
 
 // A word of the user.

@@ -54,6 +54,7 @@ private:
 
     // What the answer to a step means.
     void ran();
+    void outIsCleared(Word in);
     void wordDone(const K3Step &step);
     void readDone(const K3Step &step, Word in);
     void readAgain(const K3Step &step);

@@ -54,8 +54,7 @@ bool K3Run::hasTaken() const
 void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
     const Word last = m_encoder.knowledge.lastOut();
-    const bool isSent =
-        m_steps.begun && !m_steps.atEnd() && (nextMayBeSent || m_steps.current().out == last);
+    const bool isSent = m_steps.begun && !m_steps.atEnd() && (nextMayBeSent || m_steps.current().out == last);
     const Word out = isSent ? m_steps.current().out : last;
     if (out == k3::run) {
         doubt.values = std::exchange(m_confirmed.values, {});
@@ -73,7 +72,7 @@ void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
     }
     doubt.eepromWrites = m_encoder.loseSight(out);
     if (out != k3::normalRunning)
-        doubt.out = out;
+        doubt.out = {out};
 }
 
 // What was under way when the job was cancelled may still be confirmed.

@@ -178,7 +178,7 @@ void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
     const Word out = nextMayBeSent ? m_out : m_sent;
     if (out != la66::normalMode)
-        doubt.out = out;
+        doubt.out = {out};
     const bool isAsked = m_steps.begun && !m_steps.atEnd() &&
                          m_steps.current().kind == StepKind::serviceBit &&
                          (nextMayBeSent || m_steps.current().out == m_sent);

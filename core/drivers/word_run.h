@@ -90,8 +90,8 @@ protected:
     // Why the current step must not begin with this in IN.
     virtual std::optional<Refusal> whyNotNow(Word /*in*/) const { return std::nullopt; }
     virtual void begin(Word in, Instant now) = 0;
-    // Nobody sees what becomes of the words that were sent: what they may have done. `nextMayBeSent`: so may the
-    // one that goes out next; a bus that was stopped has not sent it.
+    // Nobody sees what becomes of the words that were sent: what they may have done. `nextMayBeSent`: so may
+    // the one that goes out next; a bus that was stopped has not sent it.
     virtual void doubt(InDoubt &doubt, bool nextMayBeSent) = 0;
 
     virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;

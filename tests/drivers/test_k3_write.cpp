@@ -287,6 +287,28 @@ TEST(K3Write, OutIsClearedFirstWhereSomethingStandsThere)
     EXPECT_EQ(table.known(Parameter::serialNumber), 1234);
 }
 
+// Run would activate what others have sent.
+TEST(K3Write, AParameterizationThatAReadOutHidIsSeenOnceOutIsCleared)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    table.play({{0x0000'0000, 0xC200'0064}});
+    ASSERT_TRUE(table.begin(SendWords{.words = {0x2021'0000}}));
+    table.play({{0x0000'0000, 0xC200'0064},
+                {0x2021'0000, 0xC200'0064},
+                {0x2021'0000, 0xA000'04D2},
+                {0x2021'0000, 0xA000'04D2}});
+    ASSERT_TRUE(table.begin(write({{Parameter::direction, 3}})));
+    table.play({{0x2021'0000, 0xA000'04D2},
+                {0x0000'0000, 0xA000'04D2},
+                {0x0000'0000, 0xC200'0064},
+                {0x0000'0000, 0xC200'0064}});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_FALSE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::busy, RefusalId::inParameterization, {Word{0xC200'0064}}}));
+    EXPECT_EQ(table.outcome()->eepromWrites, 0);
+}
+
 TEST(K3Write, StopEndsTheJobWhereItStands)
 {
     DriverTable table(u"baumer-gxp6w");
