@@ -69,18 +69,22 @@ void watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder,
     const DeviceDescription &device = encoder.device();
     TextTable table = traceTable();
     const auto samples = samplesOf(call);
-    if (!samples)
-        call.terminal.print(table.next(traceHead(device)));
+    table.add(traceHead(device));
     std::optional<Exchange> last;
     watch(call, bus, time, [&] {
         const Exchange row = *bus.currentRow(encoder);
         if (last && row.in == last->in && row.out == last->out)
             return;
         const Exchange *before = last ? &*last : nullptr;
-        if (samples)
+        const QStringList cells = traceCells(device, row, before, rodScale(encoder));
+        if (samples) {
             samples->add(traceRowJson(device, row, before, rodScale(encoder)));
-        else
-            call.terminal.print(table.next(traceCells(device, row, before, rodScale(encoder))));
+        } else if (!last) { // the head is as wide as the first row
+            table.add(cells);
+            call.terminal.print(table.toString());
+        } else {
+            call.terminal.print(table.next(cells));
+        }
         last = row;
     });
 }

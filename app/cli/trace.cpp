@@ -15,7 +15,7 @@ ExplainedExchange meanings(const DeviceDescription &device, const Exchange &row,
     return explainExchange(device, row, askedWord(row, before));
 }
 
-const Exchange *before(const std::vector<Exchange> &rows, std::size_t i)
+const Exchange *rowBefore(const std::vector<Exchange> &rows, std::size_t i)
 {
     return i > 0 ? &rows[i - 1] : nullptr;
 }
@@ -58,7 +58,8 @@ QStringList traceCells(const DeviceDescription &device, const Exchange &row, con
     const auto [out, in] = meanings(device, row, before);
     if (device.outWords == 0)
         return {QString::number(row.cycle), hexWord(row.in), explanationText(device, in)};
-    return {QString::number(row.cycle), hexWord(row.out), hexWord(row.in), explanationText(device, out),
+    return {QString::number(row.cycle), row.outIsKnown ? hexWord(row.out) : QStringLiteral("-"),
+            hexWord(row.in), row.outIsKnown ? explanationText(device, out) : CommandLine::tr("not known"),
             inText(device, in, scale)};
 }
 
@@ -68,9 +69,9 @@ QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, c
     const auto [out, in] = meanings(device, row, before);
     QJsonObject json{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
                      {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
-                     {QStringLiteral("out"), wordJson(row.out)},
+                     {QStringLiteral("out"), row.outIsKnown ? wordJson(row.out) : QJsonValue()},
                      {QStringLiteral("in"), wordJson(row.in)},
-                     {QStringLiteral("outMeanings"), meaningsJson(out)},
+                     {QStringLiteral("outMeanings"), row.outIsKnown ? meaningsJson(out) : QJsonArray()},
                      {QStringLiteral("inMeanings"), meaningsJson(in)}};
     if (device.profile == Profile::la66)
         json.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
@@ -83,7 +84,7 @@ QString traceText(const DeviceDescription &device, const std::vector<Exchange> &
     TextTable table = traceTable();
     table.add(traceHead(device));
     for (std::size_t i = 0; i < rows.size(); ++i)
-        table.add(traceCells(device, rows[i], before(rows, i), scale));
+        table.add(traceCells(device, rows[i], rowBefore(rows, i), scale));
     return table.toString();
 }
 
@@ -92,7 +93,7 @@ QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange
 {
     QJsonArray json;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        json.append(traceRowJson(device, rows[i], before(rows, i), scale));
+        json.append(traceRowJson(device, rows[i], rowBefore(rows, i), scale));
     return json;
 }
 

@@ -18,6 +18,7 @@ struct Exchange
     Word in = 0;
     std::optional<Mode> mode;
     std::optional<PositionCoding> coding;
+    bool outIsKnown = true; // a gateway may not show it
 
     friend bool operator==(const Exchange &, const Exchange &) = default;
 };

@@ -100,8 +100,8 @@ private:
 // Somebody watches for an hour, and the rows of an hour are not kept.
 TEST(CliMonitor, EachRowIsPrintedAsItComes)
 {
-    for (const auto &line : {QStringLiteral("2.0 --for 1 --every 250"),
-                             QStringLiteral("2.0 --for 1 --every 250 --json")}) {
+    for (const auto &line :
+         {QStringLiteral("2.0 --for 1 --every 250"), QStringLiteral("2.0 --for 1 --every 250 --json")}) {
         SharedBus shared;
         PrintsSeen seen(shared.bus());
         std::istringstream in;

@@ -186,8 +186,8 @@ std::optional<Exchange> RingAccess::currentRow(const EncoderSession &encoder) co
 {
     const WordChannel &channel = *m_ring.channel(encoder.place());
     const Reading &reading = encoder.latest();
-    return Exchange{m_ring.latest().cycle, m_ring.latest().at, channel.out(),
-                    channel.in(),          reading.mode,       reading.coding};
+    return Exchange{m_ring.latest().cycle, m_ring.latest().at, channel.out(),       channel.in(),
+                    reading.mode,          reading.coding,     channel.outIsKnown()};
 }
 
 void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer) const
