@@ -9,6 +9,7 @@
 #include "cli/texts.h"
 #include "cli/told_mode.h"
 #include "cli/trace.h"
+#include "cli/value_lines.h"
 #include "encoder/sentence.h"
 #include "words/la66_word.h"
 
@@ -78,12 +79,16 @@ QString whatIsKnown(const FinishedJob &job, const Reading &before, const Encoder
                    ? sentence(pattern, {positionText(position, shown, rodScale(encoder))}) + u'\n'
                    : QString();
     };
+    const bool mayBeSet = outcome.inDoubt.position || (outcome.eepromWrites > 0 && outcome.written.empty());
     const int mostWrites = outcome.eepromWrites + outcome.inDoubt.eepromWrites;
     return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
            line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
            (isSent || mostWrites > 0 ? eepromWritesLine(outcome) : QString()) +
            doubtLines(encoder, outcome.inDoubt) +
-           (isSent || outcome.eepromWrites == 0 || outcome.positionAfter
+           (isSent || outcome.written.empty()
+                ? QString()
+                : CommandLine::tr("Written:") + u'\n' + valueLines(encoder, outcome.written)) +
+           (isSent || !mayBeSet || outcome.positionAfter
                 ? QString()
                 : CommandLine::tr("Whether the position was set is not known: read it.") + u'\n');
 }
@@ -104,6 +109,7 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
     Answer answer;
     answer.json = {{QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
+                   {QStringLiteral("written"), valuesJson(encoder, job.outcome.written)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
     addDoubt(answer.json, encoder, job.outcome.inDoubt);
     addTrace(call, encoder.place(), *job.trace, answer);

@@ -118,8 +118,9 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     if (named.hasVersion)
         values.append(versionJson(version));
     answer.json = {{QStringLiteral("values"), values}};
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
     addTrace(call, encoder.place(), *job.trace, answer);
-    answer.text += valueLines(encoder, job.outcome.read, version);
+    answer.text += valueLines(encoder, job.outcome.read, version) + doubtLines(encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
     return answer;

@@ -110,13 +110,16 @@ void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &d
     QJsonArray programs;
     for (const unsigned program : doubt.camPrograms)
         programs.append(static_cast<int>(program));
+    QJsonArray words;
+    for (const Word out : doubt.out)
+        words.append(hexWord(out));
     json.insert(QStringLiteral("inDoubt"),
                 QJsonObject{{QStringLiteral("values"), valuesJson(encoder, doubt.values)},
                             {QStringLiteral("reset"), doubt.reset},
                             {QStringLiteral("position"), doubt.position},
                             {QStringLiteral("camPrograms"), programs},
                             {QStringLiteral("eepromWrites"), doubt.eepromWrites},
-                            {QStringLiteral("out"), hexWord(doubt.out.value_or(0))}});
+                            {QStringLiteral("out"), words}});
 }
 
 Complaint aboutCancelling()

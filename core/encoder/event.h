@@ -64,8 +64,8 @@ struct InDoubt
     bool reset = false;     // to default
     bool position = false;  // perhaps set
     std::vector<unsigned> camPrograms;
-    int eepromWrites = 0;    // that this may have cost, besides those counted
-    std::optional<Word> out; // a word that OUT may still hold; empty: 0
+    int eepromWrites = 0;  // that this may have cost, besides those counted
+    std::vector<Word> out; // that OUT may still hold, besides 0: the likeliest first
 
     friend bool operator==(const InDoubt &, const InDoubt &) = default;
     bool hasSomething() const { return *this != InDoubt(); }

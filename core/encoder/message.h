@@ -35,7 +35,7 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     inDoubt,           // texts of what was sent and not answered, joined; EEPROM writes that it may have cost
-    outLeft,           // Word that OUT may still hold
+    outLeft,           // text of the words of which OUT may still hold one
     leftInParameterization,
     leftInService,            // LA-66: IN still holds the answer to a service
     onlyZeroSinceRun,         // success that would look the same from an encoder without power

@@ -137,10 +137,9 @@ Fault leftOut(const RingSession &bus, std::size_t device)
             ? sentence(RingFaultText::tr("A job that was cut has left %1 in OUT of %2. The encoder may "
                                          "show no position, and the controller gets none."),
                        {word, number})
-            : sentence(
-                  RingFaultText::tr("A job that was cut may have left %1 in OUT of %2, which cannot "
-                                    "be read back. The encoder may show no position then."),
-                  {word, number});
+            : sentence(RingFaultText::tr("A job that was cut may have left %1 in OUT of %2, which cannot "
+                                         "be read back. The encoder may show no position then."),
+                       {word, number});
     return {.node = bus.structure()[device].number,
             .shown = bus.outline().state(device).shown,
             .text = text,

@@ -431,9 +431,11 @@ void RingRunner::Private::takeDriverEvents(std::size_t device, std::optional<Wor
 {
     for (Event &event : drivers[device]->takeEvents()) {
         if (auto *outcome = std::get_if<Outcome>(&event)) {
-            outcome->inDoubt.out = outcome->inDoubt.out ? outcome->inDoubt.out : left;
-            if (outcome->inDoubt.out)
-                ring.devices[device].leftOut = outcome->inDoubt.out;
+            std::vector<Word> &out = outcome->inDoubt.out;
+            if (left && std::ranges::find(out, *left) == out.end())
+                out.push_back(*left);
+            if (!out.empty())
+                ring.devices[device].leftOut = out.front();
         }
         tell(device, std::move(event));
     }

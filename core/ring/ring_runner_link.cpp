@@ -76,8 +76,8 @@ void RingRunner::Private::waitForLink()
     showStandingWords();
 }
 
-// What did arrive of the words of a job that was cut, or of the last words, though a later one was acknowledged: an
-// answer may be that to an earlier request.
+// What did arrive of the words of a job that was cut, or of the last words, though a later one was
+// acknowledged: an answer may be that to an earlier request.
 std::optional<Word> RingRunner::Private::wordLeftThere(std::size_t i) const
 {
     const Snapshot::Device &device = ring.devices[i];

@@ -46,8 +46,9 @@ struct Snapshot : RingState
         Word inEdges = 0;
         Reading reading;
         bool heldByJob = false;
-        bool outIsKnown = true;        // false: the peer does not tell it, and we sent none yet
-        Word outBefore = 0; // the word before this one: it is in OUT still if one that was acknowledged got lost
+        bool outIsKnown = true; // false: the peer does not tell it, and we sent none yet
+        Word outBefore =
+            0; // the word before this one: it is in OUT still if one that was acknowledged got lost
         std::optional<Word> leftOut{}; // of a job that lost its link: OUT may still hold it
         bool inRing = true; // false: switched off with its segment, or behind a fault; its IN is an old one
     };

@@ -28,6 +28,7 @@ TEST(CliGatewayRing, AMonitorShowsWordsAndFiguresAndWritesNothing)
     EXPECT_THAT(run.out, HasSubstr("000007D0"));
     EXPECT_THAT(run.out, HasSubstr("Transactions: "));
     EXPECT_THAT(run.out, HasSubstr("Answer time: "));
+    EXPECT_THAT(run.out, Not(HasSubstr("(0.0 a second)")));
     EXPECT_EQ(peer.writes(), 0);
 }
 
@@ -133,6 +134,9 @@ TEST(CliGatewayRing, OutThatCannotBeReadBackIsSaidOnce)
     const auto first = run.err.find("cannot be read back");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(run.err.find("cannot be read back", first + 1), std::string::npos);
+    EXPECT_THAT(run.out, HasSubstr("  -    000003E8  not known  Running, position 1000"));
+    const CliRun told = RingProject().run(line("monitor 1.0 --for 1 --json"), peer.link());
+    EXPECT_EQ(told.json()[u"samples"].toArray().first()[u"out"], QJsonValue());
     EXPECT_EQ(peer.writes(), 0);
 }
 
@@ -166,9 +170,20 @@ TEST(CliGatewayRing, WhatWasSentAndNotAnsweredIsNotKnown)
     const CliRun run = project.run(line("write 1.0 steps=255 --yes --all --json"), peer.link());
     const QJsonObject doubt = run.json()[u"inDoubt"].toObject();
     EXPECT_EQ(doubt[u"values"].toArray().size(), 1);
-    EXPECT_EQ(doubt[u"out"].toString(), line("80000000"));
+    EXPECT_EQ(doubt[u"out"].toArray(), (QJsonArray{line("80000000"), line("020000FF")})) << "either of them";
     EXPECT_FALSE(doubt[u"position"].toBool());
     EXPECT_EQ(run.json()[u"leftIn"].toString(), line("unknown"));
+}
+
+TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
+{
+    GatewayPeer peer(line("--vanish-behind 20210001"));
+    EXPECT_THAT(RingProject().run(line("read 1.0 steps"), peer.link()).out,
+                HasSubstr("OUT may still hold 20210001"));
+    GatewayPeer other(line("--vanish-behind 20210001"));
+    const CliRun run = RingProject().run(line("read 1.0 steps --json"), other.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
 }
 
 TEST(CliGatewayRing, WrongUnitsAndShortImagesAreSaid)

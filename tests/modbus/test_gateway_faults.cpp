@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 24 hours of faults on the way to a gateway, in virtual time.
+#include "journal/ledger_keeper.h"
 #include "tests/modbus/checked_link.h"
 #include "tests/support/gateway_session.h"
 
@@ -136,18 +137,22 @@ private:
                 << "encoder " << i << " shows " << std::hex << shown.in;
         }
     }
-    // No encoder has stored less than was counted by the last time, or more than is, or perhaps was.
+    // No encoder has stored less than the ledger had counted by the last time, or more than it has, or
+    // perhaps.
     void expectThatNothingWasWrittenUncounted()
     {
         for (std::size_t i = 0; i < faultyEncoders; ++i) {
-            const int counted = m_session.encoder(bus().places()[i]).eepromWrites();
-            EXPECT_LE(std::exchange(m_counted[i], counted), writesOf(i)) << "encoder " << i;
-            if (!m_session.encoder(bus().places()[i]).runningJob())
-                EXPECT_LE(writesOf(i), counted + m_perhaps[i]) << "encoder " << i;
+            const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
+            const EepromCount count = encoder.eepromCount();
+            EXPECT_LE(std::exchange(m_counted[i], count.writes), writesOf(i)) << "encoder " << i;
+            if (!encoder.runningJob())
+                EXPECT_LE(writesOf(i), count.writes + m_perhaps[i]) << "encoder " << i;
+            if (!encoder.runningJob())
+                EXPECT_LE(count.perhaps, m_perhaps[i]) << "encoder " << i;
         }
     }
-    // In OUT, by a job that has ended without its user having said so. A word that was acknowledged and got lost
-    // is named by the message that OUT is not ours.
+    // In OUT, by a job that has ended without its user having said so. A word that was acknowledged and got
+    // lost is named by the message that OUT is not ours.
     void expectThatNothingIsLeftUnsaid()
     {
         const bool isNamed = std::ranges::any_of(m_session.messages, [](const Message &message) {
@@ -234,13 +239,14 @@ private:
         ++m_jobs;
         m_isCancelled[device] = false;
         const JobSeen job{device, writesOf(device), m_edges[device]};
-        QObject::connect(&encoder, &EncoderSession::finished, &bus(), [this, id, job](const Outcome &outcome) {
-            if (outcome.job != *id)
-                return;
-            judge(job, outcome);
-            m_jobsThatWorked += outcome.result ? 1 : 0;
-            m_foreignWords += whyOf(outcome) == "outsOfOther" ? 1 : 0;
-        });
+        QObject::connect(&encoder, &EncoderSession::finished, &bus(),
+                         [this, id, job](const Outcome &outcome) {
+                             if (outcome.job != *id)
+                                 return;
+                             judge(job, outcome);
+                             m_jobsThatWorked += outcome.result ? 1 : 0;
+                             m_foreignWords += whyOf(outcome) == "outsOfOther" ? 1 : 0;
+                         });
     }
 
     std::mt19937 m_random;
@@ -249,13 +255,14 @@ private:
     FaultyRegisterPort *m_port = nullptr;
     CheckedLink *m_link = nullptr;
     GatewaySession m_session;
+    LedgerKeeper m_ledger{*m_session.bus, DatabasePlace::memory()};
     int m_jobs = 0;
     int m_jobsThatWorked = 0;
     int m_foreignWords = 0;
     std::array<Word, faultyEncoders> m_out{};
     std::array<std::map<Word, int>, faultyEncoders> m_edges;
     std::array<int, faultyEncoders> m_counted{};
-    std::array<int, faultyEncoders> m_perhaps{}; // written, of what is in doubt
+    std::array<int, faultyEncoders> m_perhaps{};      // written, of what is in doubt
     std::array<bool, faultyEncoders> m_isCancelled{}; // the last job
     std::array<bool, faultyEncoders> m_mayLeave{};    // its word in OUT
 };

@@ -169,7 +169,7 @@ TEST(LostGateway, BehindRunTheValuesAreActiveAndStoredAndNotKnown)
         LostGateway gateway;
         const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
         ASSERT_TRUE(outcome) << "run was never lost";
-        if (outcome->inDoubt.out != k3::run)
+        if (outcome->inDoubt.out.empty() || outcome->inDoubt.out.front() != k3::run)
             continue;
         EXPECT_EQ(outcome->inDoubt.values, writeSteps.values);
         EXPECT_TRUE(outcome->written.empty());
@@ -223,7 +223,7 @@ TEST(LostGateway, APresetThatWasSentIsInDoubt)
         EXPECT_GE(done, outcome->eepromWrites);
         EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
         inDoubt += outcome->inDoubt.position ? 1 : 0;
-        EXPECT_TRUE(!outcome->inDoubt.position || outcome->inDoubt.out == k3::initialisePreset);
+        EXPECT_TRUE(!outcome->inDoubt.position || outcome->inDoubt.out.front() == k3::initialisePreset);
     }
     EXPECT_GE(inDoubt, 1);
 }
@@ -273,7 +273,7 @@ TEST(LostGateway, AWordLeftInOutIsTold)
         if (!outcome)
             break;
         const Word there = gateway.session.gateway->out().front();
-        EXPECT_TRUE(there == 0 || outcome->inDoubt.out == there);
+        EXPECT_TRUE(there == 0 || std::ranges::count(outcome->inDoubt.out, there) == 1);
         told += there != 0 ? 1 : 0;
         gateway.comeBack();
         EXPECT_EQ(gateway.session.bus->latest().devices.front().leftOut.value_or(0), there);
