@@ -55,7 +55,7 @@ class Attempt:
     def leaves_a_word(self):
         """In OUT, of which it does not say that it may be there."""
         left = self.out[0]
-        return left not in (0, self.out_before[0]) and self.doubt().get("out") != f"{left:08X}"
+        return left not in (0, self.out_before[0]) and f"{left:08X}" not in self.doubt().get("out", [])
 
     def doubt(self):
         """What is told of it; {} if nothing is."""
@@ -126,13 +126,8 @@ def check_values(attempt):
             attempt.loses(f"{name} is told as {value}")
     for name in CHANGED_BY_PARAMETERS:
         value = attempt.after[name]
-        if value != attempt.before[name] and (name, value) not in attempt.named() and not is_told_by_preset(attempt, name):
+        if value != attempt.before[name] and (name, value) not in attempt.named():
             attempt.loses(f"{name} became {value}, and nothing said so")
-
-
-def is_told_by_preset(attempt, name):
-    """Its answer has no list of what was written; it says how often the EEPROM was, and perhaps was."""
-    return name == "preset" and attempt.answer["command"] == "preset" and attempt.answer.get("eepromWrites", 0) > 0
 
 
 def check_write(attempt):
@@ -171,7 +166,8 @@ def check_monitor(attempt):
         attempt.loses("nothing was seen")
     out, shown = f"{attempt.out_before[0]:08X}", f"{attempt.shown_before:08X}"
     for row in samples:
-        if row["in"] != shown or (row["out"] != out and attempt.reads_back()):
+        expected = out if attempt.reads_back() else None
+        if row["in"] != shown or row["out"] != expected:
             attempt.loses(f"OUT {row['out']} and IN {row['in']} were not there, but {out} and {shown}")
     check_nothing_changed(attempt)
 
@@ -262,7 +258,7 @@ class Round:
         if attempt.doubt():
             self._findings.tries(f"{what} in doubt")
         if attempt.leaves_a_word():
-            self._findings.tries("words left in OUT without saying so")
+            attempt.loses("a word is left in OUT, and nothing said so")
 
     def _check_ledger(self, attempt):
         if "--ledger" not in attempt.run.arguments or not self._ledger.exists():
