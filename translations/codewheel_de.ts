@@ -953,6 +953,10 @@
         <source>position</source>
         <translation>Position</translation>
     </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
 </context>
 <context>
     <name>JournalFiles</name>
@@ -7652,6 +7656,14 @@ Mal geändert haben, jede sofort. Sendet nichts. Die Zeit ist die des Busses: Am
 
 Bei einem Geber an einer seriellen Leitung (PLACE 05) werden Position, Alarme und Warnungen abgefragt;
 am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet es.</translation>
+    </message>
+    <message>
+        <source>Written:</source>
+        <translation>Geschrieben:</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
 </context>
 <context>

@@ -266,9 +266,8 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Proj
         terminal.print(answer->text);
     const QString done = whatWasDone(command, *answer);
     if (answer->complaint)
-        return asTold(
-            fail(*answer->complaint, name, asJson, answer->json, terminal, answer->hasBegunJson), done,
-            terminal);
+        return asTold(fail(*answer->complaint, name, asJson, answer->json, terminal, answer->hasBegunJson),
+                      done, terminal);
     if (asJson) {
         QJsonObject json = answer->json;
         json.insert(QStringLiteral("command"), name);

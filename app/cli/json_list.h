@@ -9,8 +9,8 @@ namespace codewheel {
 
 struct Terminal;
 
-// The one list of an answer in JSON that is printed as it comes, so that however long it gets nothing waits in
-// memory: a line for each entry. What else is in the object follows as Answer::json, with hasBegunJson.
+// The one list of an answer in JSON that is printed as it comes, so that however long it gets nothing waits
+// in memory: a line for each entry. What else is in the object follows as Answer::json, with hasBegunJson.
 class JsonList
 {
 public:

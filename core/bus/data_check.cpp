@@ -242,9 +242,9 @@ QString withUnchanged(const QString &seen, const EncoderBus &bus, NodeId node)
     const EncoderSession *encoder = bus.encoder(node);
     const auto since = encoder != nullptr ? encoder->unchangedSince() : std::nullopt;
     const QString moment = since ? unchangedText(bus.dateTime(*since), bus.dateTime(bus.now())) : QString();
-    return moment.isEmpty() ? seen
-                            : sentence(DataCheckText::tr("%1, the same since %2", "20 s ago, 14:02"),
-                                       {seen, moment});
+    return moment.isEmpty()
+               ? seen
+               : sentence(DataCheckText::tr("%1, the same since %2", "20 s ago, 14:02"), {seen, moment});
 }
 
 DataCheck upToDateCheck(const EncoderBus &bus, NodeId node)

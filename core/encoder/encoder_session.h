@@ -40,8 +40,8 @@ public:
     virtual const Capabilities &can() const = 0;
 
     virtual const Reading &latest() const = 0;
-    // Since when it has shown the same; empty: not known. A bus that cannot tell whether it still runs shows the
-    // same for ever.
+    // Since when it has shown the same; empty: not known. A bus that cannot tell whether it still runs shows
+    // the same for ever.
     virtual std::optional<Instant> unchangedSince() const { return {}; }
     // Whether the position it shows can be taken as the encoder's.
     virtual bool showsPosition() const

@@ -75,11 +75,9 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP(
                    "Message",
                    "Sent, and not answered: %1. Whether the encoder has it is not known until it is read.")},
-    MessageRow{
-        MessageId::outLeft, "outLeft",
-        QT_TRANSLATE_NOOP(
-            "Message",
-            "OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.")},
+    MessageRow{MessageId::outLeft, "outLeft",
+               QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
+                                            "it back once the bus runs again.")},
     MessageRow{MessageId::leftInParameterization, "leftInParameterization",
                QT_TRANSLATE_NOOP("Message",
                                  "The encoder was left in parameterization. Send run to bring it back to "

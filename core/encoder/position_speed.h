@@ -34,8 +34,8 @@ public:
     // The speed after this position; without a position it starts anew.
     std::optional<double> after(const std::optional<std::int64_t> &position, Instant at);
     std::optional<double> stepsPerSecond() const;
-    // The last positions came so late that the shaft may have made a whole turn between two: that is why there
-    // is no speed.
+    // The last positions came so late that the shaft may have made a whole turn between two: that is why
+    // there is no speed.
     bool mayMissTurns() const { return m_mayMissTurns; }
 
 private:

@@ -158,10 +158,11 @@ QString endsBeforeText(NodeId place, const RegisterBlock &its)
 
 QString mostInReadText(int most)
 {
-    return sentence(GatewayTexts::tr("All registers can be read, but no more than %1 in one request: set that "
-                                     "many in a read. How many it takes in a write is not tested, since the "
-                                     "test writes nothing."),
-                    {QString::number(most)});
+    return sentence(
+        GatewayTexts::tr("All registers can be read, but no more than %1 in one request: set that "
+                         "many in a read. How many it takes in a write is not tested, since the "
+                         "test writes nothing."),
+        {QString::number(most)});
 }
 
 QString registerText(Register word)

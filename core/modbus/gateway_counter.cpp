@@ -8,6 +8,7 @@ using namespace std::chrono_literals;
 
 constexpr Instant betweenFigures = 200ms;
 constexpr Instant rateOver = 1s;
+constexpr Instant firstRateOver = 100ms;
 
 } // namespace
 
@@ -59,10 +60,13 @@ void GatewayCounter::exchanged(Instant now)
 {
     ++m_figures.exchanges;
     const Instant counted = now - m_countedSince;
-    if (counted < rateOver)
+    const bool isFirst = m_figures.exchangesPerSecond == 0;
+    if (counted < (isFirst ? firstRateOver : rateOver))
         return;
     m_figures.exchangesPerSecond = static_cast<double>(m_figures.exchanges - m_countedFrom) /
                                    std::chrono::duration<double>(counted).count();
+    if (isFirst)
+        return; // it goes on counting
     m_countedSince = now;
     m_countedFrom = m_figures.exchanges;
 }

@@ -82,8 +82,9 @@ namespace {
 QString whyRefused(int code, int function, const RegisterBlock &block)
 {
     return code == exceptionOfValue && function >= firstFunctionThatWrites && block.count > registersOfWord
-               ? GatewayTexts::tr("it does not accept so many registers at once, or not these values. Set fewer "
-                                  "registers in a write, in the connection.")
+               ? GatewayTexts::tr(
+                     "it does not accept so many registers at once, or not these values. Set fewer "
+                     "registers in a write, in the connection.")
                : exceptionText(code);
 }
 
@@ -101,10 +102,10 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
     case RegisterError::Kind::exception:
         if (error.exception == exceptionOfFailure && function >= firstFunctionThatWrites)
             return {RefusalKind::link, RefusalId::outputsBlocked, {port, registers}};
-        return {RefusalKind::link,
-                RefusalId::registersRefused,
-                {port, registers, std::int64_t{error.exception},
-                 whyRefused(error.exception, function, block)}};
+        return {
+            RefusalKind::link,
+            RefusalId::registersRefused,
+            {port, registers, std::int64_t{error.exception}, whyRefused(error.exception, function, block)}};
     case RegisterError::Kind::wrongAnswer:
         return {RefusalKind::link, RefusalId::registersGarbled, {port, registers, error.text}};
     case RegisterError::Kind::closed:

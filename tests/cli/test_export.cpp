@@ -169,6 +169,7 @@ TEST_F(CliExport, AfterTheClockWasSetBackAnHourIsExportedTwice)
     recording->add(RecordedClock{noon, noon});
     addSeconds(*recording, 0, 50);
     recording->add(RecordedClock{noon + 50s, noon + 50s - 1h});
+    recording->add(RecordedClock{noon + 51s, noon + 51s - 1h});
     addSeconds(*recording, 50, 8'000);
     recording->end();
     EXPECT_EQ(tell().json()[u"clockSet"].toInt(), 1);

@@ -36,9 +36,9 @@ TEST(CliGateway, AGoodOnePassesAndNothingIsWritten)
     GatewayPeer peer(wordsOf("--devices 2"));
     const CliRun run = RingProject(2).run(wordsOf("gateway --json"), peer.link());
     EXPECT_EQ(run.exit, 0) << run.err;
-    EXPECT_EQ(outcomesOf(run),
-              (std::vector<std::string>{"found passed", "connected passed", "answered passed",
-                                        "inArea passed", "outArea passed", "word passed", "word passed"}));
+    EXPECT_EQ(outcomesOf(run), (std::vector<std::string>{"found passed", "connected passed",
+                                                         "answered passed", "inArea passed", "outArea passed",
+                                                         "word passed", "word passed", "map passed"}));
     const QJsonValue word = stepOf(run, 6);
     EXPECT_EQ(word[u"place"].toString(), wordsOf("2.0"));
     EXPECT_EQ(word[u"in"][u"first"].toInt(), 2);
@@ -66,7 +66,7 @@ TEST(CliGateway, TheWrongWordOrderIsFoundOut)
     GatewayPeer peer(wordsOf("--devices 1 --low-word-first"));
     const CliRun run = RingProject(1).run(wordsOf("gateway"), peer.link());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_THAT(run.err, HasSubstr("low word first (000003E8): change the word order"));
+    EXPECT_THAT(run.err, HasSubstr("but this one: IN from register 0, low word first."));
     EXPECT_EQ(RingProject(1).run(wordsOf("gateway"), peer.link(wordsOf("order=low"))).exit, 0);
 }
 

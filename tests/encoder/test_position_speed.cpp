@@ -102,8 +102,8 @@ TEST_F(PositionSpeedTest, WhereATurnMayHaveBeenMissedThereIsNoSpeed)
     EXPECT_EQ(turn(6000, 2s, 5ms, 30ms), Tenths{60'000});
 }
 
-// At 12000 rpm, the fastest that the manuals allow, an encoder makes four fifths of a turn in 4 ms: less than a
-// fifth of a turn the other way cannot be that.
+// At 12000 rpm, the fastest that the manuals allow, an encoder makes four fifths of a turn in 4 ms: less than
+// a fifth of a turn the other way cannot be that.
 TEST_F(PositionSpeedTest, AShaftOfOneTurnHasASpeedWhereNoOtherIsPossible)
 {
     scale({.stepsPerTurn = 4096, .total = 4096});

@@ -75,7 +75,7 @@ bool sendInPieces(int to, std::span<const std::uint8_t> message)
     return true;
 }
 
-// Until something is asked, or for a while.
+// For a while, whatever is asked meanwhile.
 bool sendEndlessly(int to, std::span<const std::uint8_t> message)
 {
     const auto end = std::chrono::steady_clock::now() + longestFlood;
@@ -137,9 +137,9 @@ void FaultyRelay::relay(int client, const std::stop_token &stop)
         if (::poll(ends.data(), ends.size(), lookMs) <= 0)
             continue;
         if (ends[0].revents != 0)
-            goesOn = pass(client, server);
+            goesOn = pass(client, server, false);
         if (goesOn && ends[1].revents != 0)
-            goesOn = pass(server, client);
+            goesOn = pass(server, client, true);
     }
     ::close(server);
 }
@@ -153,7 +153,7 @@ bool FaultyRelay::isMade(Kind kind)
 }
 
 // False: the connection is to be closed.
-bool FaultyRelay::pass(int from, int to)
+bool FaultyRelay::pass(int from, int to, bool isAnswer)
 {
     const auto message = receiveMessage(from);
     if (message.empty() || isMade(closed))
@@ -169,7 +169,7 @@ bool FaultyRelay::pass(int from, int to)
     if (isMade(strayByte) && !sendAll(to, std::span(message).last(1)))
         return false;
     const bool isSent = sendOn(to, message);
-    if (isMade(flood))
+    if (isAnswer && isMade(flood))
         return isSent && sendEndlessly(to, message);
     return isMade(doubled) ? isSent && sendAll(to, message) : isSent;
 }

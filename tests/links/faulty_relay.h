@@ -10,8 +10,8 @@
 namespace codewheel::test {
 
 // A relay for Modbus/TCP on loopback that does to each message what bad networks and gateways do: it delays,
-// drops, cuts and doubles it, sends it in pieces, with a byte that belongs to nothing, or again and again for a
-// while, or closes the connection. Messages are told apart by the length in their header.
+// drops, cuts and doubles it, sends it in pieces, with a byte that belongs to nothing, or again and again for
+// a while, or closes the connection. Messages are told apart by the length in their header.
 class FaultyRelay
 {
 public:
@@ -32,7 +32,7 @@ public:
 private:
     void serve(const std::stop_token &stop);
     void relay(int client, const std::stop_token &stop);
-    bool pass(int from, int to);
+    bool pass(int from, int to, bool isAnswer);
     bool isMade(Kind kind);
     bool sendOn(int to, const std::vector<std::uint8_t> &message);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table "What it says" of the manual: each of its sentences is said of a peer that has just this fault, on a
-// real port, and of no row nobody knows what says it.
+// The table "What it says" of the manual: each of its sentences is said of a peer that has just this fault,
+// on a real port, and of no row nobody knows what says it.
 #include "encoder/refusal_text.h"
 #include "links/modbus_port.h"
 #include "modbus/gateway_link.h"
@@ -160,9 +160,8 @@ std::map<std::string, std::function<std::string()>> peersOfTable()
          }},
         {"it is incomplete",
          [] {
-             return saidOverTcp([](const SeenRequest &request) {
-                 return Reaction{rightOverTcp(request).bytes.chopped(1)};
-             });
+             return saidOverTcp(
+                 [](const SeenRequest &request) { return Reaction{rightOverTcp(request).bytes.chopped(1)}; });
          }},
         {"it is not Modbus",
          [] { return saidOverTcp([](const SeenRequest &) { return Reaction{"220 ready for mail\r\n"}; }); }},
@@ -192,9 +191,7 @@ std::map<std::string, std::function<std::string()>> peersOfTable()
              }));
          }},
         {"has closed the connection",
-         [] {
-             return saidOverTcp([](const SeenRequest &) { return Reaction{.hangsUp = true}; });
-         }},
+         [] { return saidOverTcp([](const SeenRequest &) { return Reaction{.hangsUp = true}; }); }},
         {"refuses the connection", saidOfNobody},
         {"is gone", saidOfUnplugged},
         {"Somebody else writes to", [] { return saidOverTcp(rightOverTcp); }},
@@ -208,7 +205,8 @@ QStringList sentencesOfManual()
     QFile page(QStringLiteral(CODEWHEEL_GATEWAY_MANUAL));
     EXPECT_TRUE(page.open(QIODevice::ReadOnly));
     const QString text = QString::fromUtf8(page.readAll());
-    const QString table = text.section(QStringLiteral("## What it says"), 1).section(QStringLiteral("## "), 0, 0);
+    const QString table =
+        text.section(QStringLiteral("## What it says"), 1).section(QStringLiteral("## "), 0, 0);
     QStringList sentences;
     for (const QString &line : table.split(u'\n'))
         if (line.startsWith(QStringLiteral("| ")))

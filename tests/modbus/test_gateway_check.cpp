@@ -229,8 +229,8 @@ TEST_F(GatewayCheckTest, HowManyRegistersItMovesInARequestIsFoundAndProposed)
         settings.mostRead = 125;
         for (const auto &area : {run(frabaRing(devices))[3], run(frabaRing(devices))[4]}) {
             EXPECT_EQ(area.outcome, failed);
-            EXPECT_EQ(area.proposed, (std::map<QString, QString>{
-                                         {QStringLiteral("most-read"), QString::number(most)}}));
+            EXPECT_EQ(area.proposed,
+                      (std::map<QString, QString>{{QStringLiteral("most-read"), QString::number(most)}}));
             EXPECT_TRUE(area.sentence.contains(QStringLiteral("no more than %1 in one").arg(most)))
                 << area.sentence.toStdString();
         }

@@ -94,6 +94,7 @@ TEST_F(PlaybackTest, ShowsTheTimeOfTheClockThatWasSetMeanwhile)
     writer->add(RecordedClock{noon, noon});
     writer->add(positions(noon, 5'000, [](auto i) { return i; }));
     writer->add(RecordedClock{noon + 2s, noon + 2s - 1h});
+    writer->add(RecordedClock{noon + 3s, noon + 3s - 1h});
     writer->end();
     const auto opened = Playback::open(file.path).value();
     EXPECT_EQ(opened->dateTime(noon + 3s).toUTC().time(), QTime(11, 0, 3));

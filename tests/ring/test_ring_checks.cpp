@@ -71,6 +71,33 @@ TEST_F(RingChecks, WhereDataComesAllIsAsExpectedUpToThePosition)
     EXPECT_FALSE(findCheck(checks, DataCheck::Id::position)->came.isEmpty());
 }
 
+// A ring that stands still behind a gateway shows the same for ever.
+TEST_F(RingChecks, AWordThatDoesNotChangeSaysSinceWhen)
+{
+    const auto came = [this](Place place) {
+        const DataChecks checks = of(place);
+        const DataCheck *check = findCheck(checks, DataCheck::Id::upToDate);
+        return check != nullptr ? check->came : QString();
+    };
+    frames();
+    EXPECT_EQ(came("1.0"_ring), QStringLiteral("0 s ago"));
+    bus.advance(11s);
+    EXPECT_TRUE(came("1.0"_ring).startsWith(QStringLiteral("0 s ago, the same since ")))
+        << came("1.0"_ring).toStdString();
+    EXPECT_EQ(came("2.0"_ring), QStringLiteral("0 s ago")) << "its shaft turns";
+    EXPECT_EQ(bus.encoder("2.0"_ring)->unchangedSince(), bus.encoder("2.0"_ring)->latest().at);
+    training.controls->turnBy("1.0"_ring.node, 100);
+    frames();
+    EXPECT_EQ(came("1.0"_ring), QStringLiteral("0 s ago"));
+    const auto before = bus.encoder("1.0"_ring)->unchangedSince();
+    bus.setRunning(false);
+    frames();
+    EXPECT_FALSE(bus.encoder("1.0"_ring)->unchangedSince()) << "what came meanwhile was not seen";
+    bus.setRunning(true);
+    frames();
+    EXPECT_GT(bus.encoder("1.0"_ring)->unchangedSince(), before);
+}
+
 TEST_F(RingChecks, ThatNothingCanBeWrittenInWatchIsOnlyARemark)
 {
     bus.setOperate(false);

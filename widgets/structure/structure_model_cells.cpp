@@ -174,8 +174,7 @@ QString StructureModel::toolTip(const BusBranch &branch, const Row &row)
     const EncoderSession *encoder = branch.connected ? branch.connected->encoder(row.node.node) : nullptr;
     if (encoder == nullptr)
         return text;
-    for (const QString &why :
-         {ageSentence(*encoder), unchangedSentence(*encoder), whyNoPosition(*encoder)})
+    for (const QString &why : {ageSentence(*encoder), unchangedSentence(*encoder), whyNoPosition(*encoder)})
         if (!why.isEmpty())
             text += u'\n' + why;
     return text;

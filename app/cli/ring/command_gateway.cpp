@@ -179,15 +179,20 @@ Checked<CheckWish> wishOf(const Call &call)
     return gatewayOf(&bus).map([&](const GatewayAccess *gateway) { return CheckWish{gateway, place->node}; });
 }
 
+// Of words that cannot be, the map as a whole says what to change.
 std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &findings)
 {
-    const auto failed = std::ranges::find(findings, CheckOutcome::failed, &GatewayFinding::outcome);
+    auto failed = std::ranges::find(findings, CheckOutcome::failed, &GatewayFinding::outcome);
     if (failed == findings.end())
         return std::nullopt;
     if (failed->why)
         return complaintAbout(*failed->why);
+    const bool isOfMap =
+        findings.back().step == GatewayStep::map && findings.back().outcome == CheckOutcome::failed;
+    if (isOfMap)
+        failed = std::prev(findings.end());
     return Complaint{ExitCode::refused,
-                     QStringLiteral("wordNotPlausible"),
+                     isOfMap ? QStringLiteral("mapNotPlausible") : QStringLiteral("wordNotPlausible"),
                      failed->sentence,
                      {failed->shown ? failed->shown->place.toString() : QString()}};
 }
