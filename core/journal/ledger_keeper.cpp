@@ -338,10 +338,12 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
     m_book->settle(*job, outcome.written, read, outcome.inDoubt.eepromWrites);
     if (outcome.inDoubt.eepromWrites > 0 && !outcome.inDoubt.values.empty())
         watched.doubtful = {*job, outcome, m_bus.now()};
+    settleDoubtful(place);
     showCount(place);
 }
 
-// Once all that was in doubt has been read.
+// Once all that was in doubt has been read. An encoder that is not in operation may have confirmed and stored
+// a value that reads as before until it runs.
 void LedgerKeeper::settleDoubtful(Place place)
 {
     Watched &watched = m_watched[place];
@@ -353,6 +355,8 @@ void LedgerKeeper::settleDoubtful(Place place)
     for (const ParameterValue &value : job.outcome.inDoubt.values) {
         const auto known = watched.encoder->known(value.parameter);
         if (!known || known->evidence != Evidence::read || known->at <= job.at)
+            return;
+        if (known->value != value.value && watched.encoder->latest().state != EncoderState::operation)
             return;
         if (known->value != value.value)
             continue;

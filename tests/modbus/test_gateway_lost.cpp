@@ -209,6 +209,30 @@ TEST(LostGateway, TheLedgerCountsWhatIsInDoubtAsPerhaps)
     EXPECT_GE(inDoubt, 1);
 }
 
+// A value that was confirmed reads as before until it runs, and is stored all the same.
+TEST(LostGateway, ReadingWhatARunWouldChangeSettlesNothing)
+{
+    int stored = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        LedgerKeeper keeper(*gateway.session.bus, DatabasePlace::memory());
+        const EncoderSession &encoder = gateway.session.encoder(lostFraba);
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        if (!outcome)
+            break;
+        gateway.comeBack();
+        gateway.session.finish(lostFraba, ReadParameters{{Parameter::steps}});
+        EXPECT_GE(encoder.eepromCount().atMost(), gateway.writesOf(lostFraba));
+        const bool isPending = encoder.latest().state == EncoderState::parameterization;
+        stored += isPending && outcome->inDoubt.eepromWrites > 0 && gateway.writesOf(lostFraba) > 0 ? 1 : 0;
+        gateway.read(lostFraba, Parameter::steps);
+        EXPECT_EQ(encoder.eepromCount().perhaps, 0);
+        EXPECT_GE(encoder.eepromCount().writes, gateway.writesOf(lostFraba));
+    }
+    EXPECT_GE(stored, 1);
+}
+
 TEST(LostGateway, APresetThatWasSentIsInDoubt)
 {
     int inDoubt = 0;
