@@ -10515,10 +10515,6 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <translation>Die Worte passen zu keinem Registerplan in der Nähe von diesem (%1). Prüfen Sie das erste Register von IN und den Busaufbau.</translation>
     </message>
     <message>
-        <source>The words fit this map, and none near it.</source>
-        <translation>Die Worte passen zu diesem Registerplan und zu keinem daneben.</translation>
-    </message>
-    <message>
         <source>The words fit this map, but also: %1. Test again with other positions, of a shaft that was turned by 65536 steps, before you write.</source>
         <translation>Die Worte passen zu diesem Registerplan, aber auch zu: %1. Testen Sie noch einmal mit anderen Positionen, nachdem eine Welle um 65536 Schritte gedreht wurde, bevor Sie schreiben.</translation>
     </message>
@@ -10545,6 +10541,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>it does not accept so many registers at once, or not these values. Set fewer registers in a write, in the connection.</source>
         <translation>Es nimmt nicht so viele Register auf einmal an oder diese Werte nicht. Stellen Sie in der Verbindung weniger Register je Schreiben ein.</translation>
+    </message>
+    <message>
+        <source>The words of IN fit this map, and none near it. Where OUT begins shows nowhere: compare it with the manual of the gateway.</source>
+        <translation>Die Worte von IN passen zu diesem Registerplan und zu keinem daneben. Wo OUT beginnt, zeigt sich nirgends: Vergleichen Sie es mit dem Handbuch des Gateways.</translation>
     </message>
 </context>
 <context>

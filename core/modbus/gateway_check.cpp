@@ -368,23 +368,39 @@ GatewayFinding GatewayCheck::judged(DeviceRegisters shown, const SendingEncoder 
     return judged;
 }
 
-// The IN area, with a register before and behind it where there is one.
-Result<std::vector<Register>> GatewayCheck::readAround(int &first)
+// The IN area as it is set; or, where that ends too early, as it would be a register lower.
+Result<std::vector<Register>> GatewayCheck::readIn(int lower)
 {
-    const RegisterBlock area = spanOf(m_map->inBlocks());
+    const int first = spanOf(m_map->inBlocks()).first;
     std::vector<Register> registers;
     std::vector<Register> part;
     for (const RegisterBlock &block : m_map->inBlocks()) {
-        if (auto done = read(m_settings.inArea, block, part); !done)
+        if (auto done = read(m_settings.inArea, {block.first - lower, block.count}, part); !done)
             return tl::unexpected(done.error());
-        registers.resize(static_cast<std::size_t>(block.first - area.first)); // between devices
+        registers.resize(static_cast<std::size_t>(block.first - first)); // between devices
         registers.insert(registers.end(), part.begin(), part.end());
     }
+    return registers;
+}
+
+// With a register before and behind it where there is one.
+Result<std::vector<Register>> GatewayCheck::readAround(int &first)
+{
+    const RegisterBlock area = spanOf(m_map->inBlocks());
     first = area.first;
+    auto registers = readIn(0);
+    if (!registers && isOfMap(registers.error()) && area.first > 0) {
+        --first;
+        auto lower = readIn(1);
+        return lower ? lower : registers;
+    }
+    if (!registers)
+        return registers;
+    std::vector<Register> part;
     if (read(m_settings.inArea, {area.end(), 1}, part))
-        registers.push_back(part.front());
+        registers->push_back(part.front());
     if (first > 0 && read(m_settings.inArea, {first - 1, 1}, part)) {
-        registers.insert(registers.begin(), part.front());
+        registers->insert(registers->begin(), part.front());
         --first;
     }
     return registers;

@@ -98,6 +98,7 @@ private:
     bool isOfCodewheel();
     GatewayFinding checkWord(std::size_t device);
     GatewayFinding checkMap();
+    Result<std::vector<Register>> readIn(int lower);
     Result<std::vector<Register>> readAround(int &first);
 
     GatewayFinding withOutcome(CheckOutcome outcome, const QString &sentence) const;

@@ -228,7 +228,9 @@ QString mapText(const MapReadings &readings, const GatewaySettings &settings)
             {mapName({settings.inFirst, settings.highWordFirst})});
     if (others.size() < static_cast<qsizetype>(fitting.size()))
         return others.isEmpty()
-                   ? GatewayTexts::tr("The words fit this map, and none near it.")
+                   ? GatewayTexts::tr(
+                         "The words of IN fit this map, and none near it. Where OUT begins shows nowhere: "
+                         "compare it with the manual of the gateway.")
                    : sentence(
                          GatewayTexts::tr("The words fit this map, but also: %1. Test again with other "
                                           "positions, of a shaft that was turned by 65536 steps, before you "

@@ -268,6 +268,19 @@ TEST_F(GatewayCheckTest, AMapThatIsOffByOneIsRecognizedAndTheRightOneProposed)
         << map.sentence.toStdString();
 }
 
+// As with a gateway whose image is just as long as the ring.
+TEST_F(GatewayCheckTest, AMapThatIsOffByOneAtTheEndOfTheAreaIsRecognizedToo)
+{
+    bank->inputEnd = 4;
+    show(0, 0x0000'1234);
+    show(1, 0x0000'0777);
+    settings.inFirst = 1;
+    run(frabaRing(2));
+    EXPECT_EQ(map.proposed, (std::map<QString, QString>{{QStringLiteral("in"), QStringLiteral("0")},
+                                                        {QStringLiteral("order"), QStringLiteral("high")}}))
+        << map.sentence.toStdString();
+}
+
 // A word order that is exchanged makes up for a map that is off by one: OUT would go out beside its devices.
 TEST_F(GatewayCheckTest, AMapThatSeveralFitIsNotGreen)
 {

@@ -35,7 +35,7 @@ constexpr std::array gatewayOptions{
 };
 
 constexpr int textColumn = 18; // behind the name of a step
-constexpr int outcomeColumn = 12;
+constexpr int outcomeColumn = 16;
 
 QString outcomeText(CheckOutcome outcome)
 {
