@@ -25,7 +25,7 @@ class MasterOnLine
 public:
     struct Habit
     {
-        milliseconds first{}; // poll, after it has begun
+        milliseconds first{}; // poll, after it has begun, or was woken
         milliseconds every{};
         bool wakes = false; // when it hears somebody else; otherwise it begins at once
     };
@@ -51,10 +51,13 @@ private:
             const int heard = listen();
             if (heard > 0)
                 note(heard, polls);
+            if (!isAwake && heard > 0)
+                poll = Clock::now() + m_habit.first;
             isAwake = isAwake || heard > 0;
             if (!isAwake || Clock::now() < poll)
                 continue;
             ++polls;
+            m_since = 0;
             m_pty.send("\x1B"
                        "05P\r\n");
             std::this_thread::sleep_for(5ms);
@@ -65,8 +68,8 @@ private:
     void note(int heard, int polls)
     {
         m_wasAsked = m_wasAsked || polls == 0;
-        const bool isFirst = m_polls.exchange(polls) != polls;
-        m_since = isFirst ? heard : m_since + heard;
+        m_polls = polls;
+        m_since += heard;
     }
     int listen()
     {
@@ -103,7 +106,7 @@ void expectStops(const MasterOnLine &master)
 
 TEST(FindBesideMaster, StopsWhenAMasterPollsThatPollsSeldom)
 {
-    expectStops(MasterOnLine({.first = 3'400ms, .every = 5'000ms}));
+    expectStops(MasterOnLine({.first = 300ms, .every = 5'000ms, .wakes = true}));
 }
 
 TEST(FindBesideMaster, StopsWhenAMasterWakes)
