@@ -4,6 +4,7 @@
 #include "bus/bus_outline.h"
 #include "journal/ledger_keeper.h"
 #include "tests/support/gateway_session.h"
+#include "tests/support/passing_port.h"
 
 namespace codewheel {
 namespace {
@@ -15,7 +16,7 @@ constexpr Place lostFraba = "1.0"_ring;
 constexpr Place lostRod = "5.0"_ring;
 
 // A port that is lost with the answer to a write, and opens again when it may.
-class PortLostAtAWrite final : public RegisterPort
+class PortLostAtAWrite final : public PassingPort
 {
 public:
     struct Control
@@ -25,7 +26,7 @@ public:
     };
 
     PortLostAtAWrite(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
-        : m_port(std::move(port))
+        : PassingPort(std::move(port))
         , m_control(std::move(control))
     {}
 
@@ -33,18 +34,17 @@ public:
     {
         if (m_control->isAway)
             return refuse(RefusalKind::link, RefusalId::connectionRefused, {name()});
-        return m_port->open();
+        return PassingPort::open();
     }
-    void close() override { m_port->close(); }
     Done read(RegisterArea area, int first, std::span<Register> to) override
     {
-        return m_control->isAway ? lost() : m_port->read(area, first, to);
+        return m_control->isAway ? lost() : PassingPort::read(area, first, to);
     }
     Done write(int first, std::span<const Register> from) override
     {
         if (m_control->isAway)
             return lost();
-        auto written = m_port->write(first, from);
+        auto written = PassingPort::write(first, from);
         return survives() ? written : lost();
     }
     Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
@@ -52,13 +52,9 @@ public:
     {
         if (m_control->isAway)
             return lost();
-        auto written = m_port->writeAndRead(writeFirst, from, readFirst, to);
+        auto written = PassingPort::writeAndRead(writeFirst, from, readFirst, to);
         return survives() ? written : lost();
     }
-    Instant now() const override { return m_port->now(); }
-    void wait(Instant until) override { m_port->wait(until); }
-    void interrupt() override { m_port->interrupt(); }
-    QString name() const override { return m_port->name(); }
 
 private:
     static Done lost() { return tl::unexpected(RegisterError{RegisterError::Kind::closed, 0, {}}); }
@@ -70,7 +66,6 @@ private:
         return false;
     }
 
-    std::unique_ptr<RegisterPort> m_port;
     std::shared_ptr<Control> m_control;
 };
 

@@ -4,6 +4,7 @@
 #include "bus/word_channel.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/gateway_session.h"
+#include "tests/support/passing_port.h"
 
 #include <atomic>
 #include <thread>
@@ -398,7 +399,7 @@ TEST_F(GatewayThread, AfterTheComputerSleptTheBusIsInWatch)
 }
 
 // Refuses to write while its watchdog has tripped (exception 4), until that is acknowledged.
-class WatchdogPort final : public RegisterPort
+class WatchdogPort final : public PassingPort
 {
 public:
     struct Control
@@ -410,16 +411,10 @@ public:
     static constexpr Register value = 7;
 
     WatchdogPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
-        : m_port(std::move(port))
+        : PassingPort(std::move(port))
         , m_control(std::move(control))
     {}
 
-    Result<void> open() override { return m_port->open(); }
-    void close() override { m_port->close(); }
-    Done read(RegisterArea area, int first, std::span<Register> to) override
-    {
-        return m_port->read(area, first, to);
-    }
     Done write(int first, std::span<const Register> from) override
     {
         if (first == at && from.size() == 1 && from[0] == value) {
@@ -429,20 +424,10 @@ public:
         }
         if (m_control->hasTripped)
             return tl::unexpected(RegisterError{RegisterError::Kind::exception, 4, {}});
-        return m_port->write(first, from);
+        return PassingPort::write(first, from);
     }
-    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
-                      std::span<Register> to) override
-    {
-        return m_port->writeAndRead(writeFirst, from, readFirst, to);
-    }
-    Instant now() const override { return m_port->now(); }
-    void wait(Instant until) override { m_port->wait(until); }
-    void interrupt() override { m_port->interrupt(); }
-    QString name() const override { return m_port->name(); }
 
 private:
-    std::unique_ptr<RegisterPort> m_port;
     std::shared_ptr<Control> m_control;
 };
 
@@ -502,7 +487,7 @@ TEST_F(TrippedWatchdog, ThatHasNoRegisterCannotBeAcknowledged)
 }
 
 // Hangs in a write until it is released, whoever interrupts it.
-class HangingPort final : public RegisterPort
+class HangingPort final : public PassingPort
 {
 public:
     struct Control
@@ -511,36 +496,23 @@ public:
     };
 
     HangingPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
-        : m_port(std::move(port))
+        : PassingPort(std::move(port))
         , m_control(std::move(control))
     {}
 
-    Result<void> open() override { return m_port->open(); }
-    void close() override { m_port->close(); }
-    Done read(RegisterArea area, int first, std::span<Register> to) override
-    {
-        return m_port->read(area, first, to);
-    }
     Done write(int first, std::span<const Register> from) override
     {
         while (m_control->hangs)
             std::this_thread::sleep_for(1ms);
-        return m_port->write(first, from);
-    }
-    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
-                      std::span<Register> to) override
-    {
-        return m_port->writeAndRead(writeFirst, from, readFirst, to);
+        return PassingPort::write(first, from);
     }
     Instant now() const override { return std::chrono::duration_cast<Instant>(Clock::now() - m_begin); }
     void wait(Instant until) override { std::this_thread::sleep_until(m_begin + until); }
     void interrupt() override {}
-    QString name() const override { return m_port->name(); }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::unique_ptr<RegisterPort> m_port;
     std::shared_ptr<Control> m_control;
     const Clock::time_point m_begin = Clock::now();
 };

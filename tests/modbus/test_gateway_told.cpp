@@ -2,6 +2,7 @@
 // A gateway whose status register has a meaning that is set: what it says of its ring decides what is shown.
 #include "bus/bus_outline.h"
 #include "tests/support/gateway_session.h"
+#include "tests/support/passing_port.h"
 
 namespace codewheel {
 namespace {
@@ -21,7 +22,7 @@ const GatewaySettings ofCodewheel{
     .statusRegister = statusAt, .runBit = 5, .faultBits = 1 << 2 | 1 << 3 | 1 << 9, .placeRegister = placeAt};
 
 // Adds the two registers to those of the gateway.
-class PortWithStatus final : public RegisterPort
+class PortWithStatus final : public PassingPort
 {
 public:
     struct Told
@@ -31,32 +32,19 @@ public:
     };
 
     PortWithStatus(std::unique_ptr<RegisterPort> port, std::shared_ptr<Told> told)
-        : m_port(std::move(port))
+        : PassingPort(std::move(port))
         , m_told(std::move(told))
     {}
 
-    Result<void> open() override { return m_port->open(); }
-    void close() override { m_port->close(); }
     Done read(RegisterArea area, int first, std::span<Register> to) override
     {
         if (area != RegisterArea::input || first < statusAt)
-            return m_port->read(area, first, to);
+            return PassingPort::read(area, first, to);
         to[0] = first == statusAt ? m_told->status : m_told->place;
         return {};
     }
-    Done write(int first, std::span<const Register> from) override { return m_port->write(first, from); }
-    Done writeAndRead(int writeFirst, std::span<const Register> from, int readFirst,
-                      std::span<Register> to) override
-    {
-        return m_port->writeAndRead(writeFirst, from, readFirst, to);
-    }
-    Instant now() const override { return m_port->now(); }
-    void wait(Instant until) override { m_port->wait(until); }
-    void interrupt() override { m_port->interrupt(); }
-    QString name() const override { return m_port->name(); }
 
 private:
-    std::unique_ptr<RegisterPort> m_port;
     std::shared_ptr<Told> m_told;
 };
 
