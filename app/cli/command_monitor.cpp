@@ -76,14 +76,13 @@ void watchWords(const Call &call, BusAccess &bus, const EncoderSession &encoder,
         if (last && row.in == last->in && row.out == last->out)
             return;
         const Exchange *before = last ? &*last : nullptr;
-        const QStringList cells = traceCells(device, row, before, rodScale(encoder));
         if (samples) {
             samples->add(traceRowJson(device, row, before, rodScale(encoder)));
         } else if (!last) { // the head is as wide as the first row
-            table.add(cells);
+            table.add(traceCells(device, row, before, rodScale(encoder)));
             call.terminal.print(table.toString());
         } else {
-            call.terminal.print(table.next(cells));
+            call.terminal.print(table.next(traceCells(device, row, before, rodScale(encoder))));
         }
         last = row;
     });
