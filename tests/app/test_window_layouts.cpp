@@ -101,11 +101,16 @@ TEST_F(WindowLayoutsTest, TheFocusStaysWhereItIs)
 
 TEST_F(WindowLayoutsTest, WhileTheEdgeMovesNothingIsArrangedAnew)
 {
+    auto *settling = window().findChild<QTimer *>(QStringLiteral("settling"));
+    const auto rest = settling->intervalAsDuration();
+    settling->setInterval(std::chrono::hours(1)); // a slow computer takes longer than that for a step
     for (int width = usual.width(); width >= small.width(); width -= 16) {
         window().resize(width, usual.height());
         advance(1);
         EXPECT_FALSE(isOneColumn()) << width;
     }
+    EXPECT_TRUE(settling->isActive());
+    settling->setInterval(rest);
     EXPECT_EQ(window().width(), small.width()) << "however much the columns hold";
     EXPECT_TRUE(QTest::qWaitFor([this] { return isOneColumn(); }));
 }

@@ -15,10 +15,20 @@ class NoLanguage final : public testing::EmptyTestEventListener
     void OnTestStart(const testing::TestInfo &) override { QLocale::setDefault(QLocale::c()); }
 };
 
+QtMessageHandler usualHandler = nullptr;
+
+// The offscreen platform says this of each window it shows: thousands of lines that hide a failure.
+void dropSizeHints(QtMsgType type, const QMessageLogContext &context, const QString &text)
+{
+    if (text != QLatin1String("This plugin does not support propagateSizeHints()"))
+        usualHandler(type, context, text);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
+    usualHandler = qInstallMessageHandler(dropSizeHints);
     QApplication application(argc, argv);
     codewheel::applyAppearance(application, {.scheme = codewheel::Scheme::light});
     testing::InitGoogleTest(&argc, argv);
