@@ -9,6 +9,7 @@
 
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QTimer>
 
 #include <algorithm>
@@ -77,12 +78,15 @@ void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<
 // Called again whenever something it was waiting for has happened.
 void Leaving::goOn()
 {
-    if (!m_then)
+    if (!m_then || m_asks)
         return;
-    if (EncoderSession *encoder = busyEncoder()) {
+    const QScopedValueRollback asks(m_asks, true);
+    if (const QPointer<EncoderSession> encoder = busyEncoder()) {
         if (!endJob(*encoder))
             stay();
-        return; // finished() calls this again
+        else if (!encoder || !encoder->runningJob())
+            QTimer::singleShot(0, this, &Leaving::goOn);
+        return; // otherwise finished() calls this again
     }
     std::vector<Place> devices;
     for (const EncoderBus *bus : buses())
@@ -127,10 +131,43 @@ bool Leaving::endJob(EncoderSession &encoder)
         encoder.cancel(OnCancel::ifNothingTaken);
         return true;
     }
+    const QPointer<EncoderSession> stillThere = &encoder;
+    const Place place = encoder.place();
     const auto how = askHowToCancel(&m_window, encoder, situationOf(encoder, progress));
-    if (how && encoder.runningJob())
+    if (!stillThere || !encoder.runningJob())
+        return goesOnWithoutJob(place);
+    if (how)
         encoder.cancel(*how);
-    return how.has_value() || !encoder.runningJob();
+    return how.has_value();
+}
+
+// The job went on while its end was asked about, and has ended by itself: the question is gone without an
+// answer.
+bool Leaving::goesOnWithoutJob(Place place)
+{
+    QMessageBox box(QMessageBox::Question, title(),
+                    tr("The job on %1 has ended before an answer was given.").arg(place.shown()),
+                    QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
+    box.setInformativeText(tr("Its result stands in the messages. %1 all the same?").arg(title()));
+    QPushButton *go = box.addButton(title(), QMessageBox::AcceptRole);
+    go->setToolTip(tr("Goes on without sending anything"));
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    return box.clickedButton() == go;
+}
+
+QString Leaving::title() const
+{
+    switch (m_why) {
+    case Why::quit:
+        return tr("Quit Codewheel");
+    case Why::disconnect:
+        return tr("Disconnect");
+    case Why::stop:
+        return tr("Stop the bus");
+    }
+    return {};
 }
 
 // True: go on now. False: the user stays, or the zeros are being sent.
@@ -139,10 +176,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
     QStringList words;
     for (const Place number : devices)
         words.append(tr("OUT %1 is %2").arg(number.shown(), hexWord(m_buses->channel(number)->out())));
-    const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
-                          : m_why == Why::disconnect ? tr("Disconnect")
-                                                     : tr("Stop the bus");
-    QMessageBox box(QMessageBox::Question, title, tr("Not all OUT words are 00000000."),
+    QMessageBox box(QMessageBox::Question, title(), tr("Not all OUT words are 00000000."),
                     QMessageBox::NoButton, &m_window);
     setHelpTopic(box, "README.md#leaving");
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +

@@ -36,6 +36,8 @@ public:
 private:
     void goOn();
     bool endJob(EncoderSession &encoder);
+    bool goesOnWithoutJob(Place place);
+    QString title() const;
     bool askForOut(const std::vector<Place> &devices);
     EncoderSession *busyEncoder() const;
     std::vector<EncoderBus *> buses() const; // to be left, and still open
@@ -54,6 +56,7 @@ private:
     std::function<void()> m_then;
     bool m_outAnswered = false;
     bool m_waitsForZero = false;
+    bool m_asks = false; // a question is open
 };
 
 } // namespace codewheel

@@ -121,6 +121,31 @@ TEST_F(LeavingTest, AJobThatOnlyReadsIsEndedWithoutAQuestion)
     EXPECT_FALSE(window().isVisible());
 }
 
+// Gone without an answer, the question how to end it is no consent.
+TEST_F(LeavingTest, AJobThatEndsUnderItsQuestionLeavesNothingByItself)
+{
+    startHandshake();
+    std::optional<test::Question> second;
+    const test::Question first([&](QWidget &) {
+        EncoderSession &encoder = *bus().encoder(baumer);
+        for (int step = 0; step < 20 && encoder.runningJob(); ++step) {
+            encoder.proceed();
+            advance(100);
+        }
+        EXPECT_FALSE(encoder.runningJob());
+        second.emplace(test::Question::answeredBy(QStringLiteral("Cancel")));
+    });
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_TRUE(second->text().contains(QStringLiteral("has ended before an answer")))
+        << second->text().toStdString();
+    EXPECT_TRUE(bus().isRunning());
+
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_FALSE(bus().isRunning()) << "nothing is at work any longer";
+}
+
 TEST_F(LeavingTest, WhatRunHasMadeValidIsNotCalledUnconfirmed)
 {
     startHandshake();
