@@ -36,6 +36,9 @@ public:
     // cycle: `out` itself unless a job wants something else.
     virtual Word cycle(Word in, Word out, Instant now) = 0;
 
+    // `out` has gone out, and what came in meanwhile cannot be believed: instead of cycle().
+    virtual void wait(Word /*out*/) {}
+
     // False: the encoder acts on this word anew in every cycle, so it must not stay in OUT.
     virtual bool mayStand(Word /*out*/) const { return true; }
 

@@ -47,6 +47,8 @@ void K3Knowledge::set(const std::vector<Known> &known)
 
 void K3Knowledge::observe(Word in, Word out, Instant now)
 {
+    if (std::exchange(m_presetIsOpen, false)) // another exchange followed, so its word has arrived
+        m_known.countEepromWrite();
     observeMode(out, now);
     if (k3::isOperation(in))
         m_lastPosition = in;
@@ -68,6 +70,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
             observePreset(out);
         if (k3::isParameterWord(out)) {
             m_asked = out;
+            m_inWhenAsked = m_in;
             m_askedIsProcessed = false;
             m_wordIsOfOthers = isFirst;
         }
@@ -132,6 +135,9 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
         m_askedIsProcessed = m_askedIsProcessed || k3::data(in) == k3::data(asked);
         return;
     }
+    const bool isOfBefore = m_asked && in == m_inWhenAsked && k3::data(in) != k3::data(asked);
+    if (isOfBefore) // the number comes again
+        return;
     m_pending[number] = k3::data(in) == k3::data(asked) ? std::optional(k3::data(asked)) : std::nullopt;
     m_lastConfirmed = number;
     m_asked.reset();
@@ -197,7 +203,7 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
             activate(number, data, now);
     if ((out & k3::startBit) != 0 && !k3::isOperation(m_in))
         observeRun(in, now);
-    else if (k3::isParameterWord(out) && m_pending.contains(k3::number(out)))
+    else if (isConfirmed(out))
         m_known.countEepromWrite(); // a power cycle drops what is pending; its word is still in OUT
     m_pending.clear();
     m_lastConfirmed.reset();
@@ -206,7 +212,7 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
 void K3Knowledge::observeRun(Word in, Instant now)
 {
     if (m_asked) { // its word may have been taken unnoticed
-        m_pending.try_emplace(k3::number(*m_asked), std::nullopt);
+        m_pending.insert_or_assign(k3::number(*m_asked), std::nullopt);
         if (m_askedIsProcessed)
             m_known.countEepromWrite();
         m_asked.reset();
@@ -231,8 +237,7 @@ void K3Knowledge::observePreset(Word out)
         return;
     m_known.forget(Parameter::zeroOffset);
     m_known.forget(Parameter::presetFlag);
-    if (mayStorePreset(m_device) && m_presetArmed.value_or(true))
-        m_known.countEepromWrite();
+    m_presetIsOpen = mayStorePreset(m_device) && m_presetArmed.value_or(true);
     m_presetArmed = false;
 }
 
@@ -248,8 +253,14 @@ void K3Knowledge::observeManufacturerPreset()
 // One write per parameter that was confirmed and not refused by the time its word leaves OUT.
 void K3Knowledge::countConfirmed()
 {
-    if (k3::isParameterWord(m_out) && m_pending.contains(k3::number(m_out)) && !m_wordIsOfOthers)
+    if (isConfirmed(m_out) && !m_wordIsOfOthers)
         m_known.countEepromWrite();
+}
+
+// A number that comes again is not, until its word is.
+bool K3Knowledge::isConfirmed(Word out) const
+{
+    return k3::isParameterWord(out) && m_pending.contains(k3::number(out)) && m_asked != out;
 }
 
 int K3Knowledge::loseSight(Word out)
@@ -278,7 +289,7 @@ int K3Knowledge::loseSight(Word out)
 // A word that was confirmed, and followed by another one, is certain.
 int K3Knowledge::writesInDoubt(Word out)
 {
-    int perhaps = 0;
+    int perhaps = std::exchange(m_presetIsOpen, false) ? 1 : 0;
     const bool stands = out == m_out;
     if (!stands)
         countConfirmed();

@@ -67,6 +67,7 @@ private:
     void observePreset(Word out);
     void observeManufacturerPreset();
     void countConfirmed();
+    bool isConfirmed(Word out) const;
     int writesInDoubt(Word out);
     void forgetNumber(unsigned number);
     void activate(unsigned number, std::optional<Word> data, Instant now);
@@ -80,6 +81,7 @@ private:
     std::optional<unsigned> m_lastConfirmed;
     std::optional<Word>
         m_asked; // a parameter word that is not answered; it may still be taken after it left OUT
+    Word m_inWhenAsked = 0;
     bool m_askedIsProcessed = false;
     // Activated by a run that was answered by 00000000h, which an encoder without power shows too: known once
     // a position shows.
@@ -97,6 +99,7 @@ private:
     bool m_wordsMayTear = false;
     std::optional<Doubtful> m_doubtful; // the last read-out that may be torn
     Word m_lastPosition = 0;            // IN in operation
+    bool m_presetIsOpen = false;        // it was sent, and stores once it is there
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
     bool m_wordIsOfOthers = false; // the last parameter word, or it was counted before sight was lost

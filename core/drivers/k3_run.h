@@ -33,6 +33,7 @@ private:
     std::optional<Refusal> whyNotNow(Word in) const override;
     void begin(Word in, Instant now) override;
     void doubt(InDoubt &doubt, bool nextMayBeSent) override;
+    bool mayStillAct(bool hasGoneOut) const override;
     WordAnswer answerTo(Word in, Word out, Instant now) override;
     void stepDone(Word in) override;
     void stepFailed(WordAnswer how, Word in) override;
@@ -60,6 +61,7 @@ private:
     void readAgain(const K3Step &step);
     void verify(const K3Step &step, std::int64_t value);
     void camReadOutEnded(const K3Step &step);
+    void runBeforeTheRest();
     void answeredByError(Word in);
 
     // How a job ends early.

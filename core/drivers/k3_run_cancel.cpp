@@ -75,6 +75,13 @@ void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
         doubt.out = {out};
 }
 
+bool K3Run::mayStillAct(bool hasGoneOut) const
+{
+    const bool isSent = m_steps.begun && !m_steps.atEnd() &&
+                        (hasGoneOut || m_steps.current().out == m_encoder.knowledge.lastOut());
+    return isSent && (mayBeTaken(m_steps.current()) || setsPosition(m_steps.current()));
+}
+
 // What was under way when the job was cancelled may still be confirmed.
 void K3Run::lookForLateAnswer(Word in)
 {

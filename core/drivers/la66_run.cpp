@@ -174,15 +174,23 @@ void La66Run::leaveOffAt(Instant /*now*/)
 }
 
 // A service is carried out once its service bit is set.
+bool La66Run::isWriting(bool nextMayBeSent) const
+{
+    return m_steps.begun && !m_steps.atEnd() && m_steps.current().kind == StepKind::serviceBit &&
+           la66::isWrite(m_steps.current().out) && (nextMayBeSent || m_steps.current().out == m_sent);
+}
+
+bool La66Run::mayStillAct(bool hasGoneOut) const
+{
+    return isWriting(hasGoneOut);
+}
+
 void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
     const Word out = nextMayBeSent ? m_out : m_sent;
     if (out != la66::normalMode)
         doubt.out = {out};
-    const bool isAsked = m_steps.begun && !m_steps.atEnd() &&
-                         m_steps.current().kind == StepKind::serviceBit &&
-                         (nextMayBeSent || m_steps.current().out == m_sent);
-    if (!isAsked || !la66::isWrite(m_steps.current().out))
+    if (!isWriting(nextMayBeSent))
         return;
     const La66Step &step = m_steps.current();
     doubt.eepromWrites = 1;

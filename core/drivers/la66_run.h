@@ -21,6 +21,8 @@ private:
     std::optional<Refusal> whyNotNow(Word in) const override;
     void begin(Word in, Instant now) override;
     void doubt(InDoubt &doubt, bool nextMayBeSent) override;
+    bool mayStillAct(bool hasGoneOut) const override;
+    bool isWriting(bool nextMayBeSent) const;
     WordAnswer answerTo(Word in, Word out, Instant now) override { return m_handshake.cycle(in, out, now); }
     void stepDone(Word in) override;
     void stepFailed(WordAnswer how, Word in) override;

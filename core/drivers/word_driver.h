@@ -59,6 +59,12 @@ public:
         m_run.reset();
     }
 
+    void wait(Word out) override
+    {
+        if (m_run)
+            m_run->wait(out);
+    }
+
     Word cycle(Word in, Word out, Instant now) override
     {
         m_encoder.observe(in, out, now);

@@ -29,6 +29,7 @@ public:
     // `in` came in while `out` was on the bus. Returns the word that goes out next.
     Word cycle(Word in, Word out, Instant now)
     {
+        m_unseen.reset();
         watch(in, out);
         if (!m_isPrepared && !m_cancelled) // what was cancelled before it was planned is never planned
             if (auto prepared = prepare(in, out); !prepared)
@@ -53,13 +54,20 @@ public:
         return out;
     }
 
+    // `out` has gone out, and what came in meanwhile cannot be believed.
+    void wait(Word out) { m_unseen = out; }
+
     // ALARM STOP, bus stopped, link lost.
     void stop(const Refusal &why)
     {
+        InDoubt &inDoubt = m_account.outcome.inDoubt;
         if (endsOutOfSight(why)) {
             this->leaveOutOfSight();
             if (m_isPrepared)
-                doubt(m_account.outcome.inDoubt, why.id != RefusalId::busStopped);
+                doubt(inDoubt, why.id != RefusalId::busStopped || hasGoneOut());
+        } else if (m_isPrepared && mayStillAct(hasGoneOut())) {
+            doubt(inDoubt, hasGoneOut());
+            inDoubt.out.clear(); // 00000000 follows
         }
         finish(tl::unexpected(why));
     }
@@ -93,6 +101,9 @@ protected:
     // Nobody sees what becomes of the words that were sent: what they may have done. `nextMayBeSent`: so may
     // the one that goes out next; a bus that was stopped has not sent it.
     virtual void doubt(InDoubt &doubt, bool nextMayBeSent) = 0;
+    // The word that is in OUT, or was sent without an answer that can be believed, stores or sets something,
+    // and what becomes of it has not been seen.
+    virtual bool mayStillAct(bool hasGoneOut) const = 0;
 
     virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;
     virtual void stepDone(Word in) = 0;
@@ -118,6 +129,10 @@ protected:
                 {std::chrono::duration<double>(timeOut).count(), m_steps.current().out, in}};
     }
     bool isPrepared() const { return m_isPrepared; }
+    bool hasGoneOut() const
+    {
+        return m_unseen && m_steps.begun && !m_steps.atEnd() && m_steps.current().out == *m_unseen;
+    }
 
 private:
     WordAnswer takeAnswer(WordAnswer answer, Word in)
@@ -145,6 +160,7 @@ private:
     }
 
     bool m_isPrepared = false;
+    std::optional<Word> m_unseen; // the last word that went out while nothing came in that can be believed
     std::optional<Refusal> m_lastError; // that the words of the user went on after
     std::size_t m_lastErrorAt = 0;      // the step it answered
 };

@@ -177,9 +177,8 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     ++alarmStops;
     endJobs(RefusalId::alarmStop);
     zeroOut();
-    tellOfRing({.severity = Severity::attention, .id = MessageId::alarmStop});
-    if (!ring.connected)
-        tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
+    tellOfRing({.severity = Severity::attention,
+                .id = ring.connected ? MessageId::alarmStop : MessageId::zerosWait});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
@@ -319,6 +318,10 @@ void RingRunner::Private::step(std::size_t i)
     device.outIsKnown = device.outIsKnown || (ring.operate && link.writesOut(i));
     if (device.leftOut && device.outIsKnown && out != *device.leftOut)
         device.leftOut.reset();
+    CyclicDriver *driver = drivers[i].get();
+    const auto age = device.inRing ? link.age(i) : std::nullopt;
+    if (!age && driver)
+        driver->wait(out);
     if (!device.inRing) {
         endWhatWaitsTooLong(i);
         return;
@@ -326,12 +329,10 @@ void RingRunner::Private::step(std::size_t i)
     const Word in = received[i];
     device.inEdges = ring.cycle == 1 ? 0 : device.in ^ in;
     device.in = in;
-    const auto age = link.age(i);
     if (!age)
-        return; // its driver waits
+        return;
 
     const Instant at = ring.at - *age;
-    CyclicDriver *driver = drivers[i].get();
     if (driver) {
         const Word next = driver->cycle(in, out, at);
         if (ring.operate) // in Watch nothing changes OUT
