@@ -44,7 +44,7 @@ K3State K3Handshake::cycle(Word in, Word out, Instant now)
     m_now = now;
     ++m_cycles;
     m_inChanged = m_inChanged || in != m_inAtBegin;
-    m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
+    m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirmsStep(in));
     const K3State state = answerTo(in);
     if (state == K3State::waiting && now - m_begin >= m_timing.timeOut && m_cycles >= cyclesOfAnswer)
         return isErrorAnswer(in, m_dialect) ? K3State::error : K3State::noAnswer;
@@ -56,7 +56,7 @@ K3State K3Handshake::answerTo(Word in)
     const bool answered = [&] {
         switch (m_step.kind) {
         case StepKind::parameter:
-            return confirms(in, m_step.out);
+            return confirmsStep(in);
         case StepKind::run:
             return runs(in);
         case StepKind::toNormal:
@@ -100,12 +100,18 @@ K3State K3Handshake::answerTo(Word in)
     return K3State::waiting;
 }
 
+// Its number has been confirmed before, so its data decide as well.
+bool K3Handshake::confirmsStep(Word in) const
+{
+    return confirms(in, m_step.out) && (!m_step.isRepeated || k3::data(in) == k3::data(m_step.out));
+}
+
 // FRABA confirms first and refuses afterwards, so a confirmation has to last for the settle time.
 K3State K3Handshake::confirmation(Word in) const
 {
     if (isNewError(in))
         return K3State::error;
-    return confirms(in, m_step.out) && hasSettled() ? K3State::done : K3State::waiting;
+    return confirmsStep(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
 K3State K3Handshake::runAnswer(Word in)

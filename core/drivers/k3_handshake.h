@@ -29,6 +29,7 @@ public:
 
 private:
     State answerTo(Word in);
+    bool confirmsStep(Word in) const;
     State confirmation(Word in) const;
     State runAnswer(Word in);
     State presetAnswer(Word in) const;

@@ -102,16 +102,20 @@ K3Steps K3Plan::plan(const EndParameterization &job) const
     return endParameterization(job.restore, true);
 }
 
+// FRABA's manual does not forbid a number to come again in the same parameterization, so earlier values go
+// out before anything else becomes valid (assumed). Baumer's forbids it.
 K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirst) const
 {
     K3Steps steps;
-    if (runFirst) {
-        steps.push_back(runStep(!restore.empty()));
-        steps.push_back(toNormal(restore.empty()));
-    }
+    const bool isRepeated =
+        !restore.empty() && m_device.dialect == k3::Dialect::fraba && !needsStepsFlag(restore);
+    if (runFirst && !isRepeated)
+        steps = {runStep(!restore.empty()), toNormal(restore.empty())};
     if (needsStepsFlag(restore))
         appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
     appendWrites(steps, restore);
+    for (K3Step &step : steps)
+        step.isRepeated = runFirst && isRepeated && step.kind == StepKind::parameter;
     for (const ParameterValue &value : restore)
         appendRead(steps, value.parameter, value.value);
     return steps;

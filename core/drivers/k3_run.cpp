@@ -121,7 +121,7 @@ void K3Run::stepDone(Word in)
     switch (step.kind) {
     case StepKind::parameter:
         if (step.parameter)
-            m_confirmed.values.push_back({*step.parameter, step.value});
+            replaceValue(m_confirmed.values, {*step.parameter, step.value});
         else
             m_confirmed.reset = true;
         break;
@@ -257,6 +257,8 @@ void K3Run::stepFailed(WordAnswer how, Word in)
     const K3Step &step = m_steps.current();
     if (how == WordAnswer::error) {
         answeredByError(in);
+    } else if (how == WordAnswer::noAnswer && step.isRepeated && k3::isConfirmation(in)) {
+        runBeforeTheRest();
     } else if (how == WordAnswer::noAnswer) {
         const bool isInvalid = setsPosition(step) && in == k3::error;
         fail(isInvalid ? noValidPosition() : noAnswer(in, m_encoder.timing.timeOut));
@@ -264,6 +266,16 @@ void K3Run::stepFailed(WordAnswer how, Word in)
         dropConfirmed();
         fail({RefusalKind::device, RefusalId::restarted, {in}});
     }
+}
+
+// The data did not follow: run comes between, and the numbers are new again.
+void K3Run::runBeforeTheRest()
+{
+    for (auto step = m_steps.rest(); step != m_steps.all.end(); ++step)
+        step->isRepeated = false;
+    const K3Steps run{K3Plan::runStep(true), K3Plan::toNormal(false)};
+    m_steps.all.insert(m_steps.rest(), run.begin(), run.end());
+    m_steps.begun = false;
 }
 
 // OUT goes back to 0. Run ends an error caused merely by asking for cams; if the encoder was in a

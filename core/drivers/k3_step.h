@@ -25,6 +25,7 @@ struct K3Step : Step
 {
     std::int64_t value = 0;               // parameter: wanted value
     std::optional<std::int64_t> expected; // readOut that verifies a write: what must be read
+    bool isRepeated = false;              // parameter: its number may have been confirmed since the last run
     bool mustOperate = false;             // toNormal: only operation will do
     bool tolerateError = false;           // run: an error answer is an answer
     int holdCycles = 0;                   // word that is not acknowledged

@@ -83,7 +83,8 @@ TEST_F(K3Cancel, ARestartMeanwhileDropsWhatWasConfirmedAndIsNoFailure)
     EXPECT_TRUE(table.outcome()->written.empty());
 }
 
-TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
+// The controller sees no position by the values that were given up.
+TEST_F(K3Cancel, RestoreWritesTheValuesFromBeforeWithoutARunBetween)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
     EXPECT_TRUE(table.progress().canRestore);
@@ -91,8 +92,7 @@ TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
     table.play({
         {0x0600'0004, 0xC200'00FF},
         {0x0000'0000, 0xC200'00FF},
-        {0x8000'0000, 384},
-        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'00FF}, // of the value before
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
         {0x0000'0000, pos},
@@ -114,8 +114,7 @@ TEST_F(K3Cancel, ARestoredValueThatReadsBackDifferentlyIsNamed)
     table.play({
         {0x0600'0004, 0xC200'00FF},
         {0x0000'0000, 0xC200'00FF},
-        {0x8000'0000, 384},
-        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'00FF}, // of the value before
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
         {0x0000'0000, pos},
@@ -140,8 +139,7 @@ TEST_F(K3Cancel, RestoreIncludesWhatIsConfirmedAfterwards)
     table.play({
         {0x0200'00FF, pos},
         {0x0000'0000, 0xC200'00FF},
-        {0x8000'0000, 384},
-        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'00FF}, // of the value before
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
         {0x0000'0000, pos},
@@ -154,13 +152,17 @@ TEST_F(K3Cancel, RestoreIncludesWhatIsConfirmedAfterwards)
     EXPECT_EQ(table.outcome()->eepromWrites, 2);
 }
 
-TEST_F(K3Cancel, RestoreGoesOnAfterARunThatFails)
+// Where its data do not follow, the number has to be new: run comes between, whatever its answer.
+TEST_F(K3Cancel, RestoreRunsFirstWhereTheNumberIsNotTakenAgain)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
     cancel(OnCancel::restorePrevious);
     table.play({
         {0x0600'0004, 0xC200'00FF},
         {0x0000'0000, 0xC200'00FF},
+    });
+    table.repeat(2'000, {0x0200'2000, 0xC200'00FF});
+    table.play({
         {0x8000'0000, 0x8200'0000},
         {0x0000'0000, 0x8200'0000},
         {0x0200'2000, 0xC200'2000},
@@ -242,9 +244,7 @@ TEST_F(K3Cancel, WhatIsConfirmedWhileTheValuesGoBackIsNotRestored)
     cancel(OnCancel::restorePrevious);
     table.play({{0x0600'0004, 0xC200'00FF},
                 {0x0000'0000, 0xC200'00FF},
-                {0x8000'0000, 0xC600'0004},
-                {0x8000'0000, 384},
-                {0x0000'0000, 384},
+                {0x0200'2000, 0xC600'0004},
                 {0x0200'2000, 0xC200'2000},
                 {0x8000'0000, pos},
                 {0x0000'0000, pos},

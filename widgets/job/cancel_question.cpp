@@ -33,6 +33,11 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
         lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation));
     if (situation.canRestore)
         lines += CancelQuestion::tr("Restore writes the earlier values again and runs with them.");
+    if (situation.canRestore && !situation.isActive && restoresBehindRun(encoder.device()))
+        lines +=
+            CancelQuestion::tr("Before that, run makes valid what it has taken: until the earlier values are "
+                               "written, the controller sees a position by these. Leave it in "
+                               "parameterization to avoid that.");
     else
         lines += CancelQuestion::tr("The earlier values are not all known, so they cannot be restored.");
     if (situation.isActive)
