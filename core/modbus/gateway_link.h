@@ -78,7 +78,9 @@ private:
     void beginToRead();
     void showIn(std::span<Word> in);
     bool isDoubtful(std::size_t device) const;
+    bool needsAnotherRead(std::size_t device) const;
     bool hasDoubtful(const RegisterBlock &block) const;
+    bool pollsSeldom() const;
     bool needsTime(const RegisterBlock &block) const;
     void countDoubts();
     Result<void> readStatus();

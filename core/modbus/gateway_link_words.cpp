@@ -15,6 +15,7 @@ namespace {
 constexpr Instant shortestPause =
     std::chrono::milliseconds(20); // until a busy gateway is asked again (assumed)
 constexpr int readsInDoubt = 2;    // more in one exchange, while words are not believed (assumed)
+constexpr int readsOfSeldom = 5;   // the same, where an exchange has to do by itself (assumed)
 // Between two looks at the status register: where it decides what is shown, and where it is only shown.
 constexpr Instant betweenDecisions = std::chrono::milliseconds(100);
 constexpr Instant betweenStatus = std::chrono::milliseconds(500);
@@ -147,19 +148,34 @@ bool GatewayLink::isDoubtful(std::size_t device) const
     return m_map && m_map->in(device).count > 0 && !m_devices[device].believed;
 }
 
+bool GatewayLink::needsAnotherRead(std::size_t device) const
+{
+    const bool isNextReadSoon = m_settings.pollInterval < WordGate::shortWait;
+    return isDoubtful(device) && !(isNextReadSoon && m_devices[device].in.canWait());
+}
+
 bool GatewayLink::hasDoubtful(const RegisterBlock &block) const
 {
     for (std::size_t i = 0; i < m_devices.size(); ++i)
-        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)))
+        if (needsAnotherRead(i) && gateway::holds(block, m_map->in(i)))
             return true;
     return false;
 }
 
+// Reads of three exchanges are too far apart to say that a position moves.
+bool GatewayLink::pollsSeldom() const
+{
+    return 2 * m_settings.pollInterval >= WordGate::longestMovement;
+}
+
 bool GatewayLink::needsTime(const RegisterBlock &block) const
 {
+    if (pollsSeldom())
+        return true;
     const bool isNextReadFar = m_settings.pollInterval > m_settings.copyTime;
     for (std::size_t i = 0; i < m_devices.size(); ++i)
-        if (isDoubtful(i) && gateway::holds(block, m_map->in(i)) && m_devices[i].in.needsTime(isNextReadFar))
+        if (needsAnotherRead(i) && gateway::holds(block, m_map->in(i)) &&
+            m_devices[i].in.needsTime(isNextReadFar))
             return true;
     return false;
 }
@@ -167,7 +183,7 @@ bool GatewayLink::needsTime(const RegisterBlock &block) const
 // Whole blocks: their length is what tells late answers apart.
 Result<void> GatewayLink::readDoubtfulAgain()
 {
-    for (int again = 0; again < readsInDoubt; ++again)
+    for (int again = 0; again < (pollsSeldom() ? readsOfSeldom : readsInDoubt); ++again)
         for (const RegisterBlock &block : m_map->inBlocks()) {
             if (!hasDoubtful(block))
                 continue;
@@ -185,8 +201,9 @@ void GatewayLink::countDoubts()
 {
     std::size_t torn = 0;
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
-        m_devices[i].doubts = isDoubtful(i) ? m_devices[i].doubts + 1 : 0;
-        torn += isDoubtful(i) ? 1 : 0;
+        const bool isInDoubt = needsAnotherRead(i);
+        m_devices[i].doubts = isInDoubt ? m_devices[i].doubts + 1 : 0;
+        torn += isInDoubt ? 1 : 0;
     }
     m_counter.torn(torn);
 }

@@ -75,13 +75,14 @@ bool WordGate::take(Word word, Instant at)
     const auto last = std::exchange(m_last, read);
     const auto beforeLast = std::exchange(m_beforeLast, last);
     const bool isEqual = last && last->word == word;
+    const auto other = isEqual ? std::nullopt : std::exchange(m_other, last);
     if (!isEqual)
         m_sameSince = at;
     const bool isSame = isEqual && at - m_sameSince >= m_copyTime;
     const bool isSameThrice = isSame && beforeLast && beforeLast->word == word;
     if (!m_canTear || isSameThrice || (isSame && !isJump(read, beforeLast)))
         return believe(read);
-    return last && beforeLast && isOnTheWay(*beforeLast, *last, read) && believe(*last);
+    return last && other && isOnTheWay(*other, *last, read) && believe(*last);
 }
 
 bool WordGate::needsTime(bool isNextReadFar) const
@@ -90,10 +91,17 @@ bool WordGate::needsTime(bool isNextReadFar) const
     return m_canTear && m_last && (stands || !mayMove(m_last->word));
 }
 
+bool WordGate::canWait() const
+{
+    return m_hasWord && m_last && mayMove(m_word) && mayMove(m_last->word) &&
+           isNear(std::int64_t{m_last->word} - m_word) && m_last->at - m_wordAt <= shortWait;
+}
+
 void WordGate::forget()
 {
     m_last.reset();
     m_beforeLast.reset();
+    m_other.reset();
     m_hasWord = false;
 }
 

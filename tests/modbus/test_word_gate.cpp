@@ -32,6 +32,33 @@ TEST(WordGate, APositionThatMovesIsBelievedOneReadLater)
     EXPECT_EQ(believed(k3, {100, 110, 120, 130}), (std::vector<Word>{0, 0, 110, 120}));
 }
 
+// A gateway that is read more often than it copies.
+TEST(WordGate, APositionThatIsReadTwiceOnItsWayIsBelieved)
+{
+    const WordGate gate(Profile::k3, 2, std::chrono::milliseconds(3));
+    EXPECT_EQ(believed(gate, {100, 110, 110, 120, 120, 130}), (std::vector<Word>{0, 0, 0, 110, 110, 120}));
+    EXPECT_EQ(believed(gate, {100, 110, 110, 100}), (std::vector<Word>{0, 0, 0, 0})) << "it came back";
+}
+
+// Until then no other read has to be asked for at once.
+TEST(WordGate, APositionNearTheLastOneBelievedWaitsForTheNextRead)
+{
+    WordGate gate(Profile::k3, 2, std::chrono::milliseconds(3));
+    Instant at{};
+    for (const Word read : {100U, 110U, 120U})
+        gate.take(read, at += std::chrono::milliseconds(1));
+    EXPECT_FALSE(gate.take(120, at + std::chrono::milliseconds(1)));
+    EXPECT_TRUE(gate.canWait());
+    EXPECT_FALSE(gate.take(0xC200'00FF, at + std::chrono::milliseconds(2)));
+    EXPECT_FALSE(gate.canWait()) << "a handshake goes on";
+    EXPECT_FALSE(gate.take(125, at + std::chrono::milliseconds(3)));
+    EXPECT_TRUE(gate.canWait());
+    EXPECT_FALSE(gate.take(90'000, at + std::chrono::milliseconds(4)));
+    EXPECT_FALSE(gate.canWait()) << "perhaps torn";
+    EXPECT_FALSE(gate.take(90'001, at + std::chrono::milliseconds(40)));
+    EXPECT_FALSE(gate.canWait()) << "too long";
+}
+
 TEST(WordGate, AFastShaftIsBelievedAcrossTheCarry)
 {
     EXPECT_EQ(believed(k3, {0xB000, 0x1'2000, 0x1'8FFF, 0x2'0000}),
