@@ -17,6 +17,8 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
         return Reason::notOnBus;
     if (!bus.isRunning)
         return Reason::stopped;
+    if (!bus.isSettled)
+        return Reason::unsettled;
     if (seen < bus.awakeSince)
         return Reason::slept;
     return bus.now - seen > Freshness::lateAfter ? Reason::notAsked : Reason::none;

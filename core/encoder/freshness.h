@@ -23,6 +23,7 @@ public:
         linkLost,     // the port is gone, or the peer does not answer
         stopped,      // the bus is not running, or positions are not polled: ALARM STOP, a fault, or the user
         notOnBus,     // the segment is off, or behind a fault
+        unsettled,    // its word is read, and no two reads agree
         silent,       // it does not answer
         notAsked,     // not for longer than `lateAfter`: something else keeps the line busy
         slept,        // the computer has slept since
@@ -37,7 +38,8 @@ public:
         bool isLinkThere = true;
         bool isRunning = false;
         bool isOnBus = true;
-        Instant awakeSince{}; // the computer slept until then, so what was shown before does not count
+        bool isSettled = true; // its word can be believed
+        Instant awakeSince{};  // the computer slept until then, so what was shown before does not count
         Instant now{};
     };
 

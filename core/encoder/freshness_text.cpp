@@ -70,6 +70,8 @@ QString freshnessText(Freshness::Reason reason)
         return FreshnessText::tr("The bus does not run.");
     case Freshness::Reason::notOnBus:
         return FreshnessText::tr("The device is not on the bus.");
+    case Freshness::Reason::unsettled:
+        return FreshnessText::tr("No two reads of its word agree.");
     case Freshness::Reason::silent:
         return FreshnessText::tr("The encoder does not answer.");
     case Freshness::Reason::notAsked:
@@ -99,6 +101,8 @@ QString freshnessBrief(Freshness::Reason reason)
         return FreshnessText::tr("Bus stopped");
     case Freshness::Reason::notOnBus:
         return FreshnessText::tr("Not on the bus");
+    case Freshness::Reason::unsettled:
+        return FreshnessText::tr("Unsettled", "its word");
     case Freshness::Reason::silent:
         return FreshnessText::tr("No answer");
     case Freshness::Reason::notAsked:

@@ -25,7 +25,7 @@ constexpr std::array messageRows{
     MessageRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
     MessageRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
     MessageRow{MessageId::alarmStop, "alarmStop",
-               QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring were set to 0.")},
+               QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
     MessageRow{MessageId::zerosReadBack, "zerosReadBack",
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
                                             "read back as 00000000.")},

@@ -118,6 +118,7 @@ enum class RefusalId : std::uint8_t {
     noValidPosition,        // 80000000
     otherDeviceError,       // number, Word IN
     noAnswer,               // seconds, Word OUT, Word IN
+    noAnswerAtGateway,      // the same: its registers may be others
     verificationFailed,     // Parameter, wanted, read
     unknownState,           // Word IN
     restarted,              // Word IN: parameterization ended without run

@@ -318,6 +318,11 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it "
                           "is, and whether it is switched on.")},
+    RefusalRow{RefusalId::noAnswerAtGateway, "noAnswerAtGateway",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder did not answer within %1 s (OUT %2, IN %3). Check the first "
+                                 "register of OUT in the connection: its words may go elsewhere. Then check "
+                                 "which encoder it is, and whether it is switched on.")},
     RefusalRow{RefusalId::verificationFailed, "verificationFailed",
                QT_TRANSLATE_NOOP(
                    "Refusal", "%1 was written as %2 but read back as %3. Read the encoder before you rely on "

@@ -206,9 +206,9 @@ CheckOutcome mapOutcome(const MapReadings &readings, const GatewaySettings &sett
     const MapReadings fitting = fittingMaps(readings);
     const bool isSetFitting =
         std::ranges::any_of(fitting, [&](const MapReading &map) { return isSet(map, settings); });
-    if (readings.empty() || (isSetFitting && fitting.size() > 1))
+    if (readings.empty())
         return CheckOutcome::skipped;
-    return isSetFitting ? CheckOutcome::passed : CheckOutcome::failed;
+    return isSetFitting && fitting.size() == 1 ? CheckOutcome::passed : CheckOutcome::failed;
 }
 
 QString mapText(const MapReadings &readings, const GatewaySettings &settings)

@@ -121,6 +121,9 @@ Result<GatewayMap> GatewayMap::of(const RingStructure &ring, const GatewaySettin
     if (isWithin(settings.watchdogRegister))
         return mapWrong(sentence(GatewayTexts::tr("The watchdog register %1 is within the image."),
                                  {QString::number(*settings.watchdogRegister)}));
+    if (settings.placeRegister && settings.placeRegister == settings.statusRegister)
+        return mapWrong(sentence(GatewayTexts::tr("The register of the place is the status register, %1."),
+                                 {QString::number(*settings.placeRegister)}));
     return GatewayMap(ring, settings);
 }
 

@@ -125,7 +125,8 @@ DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
                 .expected = expected,
                 .came = untoldText(bus.latest())};
     if (bus.isRunning())
-        return passedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word);
+        return passedCheck(DataCheck::Id::running, what, expected,
+                           bus.latest().told ? expected : bus.outline().state().word);
     return failedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word,
                        stoppedText(stopped), DataCheck::Action::start);
 }
@@ -136,8 +137,11 @@ DataCheck goneCheck(const RingSession &bus, NodeId node, const QString &what, co
     if (bus.latest().figures != nullptr)
         return failedCheck(
             DataCheck::Id::reached, what, node.toString(), RingCheckText::tr("words that do not agree"),
-            sentence(RingCheckText::tr("The reads of %1 do not agree, so its word is not believed. Check the "
-                                       "word order, and where its registers begin."),
+            sentence(RingCheckText::tr(
+                         "The reads of %1 do not agree, so its word is not believed. Check the word order, "
+                         "and where its registers begin. If they are right, stop the shaft or make the poll "
+                         "interval shorter: a position that moves is believed where reads follow each other "
+                         "closely."),
                      {node.toString()}),
             DataCheck::Action::registers);
     return failedCheck(DataCheck::Id::reached, what, node.toString(), state,

@@ -148,7 +148,7 @@ NodeState RingOutline::state(std::size_t node) const
     const Snapshot::Device &device = m_bus.latest().devices[node];
     state.position = device.reading.position;
     state.velocity = device.reading.velocity;
-    state.isCutOff = m_bus.isOpen() && !device.inRing;
+    state.isCutOff = m_bus.isOpen() && !device.inRing && !m_bus.latest().isUnsettled(node);
     state.isBehindBreak = state.isCutOff && isBehindBreak(node);
     return state;
 }
@@ -162,6 +162,8 @@ StateWord RingOutline::shown(std::size_t node) const
     const WordChannel *channel = m_bus.channel(number);
     if (auto fault = faultOf(node))
         return *fault;
+    if (m_bus.isRunning() && m_bus.latest().isUnsettled(node))
+        return {Role::attention, tr("unsettled", "no two reads of its word agree")};
     if (!device.inRing)
         return {Role::inactive, isSwitchedOff(node) ? tr("off", "switched off") : tr("cut off")};
     if (!m_bus.isRunning())
@@ -228,7 +230,8 @@ bool RingOutline::isSwitchedOff(std::size_t node) const
 // The first one that a fault cuts off.
 bool RingOutline::isBehindBreak(std::size_t node) const
 {
-    if (m_bus.latest().state != MasterState::busFail || isSwitchedOff(node))
+    const bool isFault = m_bus.latest().connected && m_bus.latest().state == MasterState::busFail;
+    if (!isFault || isSwitchedOff(node))
         return false;
     for (std::size_t i = 0; i < node; ++i)
         if (!m_bus.latest().devices[i].inRing && !isSwitchedOff(i))
@@ -261,11 +264,11 @@ QString RingOutline::codingText(const Participant &participant) const
     return {};
 }
 
-// On the housing, as they should be.
+// On the housing, as they should be, where the state of the ring is known from its master.
 QString RingOutline::ledsText(std::size_t node) const
 {
     const Snapshot &ring = m_bus.latest();
-    if (!ring.connected || node >= ring.devices.size() ||
+    if (!ring.connected || isBehindGateway() || node >= ring.devices.size() ||
         !hasRemoteBusLeds(m_bus.encoder(m_bus.structure()[node].number)))
         return {};
     return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[node].inRing)));

@@ -18,6 +18,15 @@ QString wrongBy(const std::optional<DataCheck> &judged)
     return judged && judged->outcome == DataCheck::Outcome::differs ? judged->remedy : QString();
 }
 
+// There the words of an encoder that does not answer may go to registers of another one.
+Event behindGateway(Event event)
+{
+    if (auto *outcome = std::get_if<Outcome>(&event); outcome && !outcome->result)
+        if (Refusal &why = outcome->result.error(); why.id == RefusalId::noAnswer)
+            why.id = RefusalId::noAnswerAtGateway;
+    return event;
+}
+
 bool isAboutZeros(MessageId id)
 {
     return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
@@ -260,7 +269,8 @@ void RingSession::showDevice(std::size_t place)
     const Freshness::Circumstances circumstances{.isConnected = isOpen(),
                                                  .isLinkThere = shown->connected,
                                                  .isRunning = isRunning(),
-                                                 .isOnBus = device.inRing,
+                                                 .isOnBus = device.inRing || shown->isUnsettled(place),
+                                                 .isSettled = !shown->isUnsettled(place),
                                                  .awakeSince = shown->awakeSince,
                                                  .now = shown->at};
     const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
@@ -283,7 +293,7 @@ void RingSession::dispatch(const RingEvent &event)
         }
     } else if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
         if (session)
-            session->take(*ofDriver, event.at);
+            session->take(d->latest().figures ? behindGateway(*ofDriver) : *ofDriver, event.at);
     } else if (const auto *ofGuest = std::get_if<GuestWrote>(&event.what)) {
         if (session)
             Q_EMIT session->wordAboutToBeSent(ofGuest->word);

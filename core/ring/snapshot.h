@@ -58,6 +58,12 @@ struct Snapshot : RingState
     // Becomes the newer one, which only has the edges of its own cycle, and keeps its own edges. Allocates
     // nothing unless that one is of another ring.
     void giveWayTo(const Snapshot &newer);
+    // A gateway is read, and no two reads of the device's word agree.
+    bool isUnsettled(std::size_t device) const
+    {
+        return figures != nullptr && !(told && told->stands()) && device < devices.size() &&
+               !devices[device].inRing;
+    }
 };
 
 } // namespace codewheel

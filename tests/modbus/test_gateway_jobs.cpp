@@ -4,6 +4,7 @@
 #include "simulator/fraba_k3.h"
 #include "tests/support/fraba_appendix.h"
 #include "tests/support/gateway_session.h"
+#include "tests/support/passing_port.h"
 
 namespace codewheel {
 namespace {
@@ -50,6 +51,26 @@ protected:
 
     GatewaySession ring;
 };
+
+// Acknowledges what it is to write, and has other registers.
+class ElsewherePort final : public PassingPort
+{
+public:
+    using PassingPort::PassingPort;
+    Done write(int, std::span<const Register>) override { return {}; }
+};
+
+TEST(GatewayWithOtherRegisters, AnEncoderThatGetsNoWordNamesTheFirstRegisterOfOut)
+{
+    GatewaySession ring({.settings = {.readsBack = false}}, [](std::unique_ptr<RegisterPort> port) {
+        return std::make_unique<ElsewherePort>(std::move(port));
+    });
+    ASSERT_TRUE(ring.bus->open(EncoderBus::Start::operating));
+    ring.bus->advance(200ms);
+    const Outcome outcome = ring.finish(frabaPlace, ReadParameters{{Parameter::steps}});
+    EXPECT_EQ(whyOf(outcome), "noAnswerAtGateway");
+    EXPECT_TRUE(refusalText(outcome.result.error()).contains(QLatin1String("first register of OUT")));
+}
 
 TEST_P(GatewayJobs, TheExampleOfTheManualIsCarriedOut)
 {

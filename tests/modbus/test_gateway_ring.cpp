@@ -221,6 +221,7 @@ TEST_F(GatewayRing, TheZerosOfAnAlarmStopGoFirstOnceTheLinkIsBack)
     ring->bus->alarmStop();
     ring->bus->advance(100ms);
     EXPECT_EQ(ring->countOf(MessageId::zerosWait), 1u);
+    EXPECT_EQ(ring->countOf(MessageId::alarmStop), 0u) << "nothing was set to 0";
     EXPECT_EQ(outThere(), ownWord);
     giveLinkBack();
     EXPECT_TRUE(ring->isOutZero());
@@ -546,6 +547,43 @@ TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
     EXPECT_FALSE(bus.areZerosLate());
     EXPECT_EQ(session.countOf(MessageId::zerosLate), 1u);
     bus.close();
+}
+
+constexpr Place seldomSeen = "1.0"_ring;
+
+// Three polls are too far apart to say that a position moves: the reads of one have to do.
+TEST(SeldomPolledGateway, ATurningShaftIsSeen)
+{
+    test::GatewaySession gateway({.ways = {.copyApart = 1ms}, .settings = {.pollInterval = 500ms}});
+    ASSERT_TRUE(gateway.bus->open(EncoderBus::Start::watching));
+    gateway.encoder(seldomSeen).tell(Parameter::startUpMode, 1);
+    for (const int speed : {300, -40, 1500}) {
+        SCOPED_TRACE(speed);
+        gateway.training.controls->setSpeed(seldomSeen.node, speed);
+        gateway.bus->advance(2s);
+        for (int poll = 0; poll < 20; ++poll) {
+            gateway.bus->advance(500ms);
+            const auto &shown = gateway.bus->latest().devices.front();
+            EXPECT_EQ(gateway.bus->outline().state(0).shown.word, QLatin1String("ok"));
+            EXPECT_TRUE(gateway.encoder(seldomSeen).freshness().isLive());
+            EXPECT_TRUE(gateway.gateway->wasIn(0, shown.in, gateway.bus->now() - 1200ms));
+        }
+    }
+}
+
+TEST(SeldomPolledGateway, AShaftThatTurnsFasterThanItAnswersIsUnsettledAndNotCutOff)
+{
+    test::GatewaySession gateway({.settings = {.timeOut = 2s}, .transaction = 700ms});
+    ASSERT_TRUE(gateway.bus->open(EncoderBus::Start::watching));
+    gateway.bus->advance(20s); // it stands, and is seen
+    EXPECT_TRUE(gateway.encoder(seldomSeen).freshness().isLive());
+    gateway.training.controls->setSpeed(seldomSeen.node, 300);
+    gateway.bus->advance(120s);
+    const NodeState state = gateway.bus->outline().state(0);
+    EXPECT_EQ(state.shown.word, QLatin1String("unsettled"));
+    EXPECT_FALSE(state.isCutOff);
+    EXPECT_FALSE(state.isBehindBreak);
+    EXPECT_EQ(gateway.encoder(seldomSeen).freshness().reason(), Freshness::Reason::unsettled);
 }
 
 } // namespace

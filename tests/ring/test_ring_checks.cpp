@@ -85,6 +85,10 @@ TEST_F(RingChecks, AWordThatDoesNotChangeSaysSinceWhen)
     EXPECT_TRUE(came("1.0"_ring).startsWith(QStringLiteral("0 s ago, the same since ")))
         << came("1.0"_ring).toStdString();
     EXPECT_EQ(came("2.0"_ring), QStringLiteral("0 s ago")) << "its shaft turns";
+    const auto stood = bus.encoder("1.0"_ring)->unchangedSince();
+    bus.encoder("1.0"_ring)->tell(Parameter::startUpMode, 1);
+    frames();
+    EXPECT_EQ(bus.encoder("1.0"_ring)->unchangedSince(), stood) << "the meaning was told, the word stands";
     EXPECT_EQ(bus.encoder("2.0"_ring)->unchangedSince(), bus.encoder("2.0"_ring)->latest().at);
     training.controls->turnBy("1.0"_ring.node, 100);
     frames();

@@ -25,6 +25,17 @@
 namespace codewheel {
 namespace {
 
+const QString none = QStringLiteral("none"); // as settings write it
+
+// Where a field may be empty, it shows what that means.
+QString textIn(const QLineEdit &field)
+{
+    const QString text = field.text().trimmed();
+    const QString empty = field.placeholderText();
+    return !empty.isEmpty() && (text.isEmpty() || text.compare(empty, Qt::CaseInsensitive) == 0) ? none
+                                                                                                 : text;
+}
+
 constexpr int longestHost = 253; // RFC 1035
 
 constexpr std::array registerSettings{"in-area", "in",      "out",        "write", "order",
@@ -112,6 +123,7 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
     QWidget *editor = nullptr;
     if (field.isText) {
         auto *text = describe(new TextField(this), name, field.sentence);
+        text->setPlaceholderText(field.none);
         connect(text, &QLineEdit::textEdited, this, &GatewayForm::showPreset);
         m_texts[field.name] = text;
         editor = text;
@@ -141,10 +153,10 @@ GatewayForm::Texts GatewayForm::texts() const
     for (const auto &[name, box] : m_choices)
         texts[name] = box->currentData().toString();
     for (const auto &[name, text] : m_texts)
-        texts[name] = text->text().trimmed();
+        texts[name] = textIn(*text);
     for (const auto &[name, number] : m_numbers) {
         const bool isNone = !number->specialValueText().isEmpty() && number->value() == number->minimum();
-        texts[name] = isNone ? QStringLiteral("none") : QString::number(number->value());
+        texts[name] = isNone ? none : QString::number(number->value());
     }
     return texts;
 }
@@ -159,7 +171,7 @@ void GatewayForm::setTexts(const Texts &texts)
     for (const auto &[name, box] : m_choices)
         box->setCurrentIndex(std::max(0, box->findData(all[name])));
     for (const auto &[name, text] : m_texts)
-        text->setText(all[name]);
+        text->setText(all[name] == none ? QString() : all[name]);
     for (const auto &[name, number] : m_numbers) {
         bool isNumber = false;
         const int value = all[name].toInt(&isNumber);

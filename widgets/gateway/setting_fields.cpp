@@ -75,7 +75,7 @@ std::vector<SettingField> ofImage()
         {QStringLiteral("read-back"),
          SettingFieldTexts::tr("OUT is read back"),
          SettingFieldTexts::tr(
-             "Before each write, so that it is noticed if somebody else writes too. Off: it is not"),
+             "Before each write, so that it is noticed if somebody else writes too. No: it is not"),
          {},
          {},
          {},
@@ -100,7 +100,8 @@ std::vector<SettingField> ofImage()
          .label = SettingFieldTexts::tr("Bits of a fault"),
          .sentence =
              SettingFieldTexts::tr("The bits of the status register of which one is 1 when the ring has "
-                                   "failed, as 2+3; or none"),
+                                   "failed, as 2+3; empty: none"),
+         .none = none,
          .isText = true},
         {QStringLiteral("place"),
          SettingFieldTexts::tr("Register of the place"),

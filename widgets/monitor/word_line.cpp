@@ -86,7 +86,7 @@ Word WordLine::edges() const
     return m_channel == nullptr ? 0 : isOut() ? m_channel->outEdges() : m_channel->inEdges();
 }
 
-// OUT is not old: it goes out when the bus runs again. Without a connection it is.
+// OUT is not old while the bus is reached: it goes out when it runs again.
 bool WordLine::isOld() const
 {
     if (m_channel == nullptr)
@@ -94,7 +94,9 @@ bool WordLine::isOld() const
     const Freshness &freshness = m_channel->freshness();
     if (freshness.isOfRecording())
         return true;
-    return freshness.isOld() && (!isOut() || freshness.reason() == Freshness::Reason::disconnected);
+    const bool isReached = freshness.reason() != Freshness::Reason::disconnected &&
+                           freshness.reason() != Freshness::Reason::linkLost;
+    return freshness.isOld() && !(isOut() && isReached);
 }
 
 bool WordLine::isKnown() const
