@@ -261,6 +261,12 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
                 m_ring.bus()->isRunning() ? QString() : tr("The bus does not run. Start it first.")};
     const QString whyNot =
         m_ring.bus()->isOperating() ? QString() : tr("The program only watches. Switch to Operate first.");
+    if (action == FaultAction::run)
+        return {tr("Send run"),
+                tr("Sends 80000000 to %1, then 00000000: what it has taken becomes valid, and it shows its "
+                   "position again")
+                    .arg(fault.node.toString()),
+                whyNot};
     if (action == FaultAction::confirm)
         return {tr("Confirm"), tr("Confirms the diagnostics; a fault whose cause is still there comes back"),
                 whyNot};
@@ -280,6 +286,8 @@ void RingViews::act(const Fault &fault, FaultAction action)
         m_connection->confirmDiagnostics();
     else if (action == FaultAction::acknowledge)
         m_ring.bus()->acknowledgeWatchdog();
+    else if (action == FaultAction::run)
+        m_ring.bus()->sendRun(m_ring.bus()->placeOf(fault.node));
     else if (action == FaultAction::bringBack)
         m_ring.bus()->bringBack(m_ring.bus()->placeOf(fault.node));
     else

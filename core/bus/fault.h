@@ -14,6 +14,7 @@ enum class FaultAction : std::uint8_t {
     switchOff,   // what is behind the fault, so that the rest can run
     confirm,     // it is over, or shall be checked again
     acknowledge, // the watchdog of a gateway
+    run,         // the encoder is in parameterization
     bringBack,   // what a job that was cut has left, and read what is not known since
 };
 

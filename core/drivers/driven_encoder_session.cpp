@@ -9,9 +9,12 @@
 namespace codewheel {
 namespace {
 
-bool showsTheSame(const Reading &before, const Reading &now)
+// What a word means may become known later, and changes nothing.
+bool showsTheSame(const DeviceDescription &device, const Reading &before, const Reading &now)
 {
-    return before.state == now.state && before.in == now.in && before.position == now.position;
+    const bool isSeen = before.state != EncoderState::notSeen;
+    return device.hasWords() ? isSeen && before.in == now.in
+                             : before.state == now.state && before.position == now.position;
 }
 
 } // namespace
@@ -90,8 +93,10 @@ void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circums
     setFreshness({reading, bus});
     if (!freshness().isLive())
         m_unchangedSince.reset(); // what came meanwhile was not seen
-    else if (!m_unchangedSince || !showsTheSame(before, reading))
+    else if (!m_unchangedSince || !showsTheSame(m_description, before, reading))
         m_unchangedSince = reading.at;
+    if (freshness().isLive() && reading.state == EncoderState::operation && reading.at > m_takenAt)
+        m_taken = {};
     if (!freshness().isLive() || bus.now - reading.at > PositionSpeed::longestGap)
         m_reading.stepsPerSecond.reset();
     const bool isNewer = reading.at != before.at || reading.state != before.state;
@@ -115,9 +120,26 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
         m_runningJob.reset();
     if (outcome.inDoubt.hasSomething())
         m_inDoubt = outcome.inDoubt;
+    takeWhatWaitsForRun(outcome, at);
     for (Message &message : jobReport(m_job, outcome, m_description))
         report(std::move(message), at);
     Q_EMIT finished(outcome);
+}
+
+void DrivenEncoderSession::takeWhatWaitsForRun(const Outcome &outcome, Instant at)
+{
+    for (const ParameterValues *values : {&outcome.confirmed, &outcome.inDoubt.values})
+        for (const ParameterValue &value : *values)
+            replaceValue(m_taken.values, value);
+    m_taken.reset =
+        m_taken.reset || outcome.inDoubt.reset ||
+        (std::holds_alternative<ResetToDefault>(m_job) && outcome.leftIn == EncoderState::parameterization);
+    m_takenAt = at;
+}
+
+QString DrivenEncoderSession::takenWithoutRun() const
+{
+    return doubtText(m_taken, m_description);
 }
 
 std::vector<Parameter> DrivenEncoderSession::readableDoubts() const

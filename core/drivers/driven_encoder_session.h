@@ -29,6 +29,7 @@ public:
     std::optional<Instant> unchangedSince() const override { return m_unchangedSince; }
     std::optional<Known> known(Parameter parameter) const override;
     std::optional<KnownCams> cams(unsigned program) const override;
+    QString takenWithoutRun() const override;
     QString version() const override { return m_version; }
     void tell(Parameter parameter, std::optional<std::int64_t> value) override;
 
@@ -65,6 +66,7 @@ protected:
 private:
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
+    void takeWhatWaitsForRun(const Outcome &outcome, Instant at);
     void postAllKnown();
 
     std::size_t m_index;
@@ -80,6 +82,8 @@ private:
     std::optional<JobId> m_runningJob;
     Job m_job;
     InDoubt m_inDoubt; // of the last job that ended out of sight
+    InDoubt m_taken;   // by the encoder, confirmed or perhaps, and not run
+    Instant m_takenAt{};
     int m_eepromWrites = 0;
 };
 

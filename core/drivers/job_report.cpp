@@ -155,7 +155,8 @@ struct Success
     }
 };
 
-// "Steps = 255, position".
+} // namespace
+
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
 {
     QStringList texts;
@@ -169,6 +170,8 @@ QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
         texts += QCoreApplication::translate("JobReport", "cam program %1").arg(program);
     return texts.join(QStringLiteral(", "));
 }
+
+namespace {
 
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {

@@ -15,6 +15,9 @@ namespace codewheel {
 // and whether the encoder was left in parameterization. Without time and place.
 std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device);
 
+// "Steps = 255, position"; empty: nothing.
+QString doubtText(const InDoubt &doubt, const DeviceDescription &device);
+
 // The part of it about what was sent and not answered, in words; empty: nothing.
 QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device);
 

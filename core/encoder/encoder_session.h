@@ -59,6 +59,9 @@ public:
     virtual std::optional<Known> known(Parameter parameter) const = 0;
     // A cam program the encoder is known to have, 1..8.
     virtual std::optional<KnownCams> cams(unsigned program) const = 0;
+    // What this program has written, and the encoder has taken without a run, or perhaps has, in words; run
+    // makes it valid. Empty: nothing.
+    virtual QString takenWithoutRun() const { return {}; }
     // The encoder's hardware and software version, in words; empty: not reported.
     virtual QString version() const { return {}; }
     // The user says what the encoder has, e.g. from its papers.

@@ -2,6 +2,7 @@
 #include "ring/encoder_faults.h"
 
 #include "drivers/shown_error.h"
+#include "drivers/what_run_makes_valid.h"
 #include "encoder/device_error_name.h"
 #include "encoder/encoder_session.h"
 #include "encoder/hex.h"
@@ -56,6 +57,24 @@ std::optional<Fault> doubt(const RingSession &bus, std::size_t device)
     return std::nullopt;
 }
 
+// OUT is 0 and no job is at work: nobody goes on with it.
+std::optional<Fault> leftInParameterization(const RingSession &bus, std::size_t device)
+{
+    const Snapshot::Device &its = bus.latest().devices[device];
+    const NodeId node = bus.structure()[device].number;
+    const EncoderSession *encoder = bus.encoder(node);
+    if (its.reading.state != EncoderState::parameterization || !encoder->device().hasWords() ||
+        its.out != k3::normalRunning || its.leftOut || its.heldByJob || encoder->runningJob())
+        return std::nullopt;
+    Fault fault =
+        ofEncoder(node, {Role::attention, EncoderFaultText::tr("parameters", "parameterization")},
+                  sentence(EncoderFaultText::tr("%1 was left in parameterization and gives no position."),
+                           {node.toString()}) +
+                      u' ' + whatRunMakesValid(*encoder));
+    fault.actions = {FaultAction::run};
+    return fault;
+}
+
 } // namespace
 
 std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
@@ -75,6 +94,8 @@ std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
         return ofEncoder(node, errorWord(encoder, reading),
                          QStringLiteral("%1: %2").arg(node.toString(),
                                                       refusalText(shownError(encoder->device(), reading))));
+    if (auto left = leftInParameterization(bus, device))
+        return left;
     return doubt(bus, device);
 }
 

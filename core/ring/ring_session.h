@@ -91,6 +91,8 @@ public:
     // Goes to Operate, sets the OUT that a job has left to 00000000 and reads what is not known since. What
     // comes of it is reported like any job.
     void bringBack(Place place);
+    // Ends the parameterization in which the encoder was left: what it has taken becomes valid.
+    void sendRun(Place place);
 
     // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
     //
@@ -132,6 +134,7 @@ private:
     void showDevice(std::size_t place);
     void lookForZeros();
     void goOnBringingBack();
+    void startReported(EncoderSession &encoder, const Job &job);
     void post(Command command);
     void linkOpened() {} // the ring is reported next
     bool takeAtOnce(const RingEvent &event);

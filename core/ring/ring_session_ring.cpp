@@ -142,9 +142,19 @@ void RingSession::goOnBringingBack()
         return;
     const auto *driven = static_cast<RingEncoderSession *>(encoder);
     const std::vector<Parameter> unknown = driven->readableDoubts();
-    const Job job =
-        unknown.empty() ? Job(SendWords{.words = {k3::normalRunning}}) : Job(ReadParameters{unknown});
-    if (const auto started = encoder->start(job, Pace::byItself); !started)
+    startReported(*encoder, unknown.empty() ? Job(SendWords{.words = {k3::normalRunning}})
+                                            : Job(ReadParameters{unknown}));
+}
+
+void RingSession::sendRun(Place place)
+{
+    if (EncoderSession *encoder = encoderAt(place.node))
+        startReported(*encoder, EndParameterization{});
+}
+
+void RingSession::startReported(EncoderSession &encoder, const Job &job)
+{
+    if (const auto started = encoder.start(job, Pace::byItself); !started)
         Q_EMIT refused(started.error());
 }
 

@@ -361,5 +361,44 @@ TEST(LostGateway, WhatWasLeftIsBroughtBackWhenTheUserSaysSo)
     EXPECT_GE(broughtBack, 1);
 }
 
+// OUT is back at 0, and the encoder waits in parameterization: what run would make valid is said before it is
+// sent.
+TEST(LostGateway, AnEncoderLeftInParameterizationSaysWhatRunMakesValid)
+{
+    int run = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        RingSession &bus = *gateway.session.bus;
+        const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
+        if (!outcome)
+            break;
+        gateway.control->isAway = false;
+        gateway.control->writesLeft = -1;
+        bus.advance(5s);
+        const auto waitsForRun = [&] {
+            const auto faults = bus.outline().faults();
+            const auto left = std::ranges::find_if(
+                faults, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::run}; });
+            return left != faults.end() ? std::optional(*left) : std::nullopt;
+        };
+        if (gateway.session.encoder(lostFraba).latest().state != EncoderState::parameterization)
+            continue;
+        bus.bringBack(lostFraba);
+        bus.advance(100ms); // until it operates
+        bus.advance(3s);
+        ASSERT_TRUE(gateway.session.isOutZero());
+        const auto left = waitsForRun();
+        ASSERT_TRUE(left);
+        EXPECT_TRUE(left->text.contains(QLatin1String("Steps = "))) << left->text.toStdString();
+        ++run;
+        bus.sendRun(lostFraba);
+        bus.advance(3s);
+        EXPECT_EQ(gateway.session.encoder(lostFraba).latest().state, EncoderState::operation);
+        EXPECT_FALSE(waitsForRun());
+    }
+    EXPECT_GE(run, 1);
+}
+
 } // namespace
 } // namespace codewheel

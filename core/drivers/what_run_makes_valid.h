@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace codewheel {
+
+class EncoderSession;
+
+// Sentences about an encoder in parameterization: what its IN confirms, and what run makes valid, as far as
+// is known.
+QString whatRunMakesValid(const EncoderSession &encoder);
+
+} // namespace codewheel
