@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "bus/word_channel.h"
+#include "drivers/what_run_makes_valid.h"
 #include "encoder/hex.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/cancel_question.h"
@@ -82,22 +83,45 @@ void Leaving::goOn()
         return;
     const QScopedValueRollback asks(m_asks, true);
     if (const QPointer<EncoderSession> encoder = busyEncoder()) {
+        if (m_waitsForZero)
+            return; // it is being brought back
         if (!endJob(*encoder))
             stay();
         else if (!encoder || !encoder->runningJob())
             QTimer::singleShot(0, this, &Leaving::goOn);
         return; // otherwise finished() calls this again
     }
-    std::vector<Place> devices;
-    for (const EncoderBus *bus : buses())
-        std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
+    const std::vector<Place> devices = devicesToAskFor();
     const auto isRunning = [this](Place number) { return m_buses->busOf(number)->isRunning(); };
-    if (m_waitsForZero && std::ranges::any_of(devices, isRunning))
+    const auto stillSends = [&](Place number) {
+        return isRunning(number) && m_buses->channel(number)->out() != 0;
+    };
+    if (m_waitsForZero && std::ranges::any_of(devices, stillSends))
         return; // updated() calls this again
     if (!devices.empty() && !m_outAnswered && !askForOut(devices))
         return;
     m_waitsForZero = false;
     std::exchange(m_then, nullptr)();
+}
+
+// With a word in OUT, or an encoder that nobody has brought back from a parameterization.
+std::vector<Place> Leaving::devicesToAskFor() const
+{
+    std::vector<Place> devices;
+    for (const EncoderBus *bus : buses()) {
+        std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
+        for (const Place place : bus->places())
+            if (isInParameterization(place) && std::ranges::count(devices, place) == 0)
+                devices.push_back(place);
+    }
+    return devices;
+}
+
+bool Leaving::isInParameterization(Place device) const
+{
+    const EncoderSession *encoder = m_buses->encoder(device);
+    return encoder != nullptr && encoder->freshness().isLive() &&
+           encoder->latest().state == EncoderState::parameterization;
 }
 
 std::vector<EncoderBus *> Leaving::buses() const
@@ -170,42 +194,78 @@ QString Leaving::title() const
     return {};
 }
 
+// "OUT 1.0 is 020000FF".
+QString Leaving::stateOf(Place device) const
+{
+    const QString out = tr("OUT %1 is %2").arg(device.shown(), hexWord(m_buses->channel(device)->out()));
+    return isInParameterization(device)
+               ? tr("%1. The encoder is in parameterization, and stays there without a position until run is "
+                    "sent. %2",
+                    "OUT 1.0 is 020000FF, sentences")
+                     .arg(out, whatRunMakesValid(*m_buses->encoder(device)))
+               : out;
+}
+
 // True: go on now. False: the user stays, or the zeros are being sent.
 bool Leaving::askForOut(const std::vector<Place> &devices)
 {
-    QStringList words;
-    for (const Place number : devices)
-        words.append(tr("OUT %1 is %2").arg(number.shown(), hexWord(m_buses->channel(number)->out())));
-    QMessageBox box(QMessageBox::Question, title(), tr("Not all OUT words are 00000000."),
+    QStringList states;
+    for (const Place device : devices)
+        states.append(stateOf(device));
+    const bool needsRun =
+        std::ranges::any_of(devices, [this](Place device) { return isInParameterization(device); });
+    QMessageBox box(QMessageBox::Question, title(),
+                    needsRun ? tr("An encoder has been left in parameterization.")
+                             : tr("Not all OUT words are 00000000."),
                     QMessageBox::NoButton, &m_window);
     setHelpTopic(box, "README.md#leaving");
-    box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
-                           tr("Set them to 00000000 (normal running) first?"));
-    const bool mayZero = canSend();
-    QPushButton *zero = box.addButton(tr("Set to &00000000"), QMessageBox::AcceptRole);
-    zero->setEnabled(mayZero);
-    zero->setToolTip(mayZero ? tr("Sends 00000000 to these devices, then goes on")
-                             : tr("Nothing can be sent now: the bus is stopped, or in Watch"));
+    box.setInformativeText(
+        states.join(u'\n') + QStringLiteral("\n\n") +
+        (needsRun ? tr("What shall be sent first?") : tr("Set them to 00000000 (normal running) first?")));
+    const bool maySend = canSend();
+    const auto add = [&](const QString &text, const QString &tip) {
+        QPushButton *button = box.addButton(text, QMessageBox::AcceptRole);
+        button->setEnabled(maySend);
+        button->setToolTip(maySend ? tip : tr("Nothing can be sent now: the bus is stopped, or in Watch"));
+        return button;
+    };
+    QPushButton *run = needsRun
+                           ? add(tr("Send &run, then 00000000"),
+                                 tr("Sends 80000000 to the encoders in parameterization, and 00000000 to "
+                                    "all devices named, then goes on"))
+                           : nullptr;
+    QPushButton *zeros =
+        add(tr("Set to &00000000"), needsRun ? tr("Sends 00000000 to these devices, then goes on. What is in "
+                                                  "parameterization stays there")
+                                             : tr("Sends 00000000 to these devices, then goes on"));
     QPushButton *leave = box.addButton(tr("&Leave as they are"), QMessageBox::DestructiveRole);
     leave->setToolTip(tr("Goes on without sending anything"));
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(mayZero ? zero : cancel);
+    box.setDefaultButton(maySend && !needsRun ? zeros : cancel);
     box.exec();
 
-    if (box.clickedButton() == leave) {
-        m_outAnswered = true;
-        return true;
-    }
-    if (box.clickedButton() != zero) {
-        stay();
-        return false;
-    }
     m_outAnswered = true;
-    m_waitsForZero = true;
-    for (const Place number : devices)
-        if (WordChannel *channel = m_buses->channel(number))
-            channel->zero();
+    m_waitsForZero = false;
+    if (box.clickedButton() == leave)
+        return true;
+    if (box.clickedButton() == zeros || (run != nullptr && box.clickedButton() == run))
+        zero(devices, box.clickedButton() == run);
+    else
+        stay();
     return false;
+}
+
+// Where run fails, the question comes again: it says what is left.
+void Leaving::zero(const std::vector<Place> &devices, bool runsFirst)
+{
+    m_waitsForZero = true;
+    for (const Place device : devices) {
+        EncoderSession *encoder = m_buses->encoder(device);
+        if (runsFirst && isInParameterization(device) && encoder->start(EndParameterization{}))
+            m_outAnswered = false;
+        else if (WordChannel *channel = m_buses->channel(device))
+            channel->zero();
+    }
 }
 
 void Leaving::stay()

@@ -39,6 +39,10 @@ private:
     bool goesOnWithoutJob(Place place);
     QString title() const;
     bool askForOut(const std::vector<Place> &devices);
+    void zero(const std::vector<Place> &devices, bool runsFirst);
+    std::vector<Place> devicesToAskFor() const;
+    bool isInParameterization(Place device) const;
+    QString stateOf(Place device) const;
     EncoderSession *busyEncoder() const;
     std::vector<EncoderBus *> buses() const; // to be left, and still open
     bool canSend() const;                    // on all of them
@@ -55,7 +59,7 @@ private:
     std::vector<EncoderBus *> m_left; // for comparison only: they may be gone
     std::function<void()> m_then;
     bool m_outAnswered = false;
-    bool m_waitsForZero = false;
+    bool m_waitsForZero = false; // or for what run brings back
     bool m_asks = false; // a question is open
 };
 

@@ -57,6 +57,38 @@ TEST_F(LeavingTest, StopLeavesTheWordsIfTheUserSaysSo)
     EXPECT_FALSE(bus().isRunning());
 }
 
+// 00000000 alone leaves it there.
+TEST_F(LeavingTest, AWordThatBeganAParameterizationIsBroughtBackByRun)
+{
+    send(baumer, 0x0200'00FF);
+    advance(100);
+    ASSERT_EQ(in(baumer), 0xC200'00FFu);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Send run"));
+    window().close();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("IN (C20000FF) confirms Steps with the data 255")))
+        << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("normal running")));
+    advance(500);
+    EXPECT_EQ(out(baumer), 0u);
+    EXPECT_TRUE(k3::isOperation(in(baumer)));
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(LeavingTest, AnEncoderThatStaysInParameterizationIsSaidTo)
+{
+    send(baumer, 0x0200'00FF);
+    advance(100);
+    send(baumer, 0);
+    ASSERT_EQ(in(baumer), 0xC200'00FFu);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Leave as they are"));
+    actions().stop->trigger();
+    EXPECT_TRUE(
+        question.text().contains(QStringLiteral("OUT 2.0 is 00000000. The encoder is in parameterization")))
+        << question.text().toStdString();
+    advance(50);
+    EXPECT_FALSE(bus().isRunning());
+}
+
 TEST_F(LeavingTest, CancelKeepsTheBusRunning)
 {
     send(fraba, 0x0000'0001);
