@@ -33,6 +33,20 @@ QLocale withSign(const QLocale &locale, QStringView sign)
     return locale;
 }
 
+// A system may be German with the numbers of another country (LC_NUMERIC), or of none. Beside German texts
+// "12,345" would be a fraction, so they bring the numbers of their language in that country; the settings can
+// say otherwise.
+QLocale numbersBeside(const QTranslator &texts, const QLocale &system)
+{
+    const QLocale language(texts.language());
+    if (language.language() == QLocale::English)
+        return system;
+    const QLocale there(language.language(), system.territory());
+    return there.decimalPoint() == system.decimalPoint() && there.groupSeparator() == system.groupSeparator()
+               ? system
+               : there;
+}
+
 } // namespace
 
 void Language::use(const QString &chosen, QStringView decimalSign)
@@ -41,8 +55,9 @@ void Language::use(const QString &chosen, QStringView decimalSign)
     QCoreApplication::removeTranslator(&m_qts);
 
     const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
-    QLocale::setDefault(withSign(locale, decimalSign));
-    if (!loadOurs(m_ours, locale))
+    const bool hasTexts = loadOurs(m_ours, locale);
+    QLocale::setDefault(withSign(hasTexts ? numbersBeside(m_ours, locale) : locale, decimalSign));
+    if (!hasTexts)
         return;
     // Qt's texts are in the language of ours, not in one that only Qt has.
     if (m_qts.load(QLocale(m_ours.language()), QStringLiteral("qtbase"), separator,

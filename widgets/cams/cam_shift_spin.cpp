@@ -20,7 +20,7 @@ CamShiftSpin::CamShiftSpin(QWidget *parent)
 
 tl::expected<int, QString> CamShiftSpin::read(const QString &bare) const
 {
-    const auto shift = readWhole(bare, locale());
+    const auto shift = readWhole(bare);
     if (!shift)
         return tl::unexpected(shift.error());
     if (*shift < minimum() || *shift > maximum())

@@ -41,7 +41,7 @@ PositionInput::PositionInput(std::int64_t least, std::int64_t largest, Complaint
 
 std::optional<std::int64_t> PositionInput::value() const
 {
-    const auto position = readWhole(text(), QLocale());
+    const auto position = readWhole(text());
     return position && *position >= m_least && *position <= m_largest ? std::optional(*position)
                                                                       : std::nullopt;
 }
@@ -51,7 +51,7 @@ QString PositionInput::complaint() const
     const bool isEmpty = text().trimmed().isEmpty();
     if (value() || (isEmpty && !isModified()))
         return {};
-    const auto number = readWhole(text(), QLocale());
+    const auto number = readWhole(text());
     if (!number && !isEmpty)
         return number.error();
     return m_complaint(number ? RefusalArgument(*number) : RefusalArgument(tr("nothing")));

@@ -7,13 +7,10 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include <algorithm>
-#include <cmath>
-
 namespace codewheel {
 namespace {
 
-constexpr double beyondEveryRange = 1e12;
+constexpr QChar narrowSpace(0x202F); // between thousands, as some countries write them
 
 struct DecimalText
 {
@@ -61,21 +58,19 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
     return number;
 }
 
-tl::expected<std::int64_t, QString> readWhole(const QString &text, const QLocale &locale)
+tl::expected<std::int64_t, QString> readWhole(const QString &text)
 {
-    if (const auto number = parseNumber(text))
-        return *number;
-    const auto decimal = readDecimal(text, locale);
-    if (!decimal)
-        return tl::unexpected(decimal.error());
-    if (*decimal != std::floor(*decimal))
-        return tl::unexpected(hasDecimalsText(text));
-    return std::llround(std::clamp(*decimal, -beyondEveryRange, beyondEveryRange));
-}
-
-QString hasDecimalsText(const QString &text)
-{
-    return DecimalText::tr("%1 has decimals; a whole number belongs here.").arg(text.trimmed());
+    QString digits = text;
+    digits.remove(u' ').remove(QChar(QChar::Nbsp)).remove(narrowSpace);
+    const bool isNegative = digits.startsWith(u'-');
+    if (isNegative || digits.startsWith(u'+'))
+        digits.remove(0, 1);
+    if (const auto number = parseNumber(digits))
+        return isNegative ? -*number : *number;
+    if (text.contains(u'.') || text.contains(u','))
+        return tl::unexpected(
+            DecimalText::tr("\"%1\" is not a whole number. Digits only: 1000.").arg(text.trimmed()));
+    return tl::unexpected(DecimalText::tr("\"%1\" is not a number.").arg(text.trimmed()));
 }
 
 } // namespace codewheel

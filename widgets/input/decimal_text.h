@@ -15,10 +15,8 @@ namespace codewheel {
 // English: 1000 or 1.000).
 tl::expected<double, QString> readDecimal(const QString &text, const QLocale &locale);
 
-// A whole number: decimal as above, or hexadecimal with its mark ("0x1F", "1Fh").
-tl::expected<std::int64_t, QString> readWhole(const QString &text, const QLocale &locale);
-
-// "2.5 has decimals; a whole number belongs here."
-QString hasDecimalsText(const QString &text);
+// A whole number: digits, with spaces between them if somebody likes, or hexadecimal with its mark ("0x1F",
+// "1Fh"). A point or a comma is refused, whatever it may mean.
+tl::expected<std::int64_t, QString> readWhole(const QString &text);
 
 } // namespace codewheel

@@ -7,7 +7,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 
-#include <cmath>
 #include <type_traits>
 
 namespace codewheel {
@@ -46,11 +45,14 @@ QString SpinField<SpinBox>::bareText(QString text) const
 template <typename SpinBox>
 auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Value, QString>
 {
-    const auto number = readDecimal(bare, this->locale());
+    const auto number = [&] {
+        if constexpr (std::is_integral_v<Value>)
+            return readWhole(bare);
+        else
+            return readDecimal(bare, this->locale());
+    }();
     if (!number)
         return tl::unexpected(number.error());
-    if (std::is_integral_v<Value> && *number != std::floor(*number))
-        return tl::unexpected(hasDecimalsText(bare));
     if (*number < this->minimum() || *number > this->maximum())
         return tl::unexpected(
             SpinFieldTexts::tr("%1 is outside %2 to %3.")

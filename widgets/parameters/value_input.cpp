@@ -38,7 +38,7 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
 tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
 {
     if (parameter.unit != Unit::micrometres)
-        return readWhole(text, QLocale());
+        return readWhole(text);
     const auto millimetres = readDecimal(text, QLocale());
     if (!millimetres)
         return tl::unexpected(millimetres.error());

@@ -96,7 +96,7 @@ QRadioButton *ReplacePositionStep::chosen() const
 void ReplacePositionStep::takeTyped()
 {
     const QString text = m_value->text().trimmed();
-    const auto position = readWhole(text, QLocale());
+    const auto position = readWhole(text);
     if (position && *position >= 0)
         m_replacing.position = *position;
     else

@@ -63,5 +63,30 @@ TEST(DecimalText, ARefusalSaysBothMeanings)
     EXPECT_EQ(word.error(), QStringLiteral("\"abc\" is not a number."));
 }
 
+struct TypedWhole
+{
+    const char *text;
+    std::optional<std::int64_t> number;
+};
+
+// A technician's "1.000" is a thousand or one: it is neither.
+const TypedWhole typedWholes[] = {
+    {"1000", 1000}, {" 1 000 ", 1000}, {"-12 345", -12'345}, {"0x1F", 31}, {"1Fh", 31},       {"007", 7},
+    {"1.000", {}},  {"1,000", {}},     {"1.", {}},           {"1.0", {}},  {"12,5", {}},      {"1'000", {}},
+    {"", {}},       {"abc", {}},       {"1e3", {}},          {"5 mm", {}}, {"1.000.000", {}},
+};
+
+TEST(DecimalText, AWholeNumberIsWrittenInDigits)
+{
+    for (const TypedWhole &row : typedWholes) {
+        const auto number = readWhole(QString::fromLatin1(row.text));
+        EXPECT_EQ(number ? std::optional(*number) : std::nullopt, row.number) << row.text;
+    }
+    for (const QChar space : {QChar(QChar::Nbsp), QChar(0x202F)})
+        EXPECT_EQ(readWhole(QStringLiteral("8") + space + QStringLiteral("192")).value_or(0), 8192);
+    EXPECT_EQ(readWhole(QStringLiteral("1.000")).error(),
+              QStringLiteral("\"1.000\" is not a whole number. Digits only: 1000."));
+}
+
 } // namespace
 } // namespace codewheel

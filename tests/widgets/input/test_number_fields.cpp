@@ -121,6 +121,12 @@ TEST_F(NumberFieldsTest, WhatIsRefusedIsSaidAtTheFieldAndNotTaken)
     other.setFocus();
     EXPECT_EQ(whole.value(), 7);
 
+    type(whole, "1.000");
+    EXPECT_TRUE(whole.findChild<QLineEdit *>()->accessibleDescription().contains(
+        QStringLiteral("Digits only: 1000")));
+    other.setFocus();
+    EXPECT_EQ(whole.value(), 7);
+
     type(whole, "300");
     EXPECT_TRUE(whole.findChild<QLineEdit *>()->accessibleDescription().contains(QStringLiteral("0 to 100")));
     other.setFocus();
