@@ -86,6 +86,11 @@ void JobReview::addOption(QWidget *option)
     m_options->addWidget(option);
 }
 
+void JobReview::offerToWriteAll(bool on)
+{
+    m_writeAll->setVisible(on);
+}
+
 void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns, const QString &tip,
                       TextSize size)
 {

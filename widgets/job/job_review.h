@@ -51,6 +51,7 @@ protected:
 
     void addTitle(QWidget *title);
     void addOption(QWidget *option);
+    void offerToWriteAll(bool on);
     QTableView &table() { return *m_table; }
 
     void keyPressEvent(QKeyEvent *event) override;

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QTextDocument>
 #include <QToolButton>
 
 #include <algorithm>
@@ -139,6 +140,8 @@ void InlineMessage::showText()
         behind += QStringLiteral("<br><code>%1</code>").arg(m_command.toHtmlEscaped());
     m_sentence->setTextFormat(behind.isEmpty() ? Qt::PlainText : Qt::RichText);
     m_sentence->setText(behind.isEmpty() ? m_text : m_text.toHtmlEscaped() + behind);
+    m_sentence->setToolTip(
+        m_text.isEmpty() ? QString() : Qt::convertFromPlainText(m_text)); // where it has not enough room
 }
 
 void InlineMessage::focusAction()

@@ -5,7 +5,6 @@
 #include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
-#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/job/job_strip.h"
 #include "widgets/job/outcome_text.h"
@@ -19,6 +18,7 @@
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/position_to_set.h"
+#include "widgets/parameters/preset_review.h"
 #include "widgets/parameters/value_bar.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
@@ -46,11 +46,13 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::parameters, {}, {}, this))
     , m_review(new WriteReview(this))
+    , m_presetReview(new PresetReview(this))
 {
     m_tablePage = makeTablePage();
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_tablePage);
     m_pages->addWidget(m_review);
+    m_pages->addWidget(m_presetReview);
     m_whose->setTextFormat(Qt::PlainText);
     m_whose->setWordWrap(true);
     m_whose->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long name does not widen the panel
@@ -141,14 +143,16 @@ void ParameterPanel::connectParts()
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, [this] { start(EndParameterization{}); });
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
-    connect(m_review, &WriteReview::cancelled, this, [this] {
-        m_pages->setCurrentWidget(m_tablePage);
-        m_write->setFocus();
-    });
-    connect(m_review, &WriteReview::confirmed, this, [this](const Job &job) {
-        m_pages->setCurrentWidget(m_tablePage);
-        start(job);
-    });
+    for (JobReview *review : {static_cast<JobReview *>(m_review), static_cast<JobReview *>(m_presetReview)}) {
+        connect(review, &JobReview::cancelled, this, [this] {
+            m_pages->setCurrentWidget(m_tablePage);
+            m_write->setFocus();
+        });
+        connect(review, &JobReview::confirmed, this, [this](const Job &job) {
+            m_pages->setCurrentWidget(m_tablePage);
+            start(job);
+        });
+    }
     connect(&m_wanted, &WantedValues::changed, this, [this] { withdraw(Cause::refusal); });
     for (const auto show : {&ParameterPanel::showDifferences, &ParameterPanel::showValueNotes}) {
         connect(m_model, &QAbstractItemModel::modelReset, this, show);
@@ -394,13 +398,14 @@ void ParameterPanel::askWherePositionIs()
     m_bar->ask({.parameter = positionToSet(*session()),
                 .label = tr("The position here is to be"),
                 .ifEmpty = tr("position"),
-                .button = tr("&Set"),
+                .button = tr("&Set…"),
                 .toolTip = positionToSetText(*session()),
                 .answered =
                     [this](std::optional<std::int64_t> value) {
-                        const SetPreset job{.value = value};
-                        if (session() && askForEeprom(window(), *session(), job))
-                            start(job);
+                        if (!session() || !value)
+                            return;
+                        m_presetReview->review(*session(), *value);
+                        m_pages->setCurrentWidget(m_presetReview);
                     }},
                std::nullopt);
 }

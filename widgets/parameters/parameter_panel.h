@@ -22,6 +22,7 @@ class InlineMessage;
 class JobStrip;
 class ParameterModel;
 class ParameterTable;
+class PresetReview;
 class RoleLabel;
 class ValueBar;
 class WantedValues;
@@ -88,10 +89,11 @@ private:
     ParameterModel *m_model;
     EncoderFunctions *m_functions;
     QLabel *m_whose;         // the encoder that is being set up
-    QStackedWidget *m_pages; // empty, table, review
+    QStackedWidget *m_pages; // empty, table, a review
     EmptyState *m_empty;
     QWidget *m_tablePage = nullptr;
     WriteReview *m_review;
+    PresetReview *m_presetReview;
     ParameterTable *m_table = nullptr;
     RoleLabel *m_differences = nullptr;
     QLabel *m_valueNotes = nullptr;

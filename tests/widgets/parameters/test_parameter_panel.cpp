@@ -388,7 +388,7 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("1 value differs"));
 
     click(QStringLiteral("Write…"));
-    auto *review = panel.findChild<ReviewTable *>();
+    auto *review = panel.findChild<WriteReview *>()->findChild<ReviewTable *>();
     const test::ModelTester reviewTester(*review);
     ASSERT_EQ(review->rowCount(), 1);
     EXPECT_EQ(review->index(0, 1).data().toString(), QStringLiteral("8192"));
@@ -510,7 +510,7 @@ TEST_F(Parameters, TheReviewFollowsWhatComesToBeKnown)
     panel.setEncoder(bus.encoder(baumer));
     want(Parameter::steps, QStringLiteral("255"));
     click(QStringLiteral("Write…"));
-    const auto *review = panel.findChild<ReviewTable *>();
+    const auto *review = panel.findChild<WriteReview *>()->findChild<ReviewTable *>();
     ASSERT_EQ(review->rowCount(), 1);
     bus.encoder(baumer)->tell(Parameter::steps, 255);
     EXPECT_EQ(review->rowCount(), 0);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel with a TR LA-66 in virtual time.
+#include "encoder/sentence.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/rod_bus.h"
+#include "widgets/job/review_table.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/preset_review.h"
 #include "widgets/parameters/value_input.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
@@ -17,6 +20,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QLabel>
 #include <QLatin1Char>
 #include <QLocale>
 #include <QMenu>
@@ -128,7 +132,7 @@ TEST_F(ParametersOfARod, TheReviewShowsTheWordsOfTheServicesAndWritesThem)
     typeWanted(Parameter::measuringLength, QStringLiteral("C350h")); // LA-66 manual 3.2
     typeWanted(Parameter::externalPreset, QStringLiteral("500"));
     click(QStringLiteral("Write…"));
-    const QAbstractItemModel &review = *panel.findChild<ReviewTable *>();
+    const QAbstractItemModel &review = *panel.findChild<WriteReview *>()->findChild<ReviewTable *>();
     ASSERT_EQ(review.rowCount(), 2);
     EXPECT_EQ(review.index(0, 3).data(), QStringLiteral("C200C350"));
     EXPECT_EQ(review.index(1, 3).data(), QStringLiteral("C40001F4"));
@@ -150,12 +154,24 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
             set = action;
     ASSERT_NE(set, nullptr);
     ASSERT_TRUE(set->isVisible());
+    ring.controls->turnBy(rodPlace.node, -1'500);
+    ring.bus.advance(50);
     set->trigger();
     auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
     auto *take = panel.findChild<QPushButton *>(QStringLiteral("takeValue"));
     EXPECT_FALSE(take->isEnabled()) << "without a value nothing is set";
     QTest::keyClicks(field, QStringLiteral("1000"));
-    QTest::mouseClick(take, Qt::LeftButton);
+    const auto before = rod().latest().position;
+    QTest::keyClick(field, Qt::Key_Return);
+    ring.bus.advance(50);
+    EXPECT_FALSE(rod().runningJob()) << "it is shown first what that does";
+    EXPECT_EQ(rod().latest().position, before);
+    const auto *shown = panel.findChild<PresetReview *>();
+    const QAbstractItemModel &review = *shown->findChild<ReviewTable *>();
+    EXPECT_TRUE(shown->isVisible());
+    EXPECT_EQ(review.index(0, 1).data().toString(), numberText(before.value_or(-1)));
+    EXPECT_EQ(review.index(0, 2).data().toString(), numberText(1000));
+    click(QStringLiteral("Set this position"));
     finishJob();
     EXPECT_EQ(rod().latest().position, 1000);
     EXPECT_EQ(rod().eepromWrites(), 1);

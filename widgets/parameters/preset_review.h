@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/job/job_review.h"
+
+namespace codewheel {
+
+// The review before a position is set by a command that carries it: what the encoder shows, and what it will
+// show.
+class PresetReview final : public JobReview
+{
+    Q_OBJECT
+
+public:
+    explicit PresetReview(QWidget *parent = nullptr);
+
+    void review(EncoderSession &encoder, std::int64_t position); // in steps
+
+private:
+    Contents contents(const EncoderSession &encoder, bool writesAll) const override;
+
+    std::int64_t m_position = 0;
+};
+
+} // namespace codewheel
