@@ -4,6 +4,7 @@
 #include "catalog/preset_storage.h"
 #include "drivers/k3_mode.h"
 #include "drivers/protocol.h"
+#include "drivers/shown_error.h"
 #include "words/la66_word.h"
 
 #include <algorithm>
@@ -17,6 +18,15 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
         return false;
     const auto flag = encoder.known(Parameter::presetFlag);
     return !flag || flag->value == 0;
+}
+
+// What can be read from it, if anything, is not what it works with: only all of it brings it back (FRABA
+// manual 5.3.6, Baumer manual 6.2).
+bool hasLostParameters(const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    return reading.state == EncoderState::error &&
+           shownError(encoder.device(), reading).id == RefusalId::parametersLost;
 }
 
 // What can be restored: known, and writable.
@@ -83,6 +93,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     WriteParameters job{
         .values = {}, .previous = valuesBefore(encoder), .initialisePreset = wish.initialisePreset};
+    const bool writesAll = wish.writeAll || hasLostParameters(encoder);
     for (const ParameterValue &wanted : inTurn(encoder.device(), wish)) {
         const ParameterDescription *description = encoder.device().find(wanted.parameter);
         if (description == nullptr)
@@ -90,13 +101,13 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         if (wish.setPositionTo && wanted.parameter == Parameter::preset)
             continue; // setting the position uses the preset itself
         const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
-        if (!wish.writeAll && !rearms && isThereAlready(encoder, wanted))
+        if (!writesAll && !rearms && isThereAlready(encoder, wanted))
             continue;
         job.values.push_back(wanted);
         const bool readFirst =
             !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
         const bool canBeRead = description->canBeRead();
-        if (!wish.writeAll && encoder.can().reads && canBeRead && readFirst)
+        if (!writesAll && encoder.can().reads && canBeRead && readFirst)
             job.onlyWhatDiffers = true;
     }
     const ParameterValues written = job.values;

@@ -22,9 +22,9 @@ struct TransferReport
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferReport)
 };
 
-QString titleOf(TransferKind kind)
+QString titleOf(const TransferAccount &account)
 {
-    switch (kind) {
+    switch (account.kind) {
     case TransferKind::write:
         return TransferReport::tr("Values written to encoders");
     case TransferKind::clone:
@@ -34,7 +34,8 @@ QString titleOf(TransferKind kind)
     case TransferKind::replace:
         break;
     }
-    return TransferReport::tr("Encoder replaced");
+    return account.isDone() ? TransferReport::tr("Encoder replaced")
+                            : TransferReport::tr("Replacement of an encoder, not completed");
 }
 
 QString timeText(const QDateTime &at)
@@ -139,7 +140,7 @@ Report reportOf(const TransferAccount &account, const Catalog &catalog, const QS
     Report report;
     report.language =
         QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts");
-    report.title = titleOf(account.kind);
+    report.title = titleOf(account);
     report.subject = account.source;
     report.origin = QStringLiteral("Codewheel %1, %2").arg(version, timeText(account.at));
     const auto done = std::ranges::count_if(account.encoders, &EncoderAccount::isDone);

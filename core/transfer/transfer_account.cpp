@@ -99,7 +99,8 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
                            .device = plan.device,
                            .deviceKey = encoder ? encoder->device().key : QString(),
                            .positionWanted = plan.position,
-                           .why = plan.hindrance};
+                           .why = plan.hindrance,
+                           .leftIn = encoder ? encoder->latest().state : EncoderState::notSeen};
     if (result)
         addResult(account, *result);
     const std::vector<Outcome> outcomes = result ? result->outcomes : std::vector<Outcome>();
@@ -132,7 +133,8 @@ bool isThere(Became became)
 bool EncoderAccount::isDone() const
 {
     const auto done = [](const auto &row) { return isThere(row.became); };
-    return !why && std::ranges::all_of(rows, done) && std::ranges::all_of(cams, done) &&
+    const bool mayShowPosition = leftIn == EncoderState::operation || leftIn == EncoderState::notSeen;
+    return !why && mayShowPosition && std::ranges::all_of(rows, done) && std::ranges::all_of(cams, done) &&
            (!positionWanted || positionSet);
 }
 

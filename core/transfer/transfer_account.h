@@ -56,7 +56,7 @@ struct EncoderAccount
     QDateTime begun{};
     QDateTime ended{};
 
-    // Whether the encoder has everything that was wanted.
+    // Whether the encoder has everything that was wanted, and works.
     bool isDone() const;
 };
 

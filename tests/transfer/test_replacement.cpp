@@ -60,6 +60,40 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
     EXPECT_FALSE(sent.contains(QStringLiteral("0A00000C")));          // the old zero offset
 }
 
+// Error 3: what can be read is not what it works with.
+TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsAllOfThem)
+{
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    bus.advance(50);
+    ASSERT_EQ(encoder(fraba).latest().in, 0x8600'0000u);
+    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    device.wanted = {{Parameter::steps, 4096},
+                     {Parameter::revolutions, 1},
+                     {Parameter::direction, 3},
+                     {Parameter::preset, 100}};
+    device.stored.clear();
+    for (const ParameterValue &value : device.wanted) // as if it had been read
+        encoder(fraba).tell(value.parameter, value.value);
+    bus.advance(50);
+    const TransferAccount account =
+        carryOut(planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), std::nullopt, anywhere)}));
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(encoder(fraba).latest().state, EncoderState::operation);
+    EXPECT_THAT(words(fraba).toStdString(),
+                testing::HasSubstr("02001000 04000001 06000003 08000064 80000000"));
+}
+
+TEST_F(Replacing, WhatShowsNoPositionIsNotReplaced)
+{
+    EncoderAccount account{.place = fraba, .isBegun = true, .leftIn = EncoderState::operation};
+    EXPECT_TRUE(account.isDone());
+    for (const EncoderState left : {EncoderState::error, EncoderState::parameterization,
+                                    EncoderState::readOut, EncoderState::silent, EncoderState::unknown}) {
+        account.leftIn = left;
+        EXPECT_FALSE(account.isDone());
+    }
+}
+
 TEST_F(Replacing, ABaumerTakesTheDirectionOfAFrabaAsItsCoding)
 {
     const ProjectDevice device = planned(baumer, "fraba-ocd-ib");
