@@ -871,6 +871,15 @@
         <source>Not recorded</source>
         <translation>Nicht aufgezeichnet</translation>
     </message>
+    <message>
+        <source>No two reads of its word agree.</source>
+        <translation>Keine zwei Lesungen seines Wortes stimmen überein.</translation>
+    </message>
+    <message>
+        <source>Unsettled</source>
+        <comment>its word</comment>
+        <translation>Unstimmig</translation>
+    </message>
 </context>
 <context>
     <name>IdCode</name>
@@ -1625,10 +1634,6 @@
         <translation>Der Bus ist angehalten.</translation>
     </message>
     <message>
-        <source>ALARM STOP: all OUT words of the ring were set to 0.</source>
-        <translation>ALARM-STOPP: Alle OUT-Worte des Rings wurden auf 0 gesetzt.</translation>
-    </message>
-    <message>
         <source>Operate: writing is allowed.</source>
         <translation>Bedienen: Schreiben ist erlaubt.</translation>
     </message>
@@ -2023,6 +2028,10 @@
     <message>
         <source>OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.</source>
         <translation>In OUT steht vielleicht noch %1: Der Geber liefert dann womöglich keine Position. Zurückholen, sobald der Bus wieder läuft.</translation>
+    </message>
+    <message>
+        <source>ALARM STOP: all OUT words of the ring are set to 0.</source>
+        <translation>ALARM STOP: alle OUT-Worte des Rings werden auf 0 gesetzt.</translation>
     </message>
 </context>
 <context>
@@ -3136,6 +3145,10 @@
     <message>
         <source>%1 does not carry out %2 (exception 4). The watchdog of its outputs may have tripped: acknowledge it, then go to Operate again.</source>
         <translation>%1 führt %2 nicht aus (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: Quittieren Sie ihn und schalten Sie dann wieder auf Bedienen.</translation>
+    </message>
+    <message>
+        <source>The encoder did not answer within %1 s (OUT %2, IN %3). Check the first register of OUT in the connection: its words may go elsewhere. Then check which encoder it is, and whether it is switched on.</source>
+        <translation>Der Geber hat nicht innerhalb von %1 s geantwortet (OUT %2, IN %3). In der Verbindung das erste Register von OUT prüfen: Seine Worte gehen vielleicht woandershin. Dann prüfen, welcher Geber es ist und ob er eingeschaltet ist.</translation>
     </message>
 </context>
 <context>
@@ -4865,6 +4878,10 @@
     <message>
         <source>Writes the earlier values again</source>
         <translation>Schreibt die vorigen Werte wieder</translation>
+    </message>
+    <message>
+        <source>Before that, run makes valid what it has taken: until the earlier values are written, the controller sees a position by these. Leave it in parameterization to avoid that.</source>
+        <translation>Davor macht Run gültig, was er übernommen hat: Bis die früheren Werte geschrieben sind, sieht die Steuerung eine Position nach diesen. In der Parametrierung lassen vermeidet das.</translation>
     </message>
 </context>
 <context>
@@ -8365,8 +8382,8 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
-        <source>%1 has decimals; a whole number belongs here.</source>
-        <translation>%1 hat Nachkommastellen; hier wird eine ganze Zahl erwartet.</translation>
+        <source>&quot;%1&quot; is not a whole number. Digits only: 1000.</source>
+        <translation>„%1“ ist keine ganze Zahl. Nur Ziffern: 1000.</translation>
     </message>
 </context>
 <context>
@@ -9279,6 +9296,15 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>doubtful</source>
         <comment>IN word</comment>
         <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <comment>parameterization</comment>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>%1 was left in parameterization and gives no position.</source>
+        <translation>%1 blieb in der Parametrierung und gibt keine Position aus.</translation>
     </message>
 </context>
 <context>
@@ -10247,7 +10273,7 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
     <message>
         <source>It can with %1 (%2): change the word order.</source>
-        <translation>Mit %1 kann er es (%2): Die Wortreihenfolge ändern.</translation>
+        <translation>Er kann es bei „%1“ (%2): Die Wortreihenfolge ändern.</translation>
     </message>
     <message>
         <source>It can with the bytes of each register exchanged: set the gateway so that it does not exchange them.</source>
@@ -10263,7 +10289,7 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
     <message>
         <source>With %1 it can be %2 as well. Test again with another position.</source>
-        <translation>Mit %1 kann es ebenso %2 sein. An einer anderen Position noch einmal testen.</translation>
+        <translation>Bei „%1“ kann es ebenso %2 sein. An einer anderen Position noch einmal testen.</translation>
     </message>
     <message>
         <source>Address</source>
@@ -10545,6 +10571,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>The words of IN fit this map, and none near it. Where OUT begins shows nowhere: compare it with the manual of the gateway.</source>
         <translation>Die Worte von IN passen zu diesem Registerplan und zu keinem daneben. Wo OUT beginnt, zeigt sich nirgends: Vergleichen Sie es mit dem Handbuch des Gateways.</translation>
+    </message>
+    <message>
+        <source>The register of the place is the status register, %1.</source>
+        <translation>Das Register des Ortes ist das Statusregister, %1.</translation>
     </message>
 </context>
 <context>
@@ -11437,6 +11467,39 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>Disconnect</source>
         <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>The job on %1 has ended before an answer was given.</source>
+        <translation>Der Auftrag an %1 hat geendet, bevor eine Antwort gegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Its result stands in the messages. %1 all the same?</source>
+        <translation>Sein Ergebnis steht in den Meldungen. Trotzdem: %1?</translation>
+    </message>
+    <message>
+        <source>%1. The encoder is in parameterization, and stays there without a position until run is sent. %2</source>
+        <comment>OUT 1.0 is 020000FF, sentences</comment>
+        <translation>%1. Der Geber ist in der Parametrierung und bleibt dort ohne Position, bis Run gesendet wird. %2</translation>
+    </message>
+    <message>
+        <source>An encoder has been left in parameterization.</source>
+        <translation>Ein Geber blieb in der Parametrierung.</translation>
+    </message>
+    <message>
+        <source>What shall be sent first?</source>
+        <translation>Was soll zuvor gesendet werden?</translation>
+    </message>
+    <message>
+        <source>Send &amp;run, then 00000000</source>
+        <translation>&amp;Run senden, dann 00000000</translation>
+    </message>
+    <message>
+        <source>Sends 80000000 to the encoders in parameterization, and 00000000 to all devices named, then goes on</source>
+        <translation>Sendet 80000000 an die Geber in der Parametrierung und 00000000 an alle genannten Geräte, und fährt dann fort</translation>
+    </message>
+    <message>
+        <source>Sends 00000000 to these devices, then goes on. What is in parameterization stays there</source>
+        <translation>Sendet 00000000 an diese Geräte und fährt dann fort. Was in der Parametrierung ist, bleibt dort</translation>
     </message>
 </context>
 <context>
@@ -14526,10 +14589,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>&amp;Set</source>
-        <translation>&amp;Setzen</translation>
-    </message>
-    <message>
         <source>Not connected: nothing can be read or written. What is wanted is kept in the project.</source>
         <translation>Nicht verbunden: Es lässt sich nichts lesen oder schreiben. Was gewünscht ist, bleibt im Projekt.</translation>
     </message>
@@ -14580,6 +14639,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>This is a recording: nothing is read or written.</source>
         <translation>Dies ist eine Aufzeichnung: Es wird nichts gelesen oder geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Set…</source>
+        <translation>&amp;Setzen…</translation>
     </message>
 </context>
 <context>
@@ -14762,6 +14825,41 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Sends %1 with this position; it holds at once, and costs an EEPROM write.</source>
         <translation>Sendet %1 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PresetReview</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Which position it shows now is not known.</source>
+        <translation>Welche Position er jetzt zeigt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder moves: the place that gets this position is where it stands when the command arrives.</source>
+        <translation>Der Geber bewegt sich: Diese Position bekommt die Stelle, an der er steht, wenn der Befehl ankommt.</translation>
+    </message>
+    <message>
+        <source>Old</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Sets the position, where the encoder stands now</source>
+        <translation>Setzt die Position, wo der Geber jetzt steht</translation>
+    </message>
+    <message>
+        <source>Position of %1</source>
+        <translation>Position von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Set this position</source>
+        <translation>Diese Position &amp;setzen</translation>
     </message>
 </context>
 <context>
@@ -16918,10 +17016,6 @@ Zustand: %3 (%4)</translation>
         <translation>Worte, die nicht übereinstimmen</translation>
     </message>
     <message>
-        <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin.</source>
-        <translation>Die Lesungen von %1 stimmen nicht überein, daher wird seinem Wort nicht geglaubt. Wortreihenfolge und Beginn seiner Register prüfen.</translation>
-    </message>
-    <message>
         <source>its registers are read</source>
         <translation>seine Register werden gelesen</translation>
     </message>
@@ -16936,6 +17030,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>not known: what the bits of its status register mean is not set</source>
         <translation>nicht bekannt: Was die Bits seines Statusregisters bedeuten, ist nicht eingestellt</translation>
+    </message>
+    <message>
+        <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin. If they are right, stop the shaft or make the poll interval shorter: a position that moves is believed where reads follow each other closely.</source>
+        <translation>Die Lesungen von %1 stimmen nicht überein, daher gilt sein Wort nicht. Die Wortreihenfolge prüfen, und wo seine Register beginnen. Stimmen sie, die Welle anhalten oder das Abfrageintervall verkürzen: Eine Position, die sich bewegt, gilt, wo die Lesungen dicht aufeinander folgen.</translation>
     </message>
 </context>
 <context>
@@ -17308,6 +17406,11 @@ Zustand: %7</translation>
         <comment>a word that a job has left in OUT</comment>
         <translation>OUT steht noch</translation>
     </message>
+    <message>
+        <source>unsettled</source>
+        <comment>no two reads of its word agree</comment>
+        <translation>unstimmig</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingPlanFields</name>
@@ -17646,6 +17749,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The bus does not run. Start it first.</source>
         <translation>Der Bus läuft nicht. Starten Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>Send run</source>
+        <translation>Run senden</translation>
+    </message>
+    <message>
+        <source>Sends 80000000 to %1, then 00000000: what it has taken becomes valid, and it shows its position again</source>
+        <translation>Sendet 80000000 an %1, dann 00000000: Was er übernommen hat, wird gültig, und er zeigt seine Position wieder</translation>
     </message>
 </context>
 <context>
@@ -18582,10 +18693,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>unteres Wort zuerst</translation>
     </message>
     <message>
-        <source>Before each write, so that it is noticed if somebody else writes too. Off: it is not</source>
-        <translation>Vor jedem Schreiben, damit auffällt, wenn noch jemand schreibt. Aus: Es fällt nicht auf</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -18699,10 +18806,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Bits für Fehler</translation>
     </message>
     <message>
-        <source>The bits of the status register of which one is 1 when the ring has failed, as 2+3; or none</source>
-        <translation>Die Bits des Statusregisters, von denen eines 1 ist, wenn der Ring ausgefallen ist, wie 2+3; oder none</translation>
-    </message>
-    <message>
         <source>Register of the place</source>
         <translation>Register des Orts</translation>
     </message>
@@ -18741,6 +18844,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>What acknowledges the watchdog, by the manual of the gateway</source>
         <translation>Was den Watchdog nach dem Handbuch des Gateways quittiert</translation>
+    </message>
+    <message>
+        <source>Before each write, so that it is noticed if somebody else writes too. No: it is not</source>
+        <translation>Vor jedem Schreiben, damit auffällt, wenn noch jemand schreibt. Nein: Es fällt nicht auf</translation>
+    </message>
+    <message>
+        <source>The bits of the status register of which one is 1 when the ring has failed, as 2+3; empty: none</source>
+        <translation>Die Bits des Statusregisters, von denen eines 1 ist, wenn der Ring ausgefallen ist, etwa 2+3; leer: keines</translation>
     </message>
 </context>
 <context>
@@ -20486,6 +20597,10 @@ Worte: IN %3, OUT %4</translation>
         <source>State afterwards</source>
         <translation>Zustand danach</translation>
     </message>
+    <message>
+        <source>Replacement of an encoder, not completed</source>
+        <translation>Ersatz eines Gebers, nicht abgeschlossen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferTable</name>
@@ -21227,6 +21342,22 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Nothing wanted for %1</source>
         <translation>Nichts gewünscht für %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WhatRunMakesValid</name>
+    <message>
+        <source>IN (%1) confirms %2 with the data %3.</source>
+        <comment>a name, a number</comment>
+        <translation>IN (%1) bestätigt %2 mit den Daten %3.</translation>
+    </message>
+    <message>
+        <source>Run makes valid what was written to it, by whomever.</source>
+        <translation>Run macht gültig, was ihm geschrieben wurde, gleich von wem.</translation>
+    </message>
+    <message>
+        <source>Run makes valid what it has taken, from here: %1.</source>
+        <translation>Run macht gültig, was er von hier übernommen hat: %1.</translation>
     </message>
 </context>
 <context>
