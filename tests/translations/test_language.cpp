@@ -9,7 +9,10 @@
 #include <QFile>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QProcess>
+#include <QProcessEnvironment>
 
+#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -115,6 +118,51 @@ TEST_F(LanguageTest, LanguagesWithoutTranslationGetEnglishTextsAndTheirOwnNumber
     EXPECT_EQ(meaning(WordDirection::in, 0x0001'2A4F), "Running, position 76.367");
     EXPECT_EQ(wordsTo(1), "1 word to %1");
 }
+
+struct SystemOf
+{
+    const char *language;
+    const char *numbers;
+    const char *shown;
+};
+
+class LanguageOfSystem : public testing::TestWithParam<SystemOf>
+{};
+
+// Started by the next test in a program of its own, which asks for its system's numbers once.
+TEST(LanguageOfThisSystem, DISABLED_SaysItsNumbers)
+{
+    Language language;
+    language.use({});
+    std::puts(qPrintable(QStringLiteral("<%1 %2>").arg(QLocale().toString(12345), QLocale().toString(1.5))));
+}
+
+TEST_P(LanguageOfSystem, GermanTextsBringGermanNumbers)
+{
+    QProcessEnvironment system = QProcessEnvironment::systemEnvironment();
+    system.remove(QStringLiteral("LC_ALL"));
+    system.remove(QStringLiteral("LANGUAGE"));
+    system.insert(QStringLiteral("LANG"), QString::fromLatin1(GetParam().language));
+    system.insert(QStringLiteral("LC_NUMERIC"), QString::fromLatin1(GetParam().numbers));
+    system.insert(QStringLiteral("GTEST_TOTAL_SHARDS"), QStringLiteral("1"));
+    system.insert(QStringLiteral("GTEST_SHARD_INDEX"), QStringLiteral("0"));
+    QProcess program;
+    program.setProcessEnvironment(system);
+    program.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("--gtest_also_run_disabled_tests"),
+                   QStringLiteral("--gtest_filter=LanguageOfThisSystem.*")});
+    ASSERT_TRUE(program.waitForFinished());
+    const QString said = QString::fromUtf8(program.readAllStandardOutput());
+    EXPECT_TRUE(said.contains(QStringLiteral("<%1>").arg(QString::fromUtf8(GetParam().shown))))
+        << said.toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(Systems, LanguageOfSystem,
+                         testing::Values(SystemOf{"de_DE.UTF-8", "de_DE.UTF-8", "12.345 1,5"},
+                                         SystemOf{"de_DE.UTF-8", "C", "12.345 1,5"},
+                                         SystemOf{"de_DE.UTF-8", "en_US.UTF-8", "12.345 1,5"},
+                                         SystemOf{"de_CH.UTF-8", "de_CH.UTF-8", "12’345 1.5"},
+                                         SystemOf{"en_US.UTF-8", "de_DE.UTF-8", "12.345 1,5"}));
 
 TEST_F(LanguageTest, QtsOwnTextsAreInTheSameLanguage)
 {
