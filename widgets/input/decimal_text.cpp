@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -67,7 +69,9 @@ tl::expected<std::int64_t, QString> readWhole(const QString &text)
         digits.remove(0, 1);
     if (const auto number = parseNumber(digits))
         return isNegative ? -*number : *number;
-    if (text.contains(u'.') || text.contains(u','))
+    const bool isMadeOfDigits =
+        std::ranges::all_of(digits, [](QChar c) { return c.isDigit() || c == u'.' || c == u','; });
+    if (isMadeOfDigits && (text.contains(u'.') || text.contains(u',')))
         return tl::unexpected(
             DecimalText::tr("\"%1\" is not a whole number. Digits only: 1000.").arg(text.trimmed()));
     return tl::unexpected(DecimalText::tr("\"%1\" is not a number.").arg(text.trimmed()));

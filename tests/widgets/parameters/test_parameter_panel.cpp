@@ -407,8 +407,8 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
 
     click(QStringLiteral("Write…"));
     EXPECT_EQ(review->rowCount(), 0);
-    QTest::mouseClick(panel.findChild<QCheckBox *>(), Qt::LeftButton, {},
-                      QPoint(8, panel.findChild<QCheckBox *>()->height() / 2));
+    QTest::mouseClick(panel.findChild<WriteReview *>()->findChild<QCheckBox *>(), Qt::LeftButton, {},
+                      QPoint(8, panel.findChild<WriteReview *>()->findChild<QCheckBox *>()->height() / 2));
     EXPECT_EQ(review->rowCount(), 2);
     click(QStringLiteral("Cancel"));
     EXPECT_TRUE(table().isVisible());

@@ -154,7 +154,7 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
             set = action;
     ASSERT_NE(set, nullptr);
     ASSERT_TRUE(set->isVisible());
-    ring.controls->turnBy(rodPlace.node, -1'500);
+    ring.controls->moveMagnetTo(rodPlace.node, 200);
     ring.bus.advance(50);
     set->trigger();
     auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
