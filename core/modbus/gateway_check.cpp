@@ -244,7 +244,9 @@ GatewayFinding GatewayCheck::failedArea(const Refusal &why, RegisterArea area, B
     const auto most = mostInRead(area, blocks);
     if (!most)
         return failed(why);
-    GatewayFinding found = failed(why, mostInReadText(*most));
+    m_settings.mostRead = *most;
+    m_map = mapOf(m_devices, m_settings);
+    GatewayFinding found = withOutcome(CheckOutcome::failed, mostInReadText(*most));
     found.proposed = {{QStringLiteral("most-read"), QString::number(*most)}};
     return found;
 }

@@ -118,7 +118,7 @@ private:
     GatewayFinding judged(DeviceRegisters shown, const SendingEncoder &sender) const;
 
     RegisterPort &m_port;
-    const GatewaySettings m_settings;
+    GatewaySettings m_settings; // what is found to be less than set holds for the steps that follow
     const std::vector<CheckedDevice> m_devices;
     std::vector<Step> m_steps;
     std::size_t m_next = 0;
