@@ -25,14 +25,14 @@
 namespace codewheel {
 namespace {
 
-const QString none = QStringLiteral("none"); // as settings write it
+const QString noneSetting = QStringLiteral("none"); // as settings write it
 
 // Where a field may be empty, it shows what that means.
 QString textIn(const QLineEdit &field)
 {
     const QString text = field.text().trimmed();
     const QString empty = field.placeholderText();
-    return !empty.isEmpty() && (text.isEmpty() || text.compare(empty, Qt::CaseInsensitive) == 0) ? none
+    return !empty.isEmpty() && (text.isEmpty() || text.compare(empty, Qt::CaseInsensitive) == 0) ? noneSetting
                                                                                                  : text;
 }
 
@@ -156,7 +156,7 @@ GatewayForm::Texts GatewayForm::texts() const
         texts[name] = textIn(*text);
     for (const auto &[name, number] : m_numbers) {
         const bool isNone = !number->specialValueText().isEmpty() && number->value() == number->minimum();
-        texts[name] = isNone ? none : QString::number(number->value());
+        texts[name] = isNone ? noneSetting : QString::number(number->value());
     }
     return texts;
 }
@@ -171,7 +171,7 @@ void GatewayForm::setTexts(const Texts &texts)
     for (const auto &[name, box] : m_choices)
         box->setCurrentIndex(std::max(0, box->findData(all[name])));
     for (const auto &[name, text] : m_texts)
-        text->setText(all[name] == none ? QString() : all[name]);
+        text->setText(all[name] == noneSetting ? QString() : all[name]);
     for (const auto &[name, number] : m_numbers) {
         bool isNumber = false;
         const int value = all[name].toInt(&isNumber);
