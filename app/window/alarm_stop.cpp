@@ -13,6 +13,8 @@
 #include <QStyleOptionToolButton>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -125,6 +127,10 @@ void AlarmStopEverywhere::addButton(QWidget &dialog)
     } else {
         dialog.layout()->addWidget(button);
     }
+    button->show(); // a layout would do so later, at the cost of the texts
+    if (dialog.layout()->hasHeightForWidth())
+        dialog.resize(dialog.width(),
+                      std::max(dialog.height(), dialog.layout()->totalHeightForWidth(dialog.width())));
 }
 
 } // namespace codewheel

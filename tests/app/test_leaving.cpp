@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions asked before the bus is stopped and the window is closed.
+#include "language.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
+
+#include <QLabel>
 
 namespace codewheel {
 namespace {
@@ -109,6 +112,27 @@ TEST_F(LeavingTest, ClosingAsksHowToEndAHandshake)
     EXPECT_TRUE(k3::isOperation(in(baumer)));
     EXPECT_EQ(bus().encoder(baumer)->known(Parameter::steps)->value, 255);
     EXPECT_FALSE(window().isVisible());
+}
+
+// Its sentences are long, and say what the controller will see.
+TEST_F(LeavingTest, NothingOfTheQuestionIsCutOff)
+{
+    Language language;
+    language.use(QStringLiteral("de"));
+    startHandshake();
+    const test::Question question([](QWidget &dialog) {
+        QTest::qWait(50);
+        int labels = 0;
+        for (const QLabel *label : dialog.findChildren<QLabel *>()) {
+            EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+            ++labels;
+        }
+        EXPECT_GE(labels, 1);
+        dialog.close();
+    });
+    window().close();
+    advance(50);
+    EXPECT_TRUE(bus().encoder(baumer)->runningJob());
 }
 
 TEST_F(LeavingTest, GoingOnWithTheHandshakeKeepsTheWindow)
