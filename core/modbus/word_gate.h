@@ -13,10 +13,10 @@ namespace codewheel {
 // from before a change, the other from after it, for as long as its copy takes. A word of a handshake is
 // believed when two reads in a row give it, with that time between them (spec modbus-gateway.md). A position
 // that moves never does that; it is believed when it is the middle one of three different words in a row that
-// are positions, one behind the other and near each other: a word torn at the carry from one register into the
-// other is not between its neighbours, or 65536 steps away. A shaft that trembles there may tear two reads in
-// a row alike, so a position that is not near the last one believed, and near the read before, needs three
-// equal reads.
+// are positions, one behind the other and near each other: a word torn at the carry from one register into
+// the other is not between its neighbours, or 65536 steps away. A shaft that trembles there may tear two
+// reads in a row alike, so a position that is not near the last one believed, and near the read before, needs
+// three equal reads.
 class WordGate
 {
 public:

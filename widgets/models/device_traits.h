@@ -21,8 +21,8 @@ inline bool activatesByRun(const DeviceDescription &device)
     return device.profile == Profile::k3;
 }
 
-// Whether earlier values can be written again only behind a run, which first makes valid what was taken: where
-// a parameter number must not come twice in a parameterization (Baumer manual 6).
+// Whether earlier values can be written again only behind a run, which first makes valid what was taken:
+// where a parameter number must not come twice in a parameterization (Baumer manual 6).
 inline bool restoresBehindRun(const DeviceDescription &device)
 {
     return activatesByRun(device) && device.dialect != k3::Dialect::fraba;

@@ -28,8 +28,8 @@ FaultBanner::FaultBanner(OfferOf offerOf, QWidget *parent)
     for (const auto &[action, id] :
          {std::pair(FaultAction::start, "startAgain"), std::pair(FaultAction::switchOff, "switchFaultOff"),
           std::pair(FaultAction::confirm, "confirmFault"),
-          std::pair(FaultAction::acknowledge, "acknowledgeWatchdog"),
-          std::pair(FaultAction::run, "sendRun"), std::pair(FaultAction::bringBack, "bringBack")}) {
+          std::pair(FaultAction::acknowledge, "acknowledgeWatchdog"), std::pair(FaultAction::run, "sendRun"),
+          std::pair(FaultAction::bringBack, "bringBack")}) {
         QToolButton *button = makeButton(id, tr("What can be done"), tr("What can be done about the fault"));
         addButton(button);
         button->hide(); // all of them together would widen the window
