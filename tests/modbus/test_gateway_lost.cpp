@@ -100,14 +100,31 @@ public:
                 return rod.eepromWrites;
         return -1;
     }
-    void comeBack()
+    // The link is back, in Watch: nobody has asked for anything.
+    void giveLinkBack()
     {
         control->isAway = false;
         control->writesLeft = -1;
         session.bus->advance(5s);
+    }
+    void comeBack()
+    {
+        giveLinkBack();
         session.bus->setRunning(true);
         session.bus->setOperate(true);
         session.bus->advance(1s);
+    }
+    void bringBack(Place place)
+    {
+        session.bus->bringBack(place);
+        session.bus->advance(100ms); // until it operates
+        session.bus->advance(3s);
+    }
+    std::optional<Fault> faultThatOffers(FaultAction action) const
+    {
+        const std::vector<Fault> faults = session.bus->outline().faults();
+        const auto found = std::ranges::find(faults, std::vector{action}, &Fault::actions);
+        return found != faults.end() ? std::optional(*found) : std::nullopt;
     }
     std::optional<std::int64_t> read(Place place, Parameter parameter)
     {
@@ -334,23 +351,17 @@ TEST(LostGateway, WhatWasLeftIsBroughtBackWhenTheUserSaysSo)
         const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
         if (!outcome)
             break;
-        gateway.control->isAway = false;
-        gateway.control->writesLeft = -1;
         const Word left = gateway.session.gateway->out().front();
-        bus.advance(5s);
+        gateway.giveLinkBack();
         EXPECT_EQ(gateway.session.gateway->out().front(), left) << "nobody has asked for anything";
         EXPECT_EQ(bus.latest().devices.front().leftOut.value_or(0), left);
-        const auto faults = bus.outline().faults();
-        const auto offered = std::ranges::find_if(
-            faults, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::bringBack}; });
-        ASSERT_EQ(offered != faults.end(), left != 0);
+        const auto offered = gateway.faultThatOffers(FaultAction::bringBack);
+        ASSERT_EQ(offered.has_value(), left != 0);
         if (left == 0 || gateway.session.encoder(lostFraba).latest().state != EncoderState::operation)
             continue;
         ++broughtBack;
         EXPECT_EQ(offered->node, lostFraba.node);
-        bus.bringBack(lostFraba);
-        bus.advance(100ms); // until it operates
-        bus.advance(3s);
+        gateway.bringBack(lostFraba);
         EXPECT_TRUE(gateway.session.isOutZero())
             << (gateway.session.lastRefusal() ? refusalText(*gateway.session.lastRefusal()).toStdString()
                                               : "");
@@ -373,29 +384,19 @@ TEST(LostGateway, AnEncoderLeftInParameterizationSaysWhatRunMakesValid)
         const auto outcome = gateway.lostAt(write, lostFraba, writeSteps);
         if (!outcome)
             break;
-        gateway.control->isAway = false;
-        gateway.control->writesLeft = -1;
-        bus.advance(5s);
-        const auto waitsForRun = [&] {
-            const auto faults = bus.outline().faults();
-            const auto left = std::ranges::find_if(
-                faults, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::run}; });
-            return left != faults.end() ? std::optional(*left) : std::nullopt;
-        };
+        gateway.giveLinkBack();
         if (gateway.session.encoder(lostFraba).latest().state != EncoderState::parameterization)
             continue;
-        bus.bringBack(lostFraba);
-        bus.advance(100ms); // until it operates
-        bus.advance(3s);
+        gateway.bringBack(lostFraba);
         ASSERT_TRUE(gateway.session.isOutZero());
-        const auto left = waitsForRun();
+        const auto left = gateway.faultThatOffers(FaultAction::run);
         ASSERT_TRUE(left);
         EXPECT_TRUE(left->text.contains(QLatin1String("Steps = "))) << left->text.toStdString();
         ++run;
         bus.sendRun(lostFraba);
         bus.advance(3s);
         EXPECT_EQ(gateway.session.encoder(lostFraba).latest().state, EncoderState::operation);
-        EXPECT_FALSE(waitsForRun());
+        EXPECT_FALSE(gateway.faultThatOffers(FaultAction::run));
     }
     EXPECT_GE(run, 1);
 }
