@@ -20,8 +20,7 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
-// What can be read from it, if anything, is not what it works with: only all of it brings it back (FRABA
-// manual 5.3.6, Baumer manual 6.2).
+// Error 3. What can be read from it, if anything, is not what it works with: only all of it brings it back.
 bool hasLostParameters(const EncoderSession &encoder)
 {
     const Reading &reading = encoder.latest();

@@ -67,7 +67,7 @@ public:
                 doubt(inDoubt, why.id != RefusalId::busStopped || hasGoneOut());
         } else if (m_isPrepared && mayStillAct(hasGoneOut())) {
             doubt(inDoubt, hasGoneOut());
-            inDoubt.out.clear(); // 00000000 follows
+            inDoubt.out.clear(); // 00000000 follows, or the word of somebody else stands there
         }
         finish(tl::unexpected(why));
     }

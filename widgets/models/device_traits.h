@@ -22,7 +22,7 @@ inline bool activatesByRun(const DeviceDescription &device)
 }
 
 // Whether earlier values can be written again only behind a run, which first makes valid what was taken:
-// where a parameter number must not come twice in a parameterization (Baumer manual 6).
+// where a parameter number must not come twice in a parameterization (Baumer manual 5).
 inline bool restoresBehindRun(const DeviceDescription &device)
 {
     return activatesByRun(device) && device.dialect != k3::Dialect::fraba;
