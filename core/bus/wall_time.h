@@ -19,9 +19,7 @@ struct Slept
 class WallTime
 {
 public:
-    explicit WallTime(QDateTime begin) // of Instant 0
-        : m_begin(std::move(begin))
-    {}
+    explicit WallTime(const QDateTime &begin) { setBegin(begin); } // of Instant 0
 
     // The computer slept for this long, just before `at`.
     void slept(std::chrono::milliseconds duration, Instant at) { m_sleeps.push_back({at, duration}); }
@@ -35,7 +33,7 @@ public:
     // Another clock from now on, on which it is `now` at `at`.
     void beginAnew(const QDateTime &now, Instant at)
     {
-        m_begin = now.addMSecs(-std::chrono::floor<std::chrono::milliseconds>(at).count());
+        setBegin(now.addMSecs(-std::chrono::floor<std::chrono::milliseconds>(at).count()));
         m_sleeps.clear();
     }
 
@@ -45,10 +43,7 @@ public:
         return m_begin.addMSecs(std::chrono::duration_cast<milliseconds>(awakeOrNot(at)).count());
     }
     // Since 1970, UTC.
-    Instant sinceEpoch(Instant at) const
-    {
-        return std::chrono::milliseconds(m_begin.toMSecsSinceEpoch()) + awakeOrNot(at);
-    }
+    Instant sinceEpoch(Instant at) const { return m_beginSinceEpoch + awakeOrNot(at); }
 
 private:
     struct Sleep
@@ -56,6 +51,13 @@ private:
         Instant until;
         std::chrono::milliseconds duration;
     };
+
+    // Asked for each value of each encoder: Qt would ask the system for the time zone each time.
+    void setBegin(const QDateTime &begin)
+    {
+        m_begin = begin;
+        m_beginSinceEpoch = std::chrono::milliseconds(begin.toMSecsSinceEpoch());
+    }
 
     // Since Instant 0.
     Instant awakeOrNot(Instant at) const
@@ -68,6 +70,7 @@ private:
     }
 
     QDateTime m_begin;
+    Instant m_beginSinceEpoch{};
     std::vector<Sleep> m_sleeps;
 };
 

@@ -5,6 +5,7 @@
 
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -94,10 +95,24 @@ void Histories::note(Instant at, const QString &text)
     std::erase_if(m_ownMarks, [at](const Mark &mark) { return mark.isNote() && mark.at == at; });
     mixMarks();
     if (text.isEmpty())
-        Q_EMIT marksChanged();
+        tellMarks();
     else
         insert({at, {}, text});
     Q_EMIT noted(at, text);
+}
+
+// Once for all that came in one go: a burst of messages is drawn once.
+void Histories::tellMarks()
+{
+    if (std::exchange(m_marksAreToTell, true))
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_marksAreToTell = false;
+            Q_EMIT marksChanged();
+        },
+        Qt::QueuedConnection);
 }
 
 void Histories::insert(const Mark &mark)
@@ -113,7 +128,7 @@ void Histories::insert(const Mark &mark)
             m_mixedMarks.erase(std::ranges::find(m_mixedMarks, m_ownMarks.front()));
         m_ownMarks.pop_front();
     }
-    Q_EMIT marksChanged();
+    tellMarks();
 }
 
 void Histories::mixMarks()
@@ -133,7 +148,7 @@ void Histories::mixMarks()
 void Histories::takeArchives()
 {
     mixMarks();
-    Q_EMIT marksChanged();
+    tellMarks();
     Q_EMIT archivesChanged();
 }
 

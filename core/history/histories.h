@@ -55,7 +55,7 @@ Q_SIGNALS:
     void statisticsReady(); // of an archive
     void archiveTroubled(const codewheel::Refusal &why);
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
-    void marksChanged();
+    void marksChanged(); // soon; marks() are there at once
     void noted(codewheel::Instant at, const QString &text); // by note()
     void droppedChanged();
 
@@ -74,6 +74,7 @@ private:
     void addDropped(std::uint64_t count);
     void remove(const QObject *archive);
     void insert(const Mark &mark);
+    void tellMarks();
     void mixMarks();
     void takeArchives();
     void keepLimit();
@@ -85,6 +86,7 @@ private:
     std::deque<Mark> m_mixedMarks; // with those of the archives, if there are any
     std::size_t m_limit = usualLimit;
     std::uint64_t m_dropped = 0;
+    bool m_marksAreToTell = false;
 };
 
 } // namespace codewheel
