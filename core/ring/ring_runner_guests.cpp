@@ -74,14 +74,22 @@ void RingRunner::Private::tellGuestWords(bool isExchanged)
     }
 }
 
+// Why the words of this cycle count as not sent.
+Result<void> RingRunner::Private::whetherExchanged(bool isExchanged) const
+{
+    if (isExchanged)
+        return {};
+    if (ring.whyLost)
+        return tl::unexpected(*ring.whyLost);
+    return refuse(RefusalKind::busy, RefusalId::notRunning, {QString()});
+}
+
 void RingRunner::Private::showGuests(bool isExchanged)
 {
     tellGuestWords(isExchanged);
     if (!guests)
         return;
-    const auto exchanged =
-        isExchanged ? Result<void>() : refuse(RefusalKind::busy, RefusalId::notRunning, {QString()});
-    guests->show(exchanged, [this](GuestImage &shown) {
+    guests->show(whetherExchanged(isExchanged), [this](GuestImage &shown) {
         if (ring.generation == 0) // not read in yet
             return;
         if (std::exchange(generationOfGuests, ring.generation) != ring.generation)

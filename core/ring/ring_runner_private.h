@@ -79,6 +79,7 @@ struct RingRunner::Private
     // Guests (ring_runner_guests.cpp).
     void carryOutGuestWords();
     Result<void> takeGuestWords(std::vector<GuestWord> &words);
+    Result<void> whetherExchanged(bool isExchanged) const;
     void showGuests(bool isExchanged);
     void tellGuestWords(bool isExchanged);
     std::uint16_t statusRegister() const;
