@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <set>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -214,6 +215,20 @@ TEST_F(RingGuestsTest, AWordOfACycleThatFailedIsRefusedAndNotSentLater)
     m_runner->post(command::SetOperate{true});
     cycle();
     EXPECT_EQ(m_got[0].back(), 0U);
+}
+
+// Whether it waited for that exchange or came just behind it.
+TEST_F(RingGuestsTest, AWordOfTheExchangeThatLosesTheLinkIsRefusedForThatReason)
+{
+    auto sent = std::async(std::launch::async, [&] {
+        return m_guests->write(m_guests->image(patience), {{0, 7}}, patience);
+    });
+    std::this_thread::sleep_for(20ms); // it waits by now, mostly
+    m_link->failAt(1);
+    m_link->lose();
+    while (sent.wait_for(0ms) != std::future_status::ready)
+        cycle();
+    EXPECT_EQ(refusalOf(sent.get()), RefusalId::linkFailed);
 }
 
 TEST_F(RingGuestsTest, AWordOfACycleThatWasSkippedIsRefusedAndNotSentLater)
