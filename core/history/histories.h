@@ -55,7 +55,7 @@ Q_SIGNALS:
     void statisticsReady(); // of an archive
     void archiveTroubled(const codewheel::Refusal &why);
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
-    void marksChanged(); // soon; marks() are there at once
+    void marksChanged();                                    // soon; marks() are there at once
     void noted(codewheel::Instant at, const QString &text); // by note()
     void droppedChanged();
 
