@@ -1080,6 +1080,18 @@
         <source>It has confirmed its earlier values and runs with them; it cannot be read.</source>
         <translation>Er hat die vorigen Werte quittiert und läuft damit; auslesen lässt er sich nicht.</translation>
     </message>
+    <message>
+        <source>Which position it shows now is not known.</source>
+        <translation>Welche Position er jetzt zeigt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It shows %1 now.</source>
+        <translation>Er zeigt jetzt %1.</translation>
+    </message>
+    <message>
+        <source>The encoder moves: the place that gets the new position is where it stands when the command arrives.</source>
+        <translation>Der Geber dreht sich: Die neue Position bekommt die Stelle, an der er steht, wenn der Befehl ankommt.</translation>
+    </message>
 </context>
 <context>
     <name>Leds</name>
@@ -14832,14 +14844,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Which position it shows now is not known.</source>
-        <translation>Welche Position er jetzt zeigt, ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>The encoder moves: the place that gets this position is where it stands when the command arrives.</source>
-        <translation>Der Geber bewegt sich: Diese Position bekommt die Stelle, an der er steht, wenn der Befehl ankommt.</translation>
     </message>
     <message>
         <source>Old</source>

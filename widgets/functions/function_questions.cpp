@@ -97,7 +97,7 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
              "FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
              "60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.")
              .arg(value),
-         eepromWriteText(encoder)},
+         positionNowTexts(encoder).join(u' '), eepromWriteText(encoder)},
         Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
 }
 

@@ -2,9 +2,12 @@
 #include "widgets/job/known_text.h"
 
 #include "catalog/value_text.h"
+#include "encoder/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include <cmath>
 
 namespace codewheel {
 namespace {
@@ -95,6 +98,18 @@ QString restoredText(const std::optional<Evidence> &restored)
     return restored == Evidence::read
                ? KnownText::tr("It has its earlier values again: they were read back and match.")
                : KnownText::tr("It has confirmed its earlier values and runs with them; it cannot be read.");
+}
+
+QStringList positionNowTexts(const EncoderSession &encoder)
+{
+    if (!encoder.showsPosition())
+        return {KnownText::tr("Which position it shows now is not known.")};
+    QStringList texts{KnownText::tr("It shows %1 now.").arg(numberText(*encoder.latest().position))};
+    if (std::abs(encoder.latest().stepsPerSecond.value_or(0)) >= 1)
+        texts << KnownText::tr(
+            "The encoder moves: the place that gets the new position is where it stands when the "
+            "command arrives.");
+    return texts;
 }
 
 QString modeName(std::optional<Mode> mode)

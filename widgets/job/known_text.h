@@ -5,6 +5,8 @@
 #include "encoder/encoder_session.h"
 #include "encoder/event.h"
 
+#include <QStringList>
+
 namespace codewheel {
 
 // "read", "echoed", "told", "unknown": how a value is known.
@@ -24,6 +26,9 @@ QString knownText(const DeviceDescription &device, const std::optional<Known> &k
 
 // That the previous values are in the encoder again, and how that is known; empty if they are not.
 QString restoredText(const std::optional<Evidence> &restored);
+
+// Before a position is set: what the encoder shows now, and that it moves.
+QStringList positionNowTexts(const EncoderSession &encoder);
 
 // "position", "velocity", "cam", "not known".
 QString modeName(std::optional<Mode> mode);

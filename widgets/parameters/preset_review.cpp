@@ -2,12 +2,11 @@
 #include "widgets/parameters/preset_review.h"
 
 #include "encoder/sentence.h"
+#include "widgets/job/known_text.h"
 #include "widgets/parameters/position_to_set.h"
 
 #include <QHeaderView>
 #include <QTableView>
-
-#include <cmath>
 
 namespace codewheel {
 namespace {
@@ -15,17 +14,6 @@ namespace {
 QString shownText(const EncoderSession &encoder)
 {
     return encoder.showsPosition() ? numberText(*encoder.latest().position) : PresetReview::tr("not known");
-}
-
-QStringList notesOf(const EncoderSession &encoder)
-{
-    QStringList notes{positionToSetText(encoder)};
-    if (!encoder.showsPosition())
-        notes << PresetReview::tr("Which position it shows now is not known.");
-    else if (std::abs(encoder.latest().stepsPerSecond.value_or(0)) >= 1)
-        notes << PresetReview::tr("The encoder moves: the place that gets this position is where it stands "
-                                  "when the command arrives.");
-    return notes;
 }
 
 } // namespace
@@ -50,7 +38,7 @@ JobReview::Contents PresetReview::contents(const EncoderSession &encoder, bool) 
     return {.job = SetPreset{.value = m_position},
             .rows = {{.cells = {tr("Position of %1").arg(encoder.place().shown()), shownText(encoder),
                                 numberText(m_position)}}},
-            .notes = notesOf(encoder),
+            .notes = positionNowTexts(encoder) << positionToSetText(encoder),
             .write = tr("&Set this position")};
 }
 
