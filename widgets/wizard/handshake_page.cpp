@@ -30,6 +30,8 @@
 namespace codewheel {
 namespace {
 
+constexpr Instant settlesWithin = std::chrono::milliseconds(200); // what a job has left to be seen
+
 // The previous values of everything taken; empty if one of them is not known.
 ParameterValues valuesToRestore(const HandshakeRecord &record)
 {
@@ -183,6 +185,10 @@ void HandshakePage::showRow(const Exchange &row)
 void HandshakePage::showLatest()
 {
     showWords();
+    const HandshakeRecord &record = m_setup.record;
+    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    if (last && !isBusy() && stateNow(*last) != m_shownState)
+        showEnd();
 }
 
 void HandshakePage::showWords()
@@ -223,6 +229,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
         outcome.result = tl::unexpected(started.error());
     }
     (m_isRecovery ? record.recovery : record.outcome) = outcome;
+    m_endedAt = m_setup.encoder->latest().at;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
     if (!m_setup.encoder->device().hasWords())
@@ -235,11 +242,22 @@ void HandshakePage::showOutcome(const Outcome &ended)
     Q_EMIT changed();
 }
 
+// The one it was left in, unless somebody or a loss of power has changed that since: whoever has lost sight
+// of it sees it again.
+EncoderState HandshakePage::stateNow(const Outcome &last) const
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    const bool isSeenAgain = encoder.freshness().isLive() && encoder.latest().at > m_endedAt + settlesWithin;
+    return isSeenAgain ? encoder.latest().state : last.leftIn;
+}
+
 // The buttons and the sentence for the stage the handshake has reached.
 void HandshakePage::showEnd()
 {
     const HandshakeRecord &record = m_setup.record;
-    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    std::optional<Outcome> last = record.recovery ? record.recovery : record.outcome;
+    if (last)
+        m_shownState = last->leftIn = stateNow(*last);
     m_next->setVisible(!last || isBusy());
     m_byItself->setVisible(!last || isBusy());
     m_next->setEnabled(false);

@@ -47,6 +47,7 @@ private:
     void setByItself(bool on);
     void bringBack(bool restore);
     void showEnd();
+    EncoderState stateNow(const Outcome &last) const;
     void showWords();
     CancelSituation situation(const EncoderSession &encoder, const Progress &progress) const;
     void leaveEncoder(OnCancel how);
@@ -70,6 +71,8 @@ private:
     bool m_isRecovery = false;
     bool m_isCancelled = false;
     Word m_outNow = 0;
+    Instant m_endedAt{};
+    EncoderState m_shownState = EncoderState::notSeen; // in the sentence about the end
 };
 
 } // namespace codewheel

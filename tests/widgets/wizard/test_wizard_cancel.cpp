@@ -212,6 +212,29 @@ TEST_F(WizardHandshake, AlarmStopEndsItAndClosesTheQuestion)
     EXPECT_TRUE(find<QAbstractButton>("recoverRun")->isVisible());
 }
 
+// By somebody else, or while the link was lost.
+TEST_F(WizardHandshake, WhatTheEncoderIsInByNowIsSaidOnceItIsSeen)
+{
+    begin();
+    step(1);
+    QTimer::singleShot(0, qApp, [this] {
+        bus.alarmStop();
+        bus.advance(10);
+    });
+    click("wizardCancel");
+    settle();
+    ASSERT_TRUE(find<QAbstractButton>("recoverRun")->isVisible());
+    EXPECT_TRUE(text("leftIn").contains(QStringLiteral("parameterization")));
+    bus.setRunning(true);
+    bus.advance(50);
+    ASSERT_TRUE(fraba().start(EndParameterization{}));
+    bus.advance(1'000);
+    ASSERT_EQ(fraba().latest().state, EncoderState::operation);
+    EXPECT_FALSE(find<QAbstractButton>("recoverRun")->isVisible());
+    EXPECT_TRUE(text("leftIn").contains(QStringLiteral("The encoder is in operation.")))
+        << text("leftIn").toStdString();
+}
+
 TEST_F(WizardHandshake, InWatchItSaysSoAndMayBeTriedAgain)
 {
     bus.setOperate(false);
