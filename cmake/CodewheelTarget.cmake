@@ -36,7 +36,8 @@ endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
     # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build keeps both.
-    target_compile_options(codewheel_options INTERFACE -Wno-array-bounds $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    target_compile_options(codewheel_options INTERFACE -Wno-array-bounds
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-stringop-overread -Wno-stringop-overflow -Wno-restrict>)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
     # The same sources give the same programs, in whatever folder they are built.
     target_compile_options(codewheel_options INTERFACE
