@@ -19628,6 +19628,10 @@ Worte: IN %3, OUT %4</translation>
         <source>No devices are planned</source>
         <translation>Keine Geräte sind geplant</translation>
     </message>
+    <message>
+        <source>%1, not planned yet</source>
+        <translation>%1, noch nicht geplant</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>

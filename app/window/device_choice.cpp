@@ -73,10 +73,12 @@ ShownEncoder DeviceChoice::find() const
     return {};
 }
 
-// The rows of the bus structure may have been rebuilt, and places may have changed.
+// The rows of the bus structure may have been rebuilt, and places may have changed. A bus that is planned
+// from nothing has no row until its first device is there.
 void DeviceChoice::followPlan()
 {
-    if (m_place && m_buses.isConnected(*m_place) && m_tree.row()) {
+    const bool isBusPlanned = m_editor.isVisible() && findBus(m_project.project(), m_editor.bus()) != nullptr;
+    if (m_place && m_buses.isConnected(*m_place) && (m_tree.row() || isBusPlanned)) {
         show();
         return;
     }

@@ -152,6 +152,7 @@ private:
     void showOtherFaults();
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
+    void showOneOf(const std::vector<BusId> &buses);
     void chooseBusOf(Place place);
     void goTo(Place place);        // a device, or without a node a bus
     EncoderBus *chosenBus() const; // null: no bus, or it has no session

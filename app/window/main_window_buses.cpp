@@ -27,8 +27,12 @@ void MainWindow::connectBuses()
         addBus(bus);
     connect(m_structure, &StructureView::busChosen, this, &MainWindow::chooseBus);
     connect(m_structure, &StructureView::chosen, this, &MainWindow::chooseBusOf);
-    connect(m_editor, &StructureEditor::busChosen, m_structure, qOverload<BusId>(&StructureView::choose));
+    connect(m_editor, &StructureEditor::busChosen, this, [this](BusId bus) { // it may have no row yet
+        m_structure->choose(bus);
+        chooseBus(bus);
+    });
     connect(&m_project, &ProjectDocument::changed, this, &MainWindow::followRow);
+    connect(&m_project, &ProjectDocument::wentBackOrForth, this, &MainWindow::showOneOf);
     connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
         if (BusViews *views = viewsOf(bus))
             views->open();
@@ -193,7 +197,7 @@ void MainWindow::setCurrent(BusAtWork &bus)
 void MainWindow::chooseBus(BusId bus)
 {
     BusAtWork *its = m_plant->find(bus);
-    m_editor->setBus(bus, its != nullptr ? its->kind() : QString());
+    m_editor->setBus(bus, its != nullptr ? its->kind() : QString(), m_plant->nameOf(bus));
     if (its == nullptr)
         return;
     const BusViews *before = viewsOf(std::exchange(m_chosenBus, bus));
@@ -227,6 +231,14 @@ void MainWindow::tellWhose()
     }
     m_head->showHead();
     showOtherFaults();
+}
+
+// What was undone there is seen.
+void MainWindow::showOneOf(const std::vector<BusId> &buses)
+{
+    const auto shown = std::ranges::find_if(buses, [this](BusId bus) { return m_structure->has({bus}); });
+    if (shown != buses.end() && std::ranges::find(buses, m_chosenBus) == buses.end())
+        m_structure->choose(*shown);
 }
 
 void MainWindow::chooseBusOf(Place place)

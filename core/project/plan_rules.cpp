@@ -152,9 +152,10 @@ QString PlanRules::reading(const Participant &device, const Catalog &catalog) co
     return nameOf(device, catalog);
 }
 
-// The free places after the chosen device come first.
+// The place of a chosen device that is not planned comes first, or else the free ones after the chosen one.
 std::vector<PlanTarget> PlanRules::targets(const Project &project, BusId bus,
-                                           std::optional<std::size_t> chosen) const
+                                           std::optional<std::size_t> chosen,
+                                           std::optional<NodeId> connected) const
 {
     const Devices devices = devicesOn(project, bus);
     std::vector<NodeId> free;
@@ -163,6 +164,8 @@ std::vector<PlanTarget> PlanRules::targets(const Project &project, BusId bus,
             free.push_back(place);
     if (chosen)
         std::rotate(free.begin(), std::ranges::upper_bound(free, devices[*chosen].place().node), free.end());
+    else if (connected)
+        std::rotate(free.begin(), std::ranges::lower_bound(free, *connected), free.end());
     std::vector<PlanTarget> targets;
     targets.reserve(free.size());
     for (const NodeId place : free)

@@ -120,9 +120,10 @@ public:
     // From an ID code and a length code; empty: this kind knows devices only by their descriptions.
     virtual std::optional<Participant> coded(unsigned, unsigned) const { return std::nullopt; }
     virtual QString reading(const Participant &device, const Catalog &catalog) const; // in full
-    // Seen from the chosen device, the usual one first.
+    // Seen from the chosen device, the usual one first: it is planned (its index), or only connected (where).
     virtual std::vector<PlanTarget> targets(const Project &project, BusId bus,
-                                            std::optional<std::size_t> chosen) const;
+                                            std::optional<std::size_t> chosen,
+                                            std::optional<NodeId> connected) const;
     // Of these targets, where `device` belongs if it was to be put at `target`.
     virtual std::size_t preferred(const std::vector<PlanTarget> &, const Participant &,
                                   std::size_t target) const

@@ -109,7 +109,8 @@ std::optional<Participant> RingPlanRules::coded(unsigned idCode, unsigned length
 }
 
 std::vector<PlanTarget> RingPlanRules::targets(const Project &project, BusId bus,
-                                               std::optional<std::size_t> chosen) const
+                                               std::optional<std::size_t> chosen,
+                                               std::optional<NodeId> /*connected*/) const
 {
     const RingStructure ring = structureOf(project, bus);
     if (!chosen)

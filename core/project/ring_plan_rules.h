@@ -22,8 +22,8 @@ public:
     std::vector<Participant> offered(const Catalog &catalog) const override;
     std::optional<Participant> coded(unsigned idCode, unsigned lengthCode) const override;
     QString reading(const Participant &device, const Catalog &catalog) const override;
-    std::vector<PlanTarget> targets(const Project &project, BusId ring,
-                                    std::optional<std::size_t> chosen) const override;
+    std::vector<PlanTarget> targets(const Project &project, BusId ring, std::optional<std::size_t> chosen,
+                                    std::optional<NodeId> connected) const override;
     std::size_t preferred(const std::vector<PlanTarget> &targets, const Participant &device,
                           std::size_t target) const override;
     Result<EditedPlan> insert(const Project &project, BusId ring, const Participant &device,

@@ -618,6 +618,62 @@ TEST_F(SeveralBuses, ALineIsPlannedWhileNothingIsConnected)
     EXPECT_EQ(bus.currentText(), QStringLiteral("Ring")) << "chosen again";
 }
 
+TEST_F(SeveralBuses, TheChosenBusStaysTheOneThatIsPlannedBesideALineThatIsNot)
+{
+    ringActions().disconnectBus->trigger();
+    shown->project().setProject({.buses = usualBuses()}, {});
+    advance(100);
+    const Place last = placeOnLine({3});
+    choose(last);
+    actions().structureEditor->trigger();
+    auto &editor = *window().findChild<StructureEditor *>();
+    auto &bus = *editor.findChild<QComboBox *>(QStringLiteral("plannedBus"));
+    EXPECT_TRUE(bus.isVisible());
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Line, not planned yet"));
+    EXPECT_EQ(bus.count(), 2);
+    editor.openInsertPanel();
+    auto &where = *editor.findChild<QComboBox *>(QStringLiteral("insertPlace"));
+    EXPECT_EQ(where.currentText(), last.node.toString()) << "the chosen device";
+    bus.setCurrentIndex(0);
+    Q_EMIT bus.activated(0);
+    for (int inserted = 1; inserted <= 2; ++inserted) {
+        QTest::keyClick(editor.findChild<QLineEdit *>(QStringLiteral("catalogSearch")), Qt::Key_Return);
+        advance(100);
+        EXPECT_EQ(std::ssize(devicesOn(shown->project().project(), firstRing)), inserted);
+        EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
+    }
+    EXPECT_TRUE(devicesOn(shown->project().project(), firstLine).empty());
+    const auto &plan = *editor.findChild<QTreeView *>(QStringLiteral("plan"));
+    EXPECT_GE(plan.columnWidth(0), static_cast<const QAbstractItemView &>(plan).sizeHintForColumn(0));
+}
+
+TEST_F(SeveralBuses, UndoShowsTheBusOnWhichItUndoes)
+{
+    shown->project().setProject({.buses = usualBuses()}, {});
+    actions().structureEditor->trigger();
+    auto &editor = *window().findChild<StructureEditor *>();
+    auto &bus = *editor.findChild<QComboBox *>(QStringLiteral("plannedBus"));
+    editor.openInsertPanel();
+    const auto insert = [&] {
+        QTest::keyClick(editor.findChild<QLineEdit *>(QStringLiteral("catalogSearch")), Qt::Key_Return);
+    };
+    choose(firstRing);
+    insert();
+    choose(firstLine);
+    insert();
+    ASSERT_EQ(bus.currentText(), QStringLiteral("Line"));
+    choose(firstRing);
+    actions().undo->trigger();
+    EXPECT_TRUE(devicesOn(shown->project().project(), firstLine).empty());
+    EXPECT_TRUE(bus.currentText().startsWith(QStringLiteral("Line"))) << bus.currentText().toStdString();
+    actions().undo->trigger();
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
+    EXPECT_TRUE(devicesOn(shown->project().project(), firstRing).empty());
+    choose(firstLine);
+    actions().redo->trigger();
+    EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
+}
+
 // A number stands for one bus: the project's.
 TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
 {

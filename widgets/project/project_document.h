@@ -79,6 +79,7 @@ Q_SIGNALS:
     void changed();     // anything of the project or of its devices
     void replaced();    // by another project; changed() is emitted as well
     void fileChanged(); // its name
+    void wentBackOrForth(const std::vector<codewheel::BusId> &buses); // undone or redone: in their plans
     void savedChanged(bool isSaved);
 
 private:

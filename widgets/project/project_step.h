@@ -28,6 +28,7 @@ public:
                 const QString &what, ProjectDocument::Gesture gesture);
 
     bool changesNothing() const { return m_before == m_after; }
+    std::vector<BusId> buses() const; // whose plan it changes
 
     void undo() override;
     void redo() override;
@@ -48,6 +49,7 @@ private:
     std::size_t m_first = 0; // index of the first device that changes
     State m_before;
     State m_after;
+    bool m_isNew = true; // not undone yet
     ProjectDocument::Gesture m_gesture;
 };
 

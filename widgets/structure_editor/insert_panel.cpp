@@ -220,10 +220,10 @@ void InsertPanel::choose()
             m_targets, *device, static_cast<std::size_t>(m_where->currentIndex()))));
 }
 
-void InsertPanel::setPlace(std::optional<std::size_t> chosen)
+void InsertPanel::setPlace(std::optional<std::size_t> chosen, std::optional<NodeId> connected)
 {
     m_hasChosen = chosen.has_value();
-    m_targets = m_edits.rules().targets(m_edits.project(), m_edits.bus(), chosen);
+    m_targets = m_edits.rules().targets(m_edits.project(), m_edits.bus(), chosen, connected);
     m_where->clear();
     for (const PlanTarget &target : m_targets)
         m_where->addItem(target.text);

@@ -25,8 +25,9 @@ public:
     // The edits must outlive it.
     explicit InsertPanel(const PlanEdits &edits, QWidget *parent = nullptr);
 
-    void showKind();                                  // of the bus that is edited
-    void setPlace(std::optional<std::size_t> chosen); // as seen from this device, if any
+    void showKind(); // of the bus that is edited
+    // As seen from this device, if any; `connected`: one that is chosen and not planned.
+    void setPlace(std::optional<std::size_t> chosen, std::optional<NodeId> connected = {});
     void focusSearch();
 
 Q_SIGNALS:

@@ -69,12 +69,13 @@ Result<void> PlanEdits::apply(Result<EditedPlan> edited, const QString &what)
 
 Result<PlanEdits::Id> PlanEdits::insert(const Participant &device, const KindData &where)
 {
-    const auto edited = rules().insert(project(), m_bus, device, where);
+    const BusId bus = m_bus; // who hears of the edit may choose another one
+    const auto edited = rules().insert(project(), bus, device, where);
     if (const auto done = apply(edited, StructureSteps::tr("Insert %1").arg(nameOf(device))); !done)
         return tl::unexpected(done.error());
     const auto at =
         std::ranges::find_if(edited->from, [](const auto &from) { return !from; }) - edited->from.begin();
-    return m_document.ids(m_bus)[static_cast<std::size_t>(at)];
+    return m_document.ids(bus)[static_cast<std::size_t>(at)];
 }
 
 Result<void> PlanEdits::remove(const Ids &devices)

@@ -43,8 +43,9 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
 }
 
 // Removing the rows of the previous bus must not count as a choice.
-void StructureEditor::setBus(BusId bus, const QString &kind)
+void StructureEditor::setBus(BusId bus, const QString &kind, const QString &name)
 {
+    m_name = name;
     if (bus == m_edits.bus() && (kind.isEmpty() || kind == m_edits.kindKey()))
         return;
     const QSignalBlocker silent(this);
@@ -56,8 +57,15 @@ void StructureEditor::setBus(BusId bus, const QString &kind)
 
 QString StructureEditor::about() const
 {
+    return busName();
+}
+
+QString StructureEditor::busName() const
+{
     const PlannedBus *bus = findBus(m_document.project(), m_edits.bus());
-    return bus != nullptr ? bus->name : QString();
+    return bus != nullptr     ? bus->name
+           : m_name.isEmpty() ? tr("not planned yet")
+                              : tr("%1, not planned yet").arg(m_name);
 }
 
 void StructureEditor::addFields(BusId bus, QWidget *fields)
@@ -70,6 +78,8 @@ void StructureEditor::addFields(BusId bus, QWidget *fields)
 void StructureEditor::choose(Place number)
 {
     const auto id = m_document.idAt(number);
+    m_connected = id ? std::nullopt : std::optional(number);
+    showPlace();
     if (id && number.bus == m_edits.bus() && id != current()) // otherwise a multiple selection would be lost
         makeCurrent(*id);
 }
@@ -160,10 +170,11 @@ void StructureEditor::showCurrent()
     const auto id = current();
     for (QAction *action : m_deviceActions)
         action->setEnabled(id.has_value());
-    const auto place = id ? m_document.indexOf(*id) : std::nullopt;
-    m_insert->setPlace(place);
+    if (id)
+        m_connected.reset();
+    showPlace();
     showFindingsOfCurrent();
-    if (place) // while rows go, their numbers are not yet those of the plan
+    if (id && m_document.indexOf(*id)) // while rows go, their numbers are not yet those of the plan
         Q_EMIT chosen(m_document.device(*id)->place());
 }
 
@@ -174,10 +185,18 @@ void StructureEditor::showProject()
     m_empty->setAction(tr("Insert a device"));
     m_tree->setVisible(!isEmpty);
     m_message->withdraw();
+    widenPlaces();
     showBuses();
     showFindings();
+    showPlace();
+}
+
+void StructureEditor::showPlace()
+{
     const auto id = current();
-    m_insert->setPlace(id ? m_document.indexOf(*id) : std::nullopt);
+    const bool isHere = m_connected && m_connected->bus == m_edits.bus() && !m_document.idAt(*m_connected);
+    m_insert->setPlace(id && !isHere ? m_document.indexOf(*id) : std::nullopt,
+                       isHere ? std::optional(m_connected->node) : std::nullopt);
 }
 
 // A bus that is not planned yet goes last.
@@ -191,7 +210,7 @@ void StructureEditor::showBuses()
     }
     if (findBus(m_document.project(), m_edits.bus()) == nullptr) {
         m_buses.push_back(m_edits.bus());
-        m_bus->addItem(tr("not planned yet"));
+        m_bus->addItem(busName());
     }
     m_bus->setCurrentIndex(static_cast<int>(std::ranges::find(m_buses, m_edits.bus()) - m_buses.begin()));
     m_bus->setVisible(m_buses.size() > 1);

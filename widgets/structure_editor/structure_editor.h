@@ -36,10 +36,12 @@ public:
     // Both must outlive it.
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The bus to plan here, initially the first ring. `kind`: for one that is not planned yet.
-    void setBus(BusId bus, const QString &kind = {});
+    // The bus to plan here, initially the first ring. `kind` and `name`: for one that is not planned yet.
+    void setBus(BusId bus, const QString &kind = {}, const QString &name = {});
+    BusId bus() const { return m_edits.bus(); }
     // The kind's own fields for a bus, below the editor.
     void addFields(BusId bus, QWidget *fields);
+    // A device that is planned, or else connected: what is inserted takes its place.
     void choose(Place number);
     void openInsertPanel();
     QString title() const override { return tr("Bus structure"); }
@@ -73,10 +75,13 @@ private:
     void showFindings();
     void showFindingsOfCurrent();
     void fitColumns();
+    void widenPlaces();
 
     void showCurrent();
     void showProject();
     void showBuses();
+    void showPlace();
+    QString busName() const;
     void showKind();
     void say(const Result<void> &done);
     std::optional<PlanEdits::Id> current() const;
@@ -89,6 +94,8 @@ private:
     QLabel *m_busLabel;
     QComboBox *m_bus; // if the project has several
     std::vector<BusId> m_buses;
+    QString m_name;                   // of a bus that is not planned yet
+    std::optional<Place> m_connected; // chosen, and not planned
     QToolBar *m_tools;
     QList<QAction *> m_deviceActions; // need a chosen device
     QList<QAction *> m_orderActions;  // of these, only if the kind has an order

@@ -177,6 +177,13 @@ void StructureEditor::fitColumns()
     }
 }
 
+// No place is cut, whatever else was typed into the columns.
+void StructureEditor::widenPlaces()
+{
+    const int content = static_cast<const QAbstractItemView &>(*m_tree).sizeHintForColumn(0) + grid::unit;
+    m_tree->setColumnWidth(0, std::max(m_tree->columnWidth(0), content));
+}
+
 void StructureEditor::arrange()
 {
     m_findings->setAutoRaise(true);
