@@ -5,6 +5,9 @@ namespace codewheel {
 
 namespace {
 
+constexpr Instant shortestUnseen = std::chrono::seconds(1);
+constexpr int usualUnseen = 4; // intervals
+
 ShownValues valuesOf(const Reading &reading, const std::optional<ExchangedWords> &exchanged)
 {
     ShownValues values{.at = reading.at, .cams = {}, .words = exchanged};
@@ -25,14 +28,34 @@ void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Ins
     if (device >= m_last.size())
         m_last.resize(device + 1);
     Last &last = m_last[device];
-    const bool isNew = std::exchange(last.at, reading.at) != reading.at;
+    const Instant before = std::exchange(last.at, reading.at);
+    const bool isNew = before != reading.at;
     const ShownValues values = isLive ? valuesOf(reading, exchanged) : ShownValues{};
     const bool shows = !values.isEmpty();
-    if (shows && isNew)
+    if (shows && isNew) {
+        if (last.showed)
+            noteWhatWasUnseen(device, before, reading.at);
         m_noted.push_back({device, values});
-    else if (!shows && last.showed)
+    } else if (!shows && last.showed)
         m_noted.push_back({device, {.at = now}});
     last.showed = shows && (isNew || last.showed);
+}
+
+bool ValueTap::isOverdue(const Last &last, Instant passed)
+{
+    return passed > shortestUnseen && last.usual < passed / usualUnseen;
+}
+
+// A second time in a row, the user may have chosen another pace: from then on, that is the usual one.
+void ValueTap::noteWhatWasUnseen(std::size_t device, Instant from, Instant until)
+{
+    Last &last = m_last[device];
+    const bool isUnseen = isOverdue(last, until - from);
+    if (isUnseen)
+        m_noted.push_back({device, {.at = from + last.usual}});
+    if (!isUnseen || last.wasOverdue)
+        last.usual = until - from;
+    last.wasOverdue = isUnseen;
 }
 
 } // namespace codewheel

@@ -15,8 +15,9 @@ struct DeviceValues
     ShownValues shown;
 };
 
-// Notes what each device of a bus shows, once per cycle or answer, also where it shows the same as before.
-// Used by the runners; the mail carries it on.
+// Notes what each device of a bus shows, once per cycle or answer, also where it shows the same as before;
+// and that nothing was seen where the next one is long overdue, because the computer was busy or the bus was:
+// nobody knows what it showed meanwhile. Used by the runners; the mail carries it on.
 class ValueTap
 {
 public:
@@ -34,7 +35,12 @@ private:
     {
         Instant at = Instant::min();
         bool showed = false;
+        Instant usual = Instant::max(); // from one to the next
+        bool wasOverdue = false;
     };
+
+    static bool isOverdue(const Last &last, Instant passed);
+    void noteWhatWasUnseen(std::size_t device, Instant from, Instant until);
 
     std::vector<Last> m_last;
     std::vector<DeviceValues> m_noted;

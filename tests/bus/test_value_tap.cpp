@@ -2,6 +2,7 @@
 #include "bus/bus_mail.h"
 #include "bus/value_round.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace codewheel {
@@ -64,6 +65,25 @@ TEST_F(ValueTapTest, TheEndOfPositionsIsNotedOnce)
     tap.look(0, reading(3ms, {}), true, 3ms);
     tap.look(0, reading(4ms, 18), true, 4ms);
     EXPECT_THAT(tap.noted(), ElementsAre(shows(0, 1ms, 17), shows(0, 2ms, {}), shows(0, 4ms, 18)));
+}
+
+// The computer was busy, or the bus.
+TEST_F(ValueTapTest, WhatWasNotSeenIsAGap)
+{
+    for (const Instant at : {1000ms, 1100ms, 1200ms, 5500ms, 5600ms, 6500ms})
+        tap.look(0, reading(at, at.count()), true, at);
+    const auto noted = [](Instant at) { return shows(0, at, at.count()); };
+    EXPECT_THAT(tap.noted(), ElementsAre(noted(1000ms), noted(1100ms), noted(1200ms), shows(0, 1300ms, {}),
+                                         noted(5500ms), noted(5600ms), noted(6500ms)));
+}
+
+TEST_F(ValueTapTest, AnotherPaceIsNone)
+{
+    Instant at = 0s;
+    for (const Instant pace : {100ms, 100ms, 5000ms, 5000ms, 5000ms, 5000ms, 100ms, 100ms})
+        tap.look(0, reading(at += pace, 17), true, at);
+    EXPECT_EQ(std::ranges::count_if(tap.noted(), [](const auto &each) { return !each.shown.position; }), 2)
+        << "until it is known to be the usual one";
 }
 
 TEST_F(ValueTapTest, WhatStandsThereWhileTheBusIsStoppedIsNoPosition)
