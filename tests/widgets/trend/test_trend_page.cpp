@@ -312,6 +312,7 @@ TEST_F(TrendPageTest, TheUserNotesWhatHappened)
     QTest::keyClicks(&text, QStringLiteral("Coupling tightened"));
     QTest::keyClick(&text, Qt::Key_Return);
     EXPECT_FALSE(text.isVisible());
+    QCoreApplication::processEvents();
     EXPECT_TRUE(find<QLabel>("trendCursors").text().contains(QStringLiteral("Coupling tightened")));
     QTest::keyClick(&chart(), Qt::Key_M, Qt::ControlModifier);
     EXPECT_EQ(text.text(), QStringLiteral("Coupling tightened"));
@@ -321,6 +322,7 @@ TEST_F(TrendPageTest, TheUserNotesWhatHappened)
     QTest::keyClick(&chart(), Qt::Key_M, Qt::ControlModifier);
     text.clear();
     QTest::keyClick(&text, Qt::Key_Return);
+    QCoreApplication::processEvents();
     EXPECT_FALSE(find<QLabel>("trendCursors").text().contains(QStringLiteral("Coupling")));
 }
 
