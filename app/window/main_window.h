@@ -152,6 +152,7 @@ private:
     void showOtherFaults();
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
+    std::optional<Place> recordedEncoder(BusId opened) const;
     void showOneOf(const std::vector<BusId> &buses);
     void chooseBusOf(Place place);
     void goTo(Place place);        // a device, or without a node a bus

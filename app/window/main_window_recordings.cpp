@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings in the window: opened from a file, shown as buses, closed.
+#include "app/window/device_choice.h"
 #include "app/window/main_window.h"
 #include "app/window/plant.h"
 #include "app/window/recordings.h"
+#include "bus/buses.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QFileDialog>
+
+#include <algorithm>
 
 namespace codewheel {
 
@@ -33,9 +37,28 @@ bool MainWindow::openRecording(const QString &path)
         m_notice->showMessage(Role::fault, refusalText(opened.error()));
         return false;
     }
-    m_structure->choose(*opened);
+    if (const auto encoder = recordedEncoder(*opened))
+        m_structure->choose(*encoder);
+    else
+        m_structure->choose(*opened);
     showMonitors();
     return true;
+}
+
+// What the panels show under the bar of a recording is of that recording: the encoder that they show now, if
+// it was recorded, or else the first one.
+std::optional<Place> MainWindow::recordedEncoder(BusId opened) const
+{
+    for (const Recordings::Open &recording : m_plant->recordings().all())
+        if (std::ranges::find(recording.buses, opened, &std::pair<BusId, BusId>::second) !=
+            recording.buses.end())
+            if (const auto shown = m_choice->place() ? recording.shown(*m_choice->place()) : std::nullopt;
+                shown && m_buses->encoder(*shown) != nullptr)
+                return shown;
+    const std::vector<Place> places = m_buses->open(opened)->places();
+    const auto first =
+        std::ranges::find_if(places, [this](Place place) { return m_buses->encoder(place) != nullptr; });
+    return first == places.end() ? std::nullopt : std::optional(*first);
 }
 
 } // namespace codewheel

@@ -111,6 +111,18 @@ TEST_F(ReplayInWindow, IsABusBesideTheOthersAndSaysThatItIsARecording)
     EXPECT_FALSE(status().contains(QStringLiteral("recording")));
 }
 
+// Nothing live goes on under its bar.
+TEST_F(ReplayInWindow, ThePanelsShowTheRecordedEncoderAtOnce)
+{
+    structure().choose(hoist);
+    ASSERT_TRUE(window().openRecording(recording.path));
+    advance(33);
+    ASSERT_NE(bar(), nullptr);
+    EXPECT_EQ(structure().current(), recordedHoist);
+    ASSERT_NE(monitors().card(recordedHoist), nullptr);
+    EXPECT_TRUE(monitors().card(recordedHoist)->isVisible());
+}
+
 TEST_F(ReplayInWindow, NothingCanBeSentAndLooksSo)
 {
     openRecording();
