@@ -9453,6 +9453,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>FRABA preset: where the shaft stands now, the encoder will show its preset (%1). 60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.</source>
         <translation>FRABA-Preset: Wo die Welle jetzt steht, zeigt der Geber danach seinen Preset (%1). 60000000 wird einen Buszyklus lang gesendet. Das lässt sich wiederholen und kostet jedes Mal einen EEPROM-Schreibvorgang.</translation>
     </message>
+    <message>
+        <source>set the position, zero, zero point</source>
+        <translation>Position setzen, nullen, Nullpunkt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::FaultBanner</name>
@@ -14347,6 +14351,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>not available now</source>
         <translation>zurzeit nicht verfügbar</translation>
     </message>
+    <message>
+        <source>shows it in the bus structure and its monitor</source>
+        <translation>zeigt ihn in der Busstruktur und seinen Monitor</translation>
+    </message>
+    <message>
+        <source>shows it among the parameters, sends nothing</source>
+        <translation>zeigt ihn bei den Parametern, sendet nichts</translation>
+    </message>
+    <message>
+        <source>shows it among the messages</source>
+        <translation>zeigt sie bei den Meldungen</translation>
+    </message>
+    <message>
+        <source>opens the manual there</source>
+        <translation>öffnet dort das Handbuch</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Panels</name>
@@ -14655,6 +14675,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>&amp;Set…</source>
         <translation>&amp;Setzen…</translation>
+    </message>
+    <message>
+        <source>preset, zero, zero point</source>
+        <translation>Preset, nullen, Nullpunkt</translation>
     </message>
 </context>
 <context>
@@ -21943,6 +21967,26 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>find, search, scan, baud rate, baudrate, address</source>
         <translation>finden, suchen, Scan, Baudrate, Adresse</translation>
+    </message>
+    <message>
+        <source>set the position, preset, zero point, scaling, parameterization</source>
+        <translation>Position setzen, Preset, Nullpunkt, Skalierung, Parametrierung</translation>
+    </message>
+    <message>
+        <source>zero, normal running, run</source>
+        <translation>Null, Normalbetrieb, run</translation>
+    </message>
+    <message>
+        <source>curves, CSV, export</source>
+        <translation>Kurven, CSV, exportieren</translation>
+    </message>
+    <message>
+        <source>English, language</source>
+        <translation>Englisch, Sprache</translation>
+    </message>
+    <message>
+        <source>German, language</source>
+        <translation>Deutsch, Sprache</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/describe.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>
@@ -30,14 +31,6 @@ inline void tellBus(QAction *action, const QString &bus)
     const QString tip = action->property(plainTip).toString();
     action->setText(bus.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, asLabel(bus)));
     described(action, action->shortcut(), bus.isEmpty() ? tip : QStringLiteral("%1: %2").arg(bus, tip));
-}
-
-// Words by which the command palette finds it, too.
-inline constexpr const char *alsoFoundBy = "alsoFoundBy";
-inline QAction *foundBy(QAction *action, const QString &words)
-{
-    action->setProperty(alsoFoundBy, words);
-    return action;
 }
 
 inline QAction *checkable(QAction *action)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/palette_actions.h"
 
-#include "app/window/described_action.h"
 #include "app/window/menu_list.h"
+#include "app/window/palette_words.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>
@@ -22,20 +22,6 @@ QString idOf(const QAction &action)
                                                                        : plainLabel(action.text()));
 }
 
-// What it does, or why it cannot be done now.
-QString tipOf(const QAction &action)
-{
-    const QString tip = action.statusTip().isEmpty() ? action.toolTip() : action.statusTip();
-    return tip == plainLabel(action.text()) ? QString() : tip;
-}
-
-QString wordsOf(const QAction &action)
-{
-    const QString more = action.property(alsoFoundBy).toString();
-    const QString tip = tipOf(action);
-    return tip.isEmpty() || more.isEmpty() ? tip + more : QStringLiteral("%1; %2").arg(tip, more);
-}
-
 // One that can be checked says whether it is.
 QString placeOf(const QAction &action, const QString &menu)
 {
@@ -46,9 +32,11 @@ QString placeOf(const QAction &action, const QString &menu)
 
 } // namespace
 
-PaletteActions::PaletteActions(const QMainWindow &window, QList<QAction *> usual)
+PaletteActions::PaletteActions(const QMainWindow &window, QList<QAction *> usual,
+                               OtherLanguage &otherLanguage)
     : m_window(window)
     , m_usual(std::move(usual))
+    , m_otherLanguage(otherLanguage)
 {}
 
 void PaletteActions::begin()
@@ -75,7 +63,8 @@ PaletteEntry PaletteActions::entryOf(QAction &action, const QString &menu) const
             .title = plainLabel(action.text()),
             .context = placeOf(action, menu),
             .key = action.shortcut().toString(QKeySequence::NativeText),
-            .words = wordsOf(action),
+            .does = tipOf(action),
+            .words = wordsOf(action, m_otherLanguage),
             .icon = action.icon(),
             .isUsual = m_usual.contains(&action),
             .run =

@@ -10,12 +10,14 @@ class QMainWindow;
 
 namespace codewheel {
 
+class OtherLanguage;
+
 // The actions of all menus of the window, for its command palette: triggered exactly as by the menu.
 class PaletteActions : public PaletteSource
 {
 public:
     // `usual`: offered before anything is typed.
-    PaletteActions(const QMainWindow &window, QList<QAction *> usual);
+    PaletteActions(const QMainWindow &window, QList<QAction *> usual, OtherLanguage &otherLanguage);
 
     void begin() override;
     std::vector<PaletteEntry> next() override;
@@ -25,6 +27,7 @@ private:
 
     const QMainWindow &m_window;
     const QList<QAction *> m_usual;
+    OtherLanguage &m_otherLanguage;
     bool m_isGiven = false;
 };
 

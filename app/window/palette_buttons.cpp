@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/palette_buttons.h"
 
+#include "app/window/menu_list.h"
+#include "app/window/palette_words.h"
+#include "other_language.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/page.h"
 
-#include <QCheckBox>
+#include <QAction>
 #include <QDockWidget>
+#include <QMenu>
 #include <QPointer>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -29,12 +34,35 @@ std::vector<QAbstractButton *> commandsOf(const QWidget &part)
     return commands;
 }
 
+const QMenu *menuOf(const QAbstractButton &button)
+{
+    if (const auto *push = qobject_cast<const QPushButton *>(&button))
+        return push->menu();
+    const auto *tool = qobject_cast<const QToolButton *>(&button);
+    return tool != nullptr ? tool->menu() : nullptr;
+}
+
+bool isCommand(const QAction &action)
+{
+    return !action.isSeparator() && action.menu() == nullptr && action.isVisible() &&
+           !action.text().isEmpty();
+}
+
+bool isIn(const std::vector<ListedMenu> &menus, QAction &action)
+{
+    return std::ranges::any_of(menus, [&action](const ListedMenu &menu) {
+        return std::ranges::find(menu.actions, &action) != menu.actions.end();
+    });
+}
+
 } // namespace
 
-PaletteButtons::PaletteButtons(const QMainWindow &window, const QStackedWidget &pages, ShowPanel show)
+PaletteButtons::PaletteButtons(const QMainWindow &window, const QStackedWidget &pages, ShowPanel show,
+                               OtherLanguage &otherLanguage)
     : m_window(window)
     , m_pages(pages)
     , m_show(std::move(show))
+    , m_otherLanguage(otherLanguage)
 {}
 
 void PaletteButtons::begin()
@@ -47,28 +75,40 @@ std::vector<PaletteEntry> PaletteButtons::next()
     std::vector<PaletteEntry> entries;
     if (std::exchange(m_isGiven, true))
         return entries;
+    const std::vector<ListedMenu> menus = menusOf(m_window);
     if (const auto *page = qobject_cast<Page *>(m_pages.currentWidget()))
-        for (QAbstractButton *button : commandsOf(*page))
-            entries.push_back(entryOf(*button, page->title(), nullptr));
+        add(*page, {page->title(), nullptr}, menus, entries);
     for (const auto *panel : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
-        for (QAbstractButton *button : commandsOf(*panel->widget()))
-            entries.push_back(entryOf(*button, panel->windowTitle(), panel));
+        add(*panel->widget(), {panel->windowTitle(), panel}, menus, entries);
     return entries;
 }
 
-PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const QString &where,
-                                     const QDockWidget *panel) const
+// What is in the menus of the window, too, is found there.
+void PaletteButtons::add(const QWidget &part, const Where &where, const std::vector<ListedMenu> &menus,
+                         std::vector<PaletteEntry> &entries) const
+{
+    for (QAbstractButton *button : commandsOf(part)) {
+        entries.push_back(entryOf(*button, where));
+        const QMenu *menu = menuOf(*button);
+        for (QAction *action : menu != nullptr ? menu->actions() : QList<QAction *>())
+            if (isCommand(*action) && !isIn(menus, *action))
+                entries.push_back(entryOf(*action, where));
+    }
+}
+
+PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const Where &where) const
 {
     const QPointer<QAbstractButton> its(&button); // it may go while the palette is open
     const QKeySequence letter = QKeySequence::mnemonic(button.text());
     const QKeySequence key = button.shortcut().isEmpty() ? letter : button.shortcut();
     return {.title = plainLabel(button.text()),
-            .context = where,
+            .context = where.title,
             .key = key.toString(QKeySequence::NativeText),
-            .words = button.toolTip(),
+            .does = button.toolTip(),
+            .words = m_otherLanguage.of(plainLabel(button.text())),
             .icon = button.icon(),
             .run =
-                [its, panel = QPointer<const QDockWidget>(panel), show = m_show] {
+                [its, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
                     if (panel)
                         show(*panel);
                     if (!its)
@@ -79,6 +119,30 @@ PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const QString &whe
             .state =
                 [its] {
                     return its ? PaletteState{its->isEnabled(), its->toolTip()} : PaletteState{false};
+                }};
+}
+
+PaletteEntry PaletteButtons::entryOf(QAction &action, const Where &where) const
+{
+    const QPointer<QAction> its(&action);
+    const QString label = plainLabel(action.text());
+    const QString tip = tipOf(action);
+    return {.title = label,
+            .context = where.title,
+            .key = action.shortcut().toString(QKeySequence::NativeText),
+            .does = tip,
+            .words = wordsOf(action, m_otherLanguage),
+            .icon = action.icon(),
+            .run =
+                [its, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
+                    if (panel)
+                        show(*panel);
+                    if (its)
+                        its->trigger();
+                },
+            .state =
+                [its, tip] {
+                    return its ? PaletteState{its->isEnabled(), tip} : PaletteState{false};
                 }};
 }
 

@@ -42,9 +42,11 @@ PaletteInWindow::PaletteInWindow(const Parts &parts)
 {
     auto *palette = new CommandPalette(parts.window);
     setHelpTopic(*palette, "palette.md");
-    palette->addSource(std::make_unique<PaletteActions>(parts.window, usualActions(parts.actions)));
+    palette->addSource(
+        std::make_unique<PaletteActions>(parts.window, usualActions(parts.actions), m_otherLanguage));
     palette->addSource(std::make_unique<PaletteButtons>(
-        parts.window, parts.pages, [this](const QDockWidget &panel) { m_parts.panels.show(panel); }));
+        parts.window, parts.pages, [this](const QDockWidget &panel) { m_parts.panels.show(panel); },
+        m_otherLanguage));
     palette->addSource(
         std::make_unique<PaletteParameters>(parts.choice, [this](Parameter each) { showParameter(each); }));
     palette->addSource(std::make_unique<PaletteDevices>(parts.structure, parts.plant.buses(), parts.project,

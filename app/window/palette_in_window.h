@@ -3,6 +3,7 @@
 
 #include "encoder/parameter.h"
 #include "encoder/place.h"
+#include "other_language.h"
 
 #include <QObject>
 
@@ -58,6 +59,7 @@ private:
     void noteUsed(const QString &id) const;
 
     const Parts m_parts;
+    OtherLanguage m_otherLanguage;
 };
 
 } // namespace codewheel

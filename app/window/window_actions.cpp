@@ -210,6 +210,7 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);
+    foundBy(wizard, tr("set the position, preset, zero point, scaling, parameterization"));
     cams = deviceMenu->addAction(lineIcon(Icon::cams), tr("&Cams"));
     cams->setShortcut(Qt::Key_F8);
     replaceEncoder = deviceMenu->addAction(lineIcon(Icon::encoder), tr("&Replace encoder"));
@@ -219,6 +220,7 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
+    foundBy(zeroOut, tr("zero, normal running, run"));
     m_sections[Section::device] = {deviceMenu, nullptr};
     showChosen({});
     showWords({}, nullptr, false);
@@ -287,6 +289,7 @@ void WindowActions::makeViewMenu()
                          tr("Shows the monitors; you can return to an open page"));
     trend = described(menu->addAction(lineIcon(Icon::trend), tr("&Trend")), Qt::Key_F11,
                       tr("Draws what encoders show as curves over time; sends nothing"));
+    foundBy(trend, tr("curves, CSV, export"));
     closePage = described(menu->addAction(lineIcon(Icon::cancel), tr("Close pag&e")), Qt::CTRL | Qt::Key_W,
                           tr("Closes the page that is open, and shows the monitors"));
     closePage->setEnabled(false);
@@ -313,8 +316,10 @@ void WindowActions::makeViewMenu()
     language = new QActionGroup(this);
     choice(language, tr("S&ystem"), QString(), tr("The language of the desktop"));
     // A language is named in itself, whatever the language of the window.
-    choice(language, QStringLiteral("&English"), QStringLiteral("en"), QStringLiteral("English"));
-    choice(language, QStringLiteral("&Deutsch"), QStringLiteral("de"), QStringLiteral("Deutsch"));
+    foundBy(choice(language, QStringLiteral("&English"), QStringLiteral("en"), QStringLiteral("English")),
+            tr("English, language"));
+    foundBy(choice(language, QStringLiteral("&Deutsch"), QStringLiteral("de"), QStringLiteral("Deutsch")),
+            tr("German, language"));
     languages->addActions(language->actions());
 }
 

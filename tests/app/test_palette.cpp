@@ -160,6 +160,41 @@ TEST_F(PaletteTest, WordsOfTheFieldLeadToTheirActions)
         EXPECT_FALSE(found(word).filter(title).isEmpty()) << word.toStdString();
 }
 
+// In both languages, whatever that of the window.
+TEST_F(PaletteTest, WordsOfTheOtherLanguageFindTheSame)
+{
+    const std::pair<const char *, QString> all[] = {
+        {"german", QStringLiteral("Deutsch")},
+        {"sprache", QStringLiteral("Deutsch")},
+        {"csv", QStringLiteral("Export messages")},
+        {"meldungen exportieren", QStringLiteral("Export messages")}};
+    for (const auto &[word, title] : all)
+        EXPECT_FALSE(found(QLatin1String(word)).filter(title).isEmpty()) << word;
+}
+
+TEST_F(PaletteTest, WhatSetsAPositionIsFoundByAllItsNames)
+{
+    const auto findsAll = [this](Place place, const QString &title) {
+        window().findChild<StructureView *>()->choose(place);
+        advance(50);
+        for (const char *word : {"preset", "zero", "set position", "nullpunkt", "position setzen"})
+            EXPECT_FALSE(found(QLatin1String(word)).filter(title).isEmpty()) << word;
+    };
+    findsAll(test::fraba, QStringLiteral("FRABA preset"));
+    findsAll(shown->buses().places().back(), QStringLiteral("Set the position"));
+}
+
+TEST_F(PaletteTest, EachResultSaysWhatReturnWillDo)
+{
+    type(QStringLiteral("e"));
+    const QAbstractItemModel &rows = *list().model();
+    ASSERT_GT(rows.rowCount(), 50);
+    for (int row = 0; row < rows.rowCount(); ++row) {
+        const QString context = rows.index(row, 0).data(PaletteModel::contextRole).toString();
+        EXPECT_GE(context.count(u'\u00B7'), 1) << rows.index(row, 0).data().toString().toStdString();
+    }
+}
+
 TEST_F(PaletteTest, ADeviceIsChosenInTheBusStructure)
 {
     actions().trend->trigger();
@@ -303,6 +338,9 @@ TEST_F(GermanPaletteTest, GermanWordsAreFoundWithAndWithoutUmlauts)
     run(QStringLiteral("uebertrag"));
     EXPECT_NE(qobject_cast<const TransferPage *>(page()), nullptr);
     EXPECT_TRUE(found(QStringLiteral("nullpunkt")).contains(QStringLiteral("Nullpunkt-Verschiebung")));
+    for (const char *typed : {"zero", "set position", "preset"})
+        EXPECT_FALSE(found(QLatin1String(typed)).filter(QStringLiteral("FRABA-Preset")).isEmpty()) << typed;
+    EXPECT_FALSE(found(QStringLiteral("german")).filter(QStringLiteral("Deutsch")).isEmpty());
 }
 
 TEST_F(GermanPaletteTest, ThePagesOfTheManualAreFoundInGermanAndEnglish)

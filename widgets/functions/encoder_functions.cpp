@@ -5,6 +5,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/known_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/icons.h"
 
 #include <QWidget>
@@ -48,6 +49,7 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     describeAction(*m_frabaPreset, "frabaPreset",
                    tr("Sets the position to the programmed preset, as often as wanted; asks first"),
                    Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    foundBy(m_frabaPreset, tr("set the position, zero, zero point"));
     describeAction(*m_reset, "resetToDefault", tr("Shows what is lost, and asks first"));
     connect(m_isInPositionMode, &QAction::triggered, this, &EncoderFunctions::tellPositionMode);
     connect(m_position, &QAction::triggered, this, &EncoderFunctions::goToPositionMode);

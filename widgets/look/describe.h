@@ -39,4 +39,13 @@ Control *describe(Control *control, const char *id, const QString &name, const Q
     return describe(named(control, id), name, tip);
 }
 
+// Words of the field by which the command palette finds an action, too, in each language.
+inline constexpr const char *alsoFoundBy = "alsoFoundBy";
+template <class Action>
+Action *foundBy(Action *action, const QString &words)
+{
+    action->setProperty(alsoFoundBy, words);
+    return action;
+}
+
 } // namespace codewheel

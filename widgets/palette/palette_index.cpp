@@ -47,8 +47,12 @@ void PaletteIndex::add(std::vector<PaletteEntry> entries)
 {
     for (PaletteEntry &entry : entries) {
         const QString title = foldedText(entry.title);
-        const QStringList rest{title, foldedText(kindWord(entry.kind)), foldedText(entry.context),
-                               foldedText(entry.key), foldedText(entry.words)};
+        const QStringList rest{title,
+                               foldedText(kindWord(entry.kind)),
+                               foldedText(entry.context),
+                               foldedText(entry.key),
+                               foldedText(entry.does),
+                               foldedText(entry.words)};
         m_folded.push_back({rest.join(u'\n'), title.size(), foldedText(entry.key)});
         m_entries.push_back(std::move(entry));
     }

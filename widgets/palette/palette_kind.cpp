@@ -23,6 +23,23 @@ QString kindWord(PaletteEntry::Kind kind)
     return PaletteModel::tr("Manual");
 }
 
+QString whatReturnDoes(const PaletteEntry &entry)
+{
+    switch (entry.kind) {
+    case PaletteEntry::Kind::action:
+        return entry.does;
+    case PaletteEntry::Kind::device:
+        return PaletteModel::tr("shows it in the bus structure and its monitor");
+    case PaletteEntry::Kind::parameter:
+        return PaletteModel::tr("shows it among the parameters, sends nothing");
+    case PaletteEntry::Kind::message:
+        return PaletteModel::tr("shows it among the messages");
+    case PaletteEntry::Kind::manual:
+        break;
+    }
+    return PaletteModel::tr("opens the manual there");
+}
+
 QIcon kindIcon(PaletteEntry::Kind kind)
 {
     switch (kind) {

@@ -6,6 +6,7 @@
 namespace codewheel {
 
 QString kindWord(PaletteEntry::Kind kind);
+QString whatReturnDoes(const PaletteEntry &entry);
 QIcon kindIcon(PaletteEntry::Kind kind); // of entries without one of their own
 
 } // namespace codewheel

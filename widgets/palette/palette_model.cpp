@@ -20,7 +20,7 @@ QString contextOf(const PaletteEntry &entry)
     const PaletteState state = stateOf(entry);
     QStringList parts{kindWord(entry.kind)};
     if (state.isEnabled)
-        parts << entry.context;
+        parts << entry.context << whatReturnDoes(entry);
     else
         parts << PaletteModel::tr("not available now") << state.reason;
     parts.removeAll(QString());

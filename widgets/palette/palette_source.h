@@ -26,7 +26,8 @@ struct PaletteEntry
     QString title{};
     QString context{}; // where it is: its menu, its bus
     QString key{};
-    QString words{}; // by which it is found, too, such as its tooltip
+    QString does{};  // what Return does
+    QString words{}; // by which it is found, too
     QIcon icon{};
     bool isUsual = false; // offered before anything is typed
     std::function<void()> run{};

@@ -119,6 +119,7 @@ void ParameterPanel::makeMenu()
     m_leaveAll = menu->addAction(tr("&Leave all unchanged"));
     menu->addSeparator();
     m_setPosition = menu->addAction(tr("&Set the position…"));
+    foundBy(m_setPosition, tr("preset, zero, zero point"));
     menu->addActions(m_functions->actions());
     menu->addSeparator();
     m_copyAs = new CopyMenu(m_table);
