@@ -274,6 +274,18 @@ Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, BusId bu
     });
 }
 
+Stored<void> Ledger::movePlaces(const QString &to, BusId bus)
+{
+    QSqlQuery query = m_database.query(
+        QStringLiteral(
+            "UPDATE entry SET identity = :to || place WHERE identity = :from || place AND %1 = :bus")
+            .arg(busOfPlace));
+    query.bindValue(QStringLiteral(":from"), placePrefix({}));
+    query.bindValue(QStringLiteral(":to"), placePrefix(to));
+    query.bindValue(QStringLiteral(":bus"), bus.number);
+    return m_database.inTransaction([&] { return m_database.run(query); });
+}
+
 EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const
 {
     QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM entry WHERE identity = ?").arg(sums));

@@ -89,6 +89,9 @@ public:
     Stored<void> copyPlaces(const QString &from, const QString &to, BusId bus,
                             const std::vector<qint64> &without);
 
+    // What was counted by the places of projects without a file belongs to the first file that one gets.
+    Stored<void> movePlaces(const QString &to, BusId bus);
+
     // `running`: what is under way, and so is no doubt about the past.
     EepromCount writes(const EncoderIdentity &identity, const std::vector<qint64> &running = {}) const;
     QDateTime since(const EncoderIdentity &identity) const; // null: never written

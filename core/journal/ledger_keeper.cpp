@@ -87,8 +87,8 @@ void LedgerKeeper::projectSavedAs(const QString &file)
         identify(place);
 }
 
-// A project without a file has no lasting account: what was noted since the connection was made goes along.
-// An account in a file carries on there, and is copied; an entry that has not ended can exist only once.
+// What was counted while there was no file belongs to the first one, also from before this connection. An
+// account in a file carries on there, and is copied; an entry that has not ended can exist only once.
 void LedgerKeeper::takeAlong(const QString &from)
 {
     auto moved = onTheirWay();
@@ -104,6 +104,8 @@ void LedgerKeeper::takeAlong(const QString &from)
     }
     for (const auto &[place, ids] : moved)
         m_book->attribute(ids, identity(place));
+    if (from.isEmpty())
+        m_book->movePlaces(m_project, m_bus.id());
 }
 
 // Entries counted by their place that have not ended.

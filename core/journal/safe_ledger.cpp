@@ -153,4 +153,10 @@ void SafeLedger::copyPlaces(const QString &from, const QString &to, BusId bus,
         (void)safely([&](Ledger &ledger) { return ledger.copyPlaces(from, to, bus, without); });
 }
 
+void SafeLedger::movePlaces(const QString &to, BusId bus)
+{
+    if (m_ledger)
+        (void)safely([&](Ledger &ledger) { return ledger.movePlaces(to, bus); });
+}
+
 } // namespace codewheel

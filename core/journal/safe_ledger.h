@@ -39,6 +39,7 @@ public:
                 int perhaps = 0);
     void attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
     void copyPlaces(const QString &from, const QString &to, BusId bus, const std::vector<qint64> &without);
+    void movePlaces(const QString &to, BusId bus);
 
 private:
     template <typename What>

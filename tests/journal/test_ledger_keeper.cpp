@@ -287,6 +287,24 @@ TEST_F(LedgerKeeperTest, TheFirstFileOfAProjectTakesTheAccountAlong)
     EXPECT_EQ(countAt(baumer).writes, 0); // it never belonged to another one
 }
 
+TEST_F(LedgerKeeperTest, WhatWasCountedBeforeAProjectHadAFileGoesAlongFromEarlierConnections)
+{
+    keep(file.place());
+    write(baumer, 4'096);
+    keeper.reset();
+    keep(file.place());
+    write(baumer, 8'192);
+    EXPECT_EQ(countAt(baumer).writes, 2);
+    keeper->setProject({}); // New
+    EXPECT_EQ(countAt(baumer).writes, 2);
+    keeper->projectSavedAs(QStringLiteral("/plant.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 2) << "it does not fall";
+    keeper->projectSavedAs(QStringLiteral("/copy.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 2);
+    keeper->setProject({});
+    EXPECT_EQ(countAt(baumer).writes, 0) << "it belongs to those files";
+}
+
 TEST_F(LedgerKeeperTest, AProjectSavedUnderAnotherNameGoesOnCounting)
 {
     keep(file.place());
