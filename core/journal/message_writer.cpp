@@ -8,6 +8,8 @@
 #include <QIODevice>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -16,13 +18,21 @@ struct Export
     Q_DECLARE_TR_FUNCTIONS(codewheel::MessageWriter)
 };
 
+// Ours are words. A file from elsewhere may have anything in their place.
+QString codeCell(const StoredMessage &message)
+{
+    const QString code = codeOf(message);
+    const bool isWord = std::ranges::all_of(code, [](QChar c) { return c.isLetterOrNumber(); });
+    return isWord ? code : csvText(code);
+}
+
 QString csvLine(const StoredMessage &message)
 {
     const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
     const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
                              severityKey(message.severity),
                              placeText(message.place),
-                             codeOf(message),
+                             codeCell(message),
                              csvText(messageText(message)),
                              message.place ? QString::number(message.place->bus.number) : QString()};
     return fields.join(u',') + QStringLiteral("\r\n");

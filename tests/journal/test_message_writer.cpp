@@ -46,6 +46,17 @@ TEST(MessageWriter, WritesCsv)
     EXPECT_NE(twoOClock.toOffsetFromUtc(7200).toString(Qt::ISODateWithMs), twoOClock.toString(Qt::ISODate));
 }
 
+TEST(MessageWriter, ACodeFromElsewhereIsNoFormula)
+{
+    StoredMessage stored = storedMessage({.id = MessageId::busStarted}, twoOClock);
+    stored.code = QStringLiteral("=1+2,3");
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    MessageWriter writer(buffer, Format::csv);
+    ASSERT_TRUE(writer.begin() && writer.write({stored}) && writer.end());
+    EXPECT_TRUE(buffer.data().contains(",\"'=1+2,3\",")) << buffer.data().toStdString();
+}
+
 TEST(MessageWriter, TheBusStandsByItself)
 {
     const QString csv = written(Format::csv, {{.place = Place{{4}, NodeId("esc:05")}}});
