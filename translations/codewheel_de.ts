@@ -4923,10 +4923,6 @@
         <translation>Das ist kein UTF-8-Text: Die Datei als UTF-8 speichern.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark: save it as UTF-8 without one.</source>
-        <translation>Die Datei beginnt mit einer Byte-Order-Mark (BOM): als UTF-8 ohne BOM speichern.</translation>
-    </message>
-    <message>
         <source>This key is here twice.</source>
         <translation>Dieser Schlüssel steht hier doppelt.</translation>
     </message>

@@ -47,15 +47,11 @@ int lineOf(const QByteArray &text, qsizetype place)
     return static_cast<int>(std::count(text.begin(), text.begin() + place, '\n')) + 1;
 }
 
-// jsoncpp takes a NUL for the end of the file, and skips the byte order mark.
+// jsoncpp takes a NUL for the end of the file. It skips a byte order mark, which editors of Windows put
+// there.
 bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
 {
-    if (json.startsWith("\xEF\xBB\xBF"))
-        faults.report(1, QString(),
-                      QCoreApplication::translate(
-                          "codewheel::Catalog",
-                          "The file begins with a byte order mark: save it as UTF-8 without one."));
-    else if (const qsizetype place = json.indexOf('\0'); place >= 0)
+    if (const qsizetype place = json.indexOf('\0'); place >= 0)
         faults.report(lineOf(json, place), QString(),
                       QCoreApplication::translate(
                           "codewheel::Catalog",

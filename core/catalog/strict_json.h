@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-// The JSON text of one of our files: no comments, no duplicate keys, nothing after the closing brace, no byte
-// order mark and no NUL. Errors are reported to `faults`.
+// The JSON text of one of our files: no comments, no duplicate keys, nothing after the closing brace, no NUL.
+// A byte order mark is skipped. Errors are reported to `faults`.
 Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults);
 
 } // namespace codewheel

@@ -428,7 +428,6 @@ TEST(ProjectJson, ForeignBytesAreRefusedWithTheirLine)
 {
     const QByteArray good = R"({"format": "codewheel-project", "version": 1, "devices": []})";
     const std::pair<QByteArray, int> rows[] = {
-        {"\xEF\xBB\xBF" + good, 1},
         {good + '\n' + '\0', 2},
         {good + "\n\n" + '\0' + "more", 3},
         {"{\n" + QByteArray(1, '\0') + good.mid(1), 2},
@@ -439,6 +438,18 @@ TEST(ProjectJson, ForeignBytesAreRefusedWithTheirLine)
         ASSERT_FALSE(project) << line;
         EXPECT_EQ(std::get<std::int64_t>(project.error().arguments[1]), line);
     }
+}
+
+// As editors of Windows save it.
+TEST(ProjectJson, AByteOrderMarkIsSkipped)
+{
+    const QByteArray mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(projectFromJson(mark + projectToJson(madeUpProject(3, 4)), fileName), madeUpProject(3, 4));
+    const auto broken = projectFromJson(mark + "{\n\"format\": 1,,\n}", fileName);
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(std::get<std::int64_t>(broken.error().arguments[1]), 2);
+    EXPECT_FALSE(projectFromJson(mark, fileName));
+    EXPECT_FALSE(projectFromJson(mark + mark + projectToJson({}), fileName)) << "only one";
 }
 
 TEST(ProjectJson, HoldsAsManyDevicesAsARingMayHave)
