@@ -52,6 +52,12 @@ protected:
         planBus(after, bus, *busKind(kind));
         shown->project().edit(std::move(after), {});
     }
+    void startAnew()
+    {
+        Project empty;
+        empty.buses = usualBuses();
+        shown->project().setProject(std::move(empty), {});
+    }
     void choose(BusId bus) { window().findChild<StructureView *>()->choose(bus); }
     void choose(Place place) { window().findChild<StructureView *>()->choose(place); }
     QString cell(BusId bus, StructureModel::Column column)
@@ -621,7 +627,7 @@ TEST_F(SeveralBuses, ALineIsPlannedWhileNothingIsConnected)
 TEST_F(SeveralBuses, TheChosenBusStaysTheOneThatIsPlannedBesideALineThatIsNot)
 {
     ringActions().disconnectBus->trigger();
-    shown->project().setProject({.buses = usualBuses()}, {});
+    startAnew();
     advance(100);
     const Place last = placeOnLine({3});
     choose(last);
@@ -631,7 +637,9 @@ TEST_F(SeveralBuses, TheChosenBusStaysTheOneThatIsPlannedBesideALineThatIsNot)
     EXPECT_TRUE(bus.isVisible());
     EXPECT_EQ(bus.currentText(), QStringLiteral("Line, not planned yet"));
     EXPECT_EQ(bus.count(), 2);
-    editor.openInsertPanel();
+    ASSERT_TRUE(editor.isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Insert);
+    ASSERT_TRUE(editor.findChild<InsertPanel *>()->isVisible()) << "also where nothing is planned";
     auto &where = *editor.findChild<QComboBox *>(QStringLiteral("insertPlace"));
     EXPECT_EQ(where.currentText(), last.node.toString()) << "the chosen device";
     bus.setCurrentIndex(0);
@@ -649,7 +657,7 @@ TEST_F(SeveralBuses, TheChosenBusStaysTheOneThatIsPlannedBesideALineThatIsNot)
 
 TEST_F(SeveralBuses, UndoShowsTheBusOnWhichItUndoes)
 {
-    shown->project().setProject({.buses = usualBuses()}, {});
+    startAnew();
     actions().structureEditor->trigger();
     auto &editor = *window().findChild<StructureEditor *>();
     auto &bus = *editor.findChild<QComboBox *>(QStringLiteral("plannedBus"));

@@ -56,6 +56,7 @@ void EmptyState::setAction(const QString &text)
     m_action->setText(text);
     m_action->setToolTip(m_how->text());
     m_action->setVisible(!text.isEmpty());
+    setFocusProxy(text.isEmpty() ? nullptr : m_action);
 }
 
 void EmptyState::changeEvent(QEvent *event)

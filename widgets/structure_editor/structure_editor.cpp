@@ -180,15 +180,28 @@ void StructureEditor::showCurrent()
 
 void StructureEditor::showProject()
 {
-    const bool isEmpty = devicesOn(m_document.project(), m_edits.bus()).empty();
-    m_empty->setVisible(isEmpty);
-    m_empty->setAction(tr("Insert a device"));
-    m_tree->setVisible(!isEmpty);
+    showWhetherEmpty();
     m_message->withdraw();
     widenPlaces();
     showBuses();
     showFindings();
     showPlace();
+}
+
+// The keys of the page work in an empty plan, too, and the columns fit its first device.
+void StructureEditor::showWhetherEmpty()
+{
+    const bool isEmpty = devicesOn(m_document.project(), m_edits.bus()).empty();
+    const bool wasEmpty = m_tree->isHidden();
+    const bool hadFocus = m_tree->hasFocus();
+    m_empty->setAction(tr("Insert a device"));
+    m_empty->setVisible(isEmpty);
+    m_tree->setVisible(!isEmpty);
+    setFocusProxy(isEmpty ? static_cast<QWidget *>(m_empty) : m_tree);
+    if (isEmpty && hadFocus)
+        m_empty->setFocus();
+    if (wasEmpty && !isEmpty)
+        fitColumns();
 }
 
 void StructureEditor::showPlace()

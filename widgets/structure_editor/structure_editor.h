@@ -80,6 +80,7 @@ private:
     void showCurrent();
     void showProject();
     void showBuses();
+    void showWhetherEmpty();
     void showPlace();
     QString busName() const;
     void showKind();

@@ -159,7 +159,6 @@ void StructureEditor::makeTree()
     m_tree->header()->setResizeContentsPrecision(rowsMeasured);
     m_tree->header()->setStretchLastSection(true);
     m_tree->expandAll();
-    setFocusProxy(m_tree);
 }
 
 // As wide as their content, with a minimum to type in; nothing jumps while editing.
