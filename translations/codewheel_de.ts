@@ -18640,6 +18640,14 @@ Worte: IN %3, OUT %4</translation>
         <source>sending it takes longer.</source>
         <translation>das Senden dauert länger.</translation>
     </message>
+    <message>
+        <source>No computer can have this name: letters, digits and hyphens, with dots between its parts.</source>
+        <translation>Kein Computer kann so heißen: Buchstaben, Ziffern und Bindestriche, mit Punkten zwischen den Teilen.</translation>
+    </message>
+    <message>
+        <source>No database can have this name: it has more than %1 bytes.</source>
+        <translation>Keine Datenbank kann so heißen: Der Name hat mehr als %1 Byte.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::SettingField</name>

@@ -10,6 +10,8 @@ namespace codewheel {
 namespace {
 
 constexpr int highestPort = 65'535;
+constexpr qsizetype longestHost = 253;
+constexpr qsizetype longestName = 63; // bytes, of a database
 
 // The parts of an address are not repeated in what is said of it: a password may be in any of them.
 tl::unexpected<Refusal> wrongAddress(const QString &reason)
@@ -36,6 +38,18 @@ bool isName(const QString &text)
 {
     static const QRegularExpression names(QStringLiteral("\\A[a-z0-9_]{1,63}\\z"));
     return names.match(text).hasMatch();
+}
+
+// Of a computer, as RFC 1123 has it, with letters of all languages and the underline that some use; an
+// address; or the folder of a socket. None: the usual socket of this computer.
+bool isHost(const QString &text)
+{
+    static const QRegularExpression labels(
+        QStringLiteral("\\A[\\pL\\pN_](?:[\\pL\\pM\\pN_-]{0,61}[\\pL\\pM\\pN_])?"
+                       "(?:\\.[\\pL\\pN_](?:[\\pL\\pM\\pN_-]{0,61}[\\pL\\pM\\pN_])?)*\\.?\\z"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    const bool isNoName = text.isEmpty() || text.startsWith(u'/') || text.contains(u':');
+    return isNoName || (text.size() <= longestHost && labels.match(text).hasMatch());
 }
 
 // They are put beside others that PostgreSQL's library gets, so they must not look like several.
@@ -68,6 +82,10 @@ Result<void> takeHost(ServerAddress &address, QStringView host)
         host = partUntil(host, u':');
     }
     address.host = percentDecoded(host);
+    if (!isHost(address.host))
+        return wrongAddress(
+            Server::tr("No computer can have this name: letters, digits and hyphens, with dots "
+                       "between its parts."));
     address.port = port.toInt();
     if (!port.isEmpty() && (address.port < 1 || address.port > highestPort))
         return wrongAddress(Server::tr("The port is a number from 1 to 65535."));
@@ -123,6 +141,9 @@ Result<ServerAddress> ServerAddress::parse(const QString &text)
     address.database = percentDecoded(partAfter(path, u'/'));
     if (address.database.isEmpty())
         return wrongAddress(Server::tr("The name of the database is missing: postgresql://HOST/DATABASE."));
+    if (address.database.toUtf8().size() > longestName)
+        return wrongAddress(
+            Server::tr("No database can have this name: it has more than %1 bytes.").arg(longestName));
     for (const QStringView option : partAfter(all, u'?').split(u'&', Qt::SkipEmptyParts))
         if (auto taken = takeOption(address, percentDecoded(partUntil(option, u'=')),
                                     percentDecoded(partAfter(option, u'=')));

@@ -50,6 +50,22 @@ TEST(ServerAddress, APasswordIsRefusedAndNeverRepeated)
         EXPECT_THAT(refusalText(wrong(text)).toStdString(), Not(HasSubstr("sec")));
 }
 
+// It would wait for ever for a server that no one can set up.
+TEST(ServerAddress, ANameThatCannotExistIsRefusedAtOnce)
+{
+    for (const char *host : {"no%20such%20host", "-plant", "plant-", "a..b", ".plant", "a,b", "a%2Cb",
+                             "plant%0A", "a%3Db", "plant!"})
+        EXPECT_FALSE(ServerAddress::parse(QStringLiteral("postgresql://%1/db").arg(QLatin1String(host))))
+            << host;
+    const QString longLabel(64, u'a');
+    EXPECT_FALSE(ServerAddress::parse(QStringLiteral("postgresql://%1/db").arg(longLabel)));
+    EXPECT_FALSE(ServerAddress::parse(QStringLiteral("postgresql://plant/%1").arg(longLabel)));
+    for (const char *host : {"plant", "plant.example.org.", "10.0.0.7", "[::1]", "hall_3", "h%C3%A4lle-7", "",
+                             "%2Frun%2Fpostgresql", "3hall"})
+        EXPECT_TRUE(ServerAddress::parse(QStringLiteral("postgresql://%1/db").arg(QLatin1String(host))))
+            << host;
+}
+
 TEST(ServerAddress, WhatIsWrongIsSaid)
 {
     for (const char *text :
