@@ -11233,6 +11233,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>its folder is not there, or you may not use it.</source>
         <translation>ihr Ordner fehlt oder darf nicht benutzt werden.</translation>
     </message>
+    <message>
+        <source>it is empty: the program that made it ended before anything was in it.</source>
+        <translation>sie ist leer: Das Programm, das sie angelegt hat, endete, bevor etwas darin stand.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::JsonObject</name>

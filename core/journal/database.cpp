@@ -251,6 +251,13 @@ Stored<qint64> Database::check(const DatabaseSchema &schema) const
     const auto version = number(QStringLiteral("PRAGMA user_version"));
     if (!kind || !version)
         return tl::unexpected(kind ? version.error() : kind.error());
+    const auto found = objects();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (*kind == 0 && found->isEmpty())
+        return tl::unexpected(DatabaseError{
+            DatabaseError::Kind::other,
+            Journal::tr("it is empty: the program that made it ended before anything was in it.")});
     if (*kind != schema.applicationId)
         return tl::unexpected(foreignFile(Journal::tr("it is the database of another program.")));
     if (*version > std::ssize(schema.versions))
@@ -260,9 +267,6 @@ Stored<qint64> Database::check(const DatabaseSchema &schema) const
                 "it was made by a newer Codewheel (version %1 of the file; this one reads up to version %2).")
                 .arg(*version)
                 .arg(schema.versions.size())});
-    const auto found = objects();
-    if (!found)
-        return tl::unexpected(found.error());
     QStringList expected;
     for (qint64 i = 0; i < *version; ++i)
         expected << schema.versions[static_cast<std::size_t>(i)].statements;

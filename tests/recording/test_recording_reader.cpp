@@ -40,7 +40,23 @@ TEST(RecordingReader, SaysWhyAFileIsNoRecording)
     EXPECT_EQ(whyNot(file.path),
               file.path + QStringLiteral(" cannot be used: it is not a database, and was left as it was."));
     EXPECT_EQ(file.bytes(), "position,speed\r\n1,2\r\n");
+}
+
+// Killed within its first milliseconds.
+TEST(RecordingReader, AFileThatWasOnlyJustMadeIsEmpty)
+{
+    const RecordingFile file;
+    const QString empty =
+        file.path +
+        QStringLiteral(
+            " cannot be used: it is empty: the program that made it ended before anything was in it.");
     file.fill({});
+    EXPECT_EQ(whyNot(file.path), empty);
+    file.execute(QStringLiteral("PRAGMA auto_vacuum = INCREMENTAL"));
+    file.execute(QStringLiteral("VACUUM"));
+    EXPECT_GT(file.bytes().size(), 0);
+    EXPECT_EQ(whyNot(file.path), empty);
+    file.execute(QStringLiteral("CREATE TABLE theirs (a)"));
     EXPECT_EQ(whyNot(file.path),
               file.path + QStringLiteral(" cannot be used: it is the database of another program."));
 }
