@@ -7,6 +7,7 @@ namespace codewheel {
 namespace {
 
 constexpr std::size_t samplesAtOnce = 8'192; // of all columns together
+constexpr std::size_t samplesOfColumn = 64;  // so that a stretch is worth looking into each of many columns
 
 } // namespace
 
@@ -55,8 +56,9 @@ double RowMerge::part() const
 // So much at once that the memory it takes does not depend on the span.
 Instant RowMerge::endOfStretch() const
 {
+    const std::size_t most = std::max(samplesAtOnce, samplesOfColumn * m_columns.size());
     Instant end = std::min(m_span.to, m_reached + 2 * m_stretch);
-    while (end - m_reached > Instant(1) && samplesIn({m_reached, end}) > samplesAtOnce)
+    while (end - m_reached > Instant(1) && samplesIn({m_reached, end}) > most)
         end = m_reached + (end - m_reached) / 2;
     return end;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/device_number.h"
 #include "tests/trend/trend_csv_test.h"
 
 #include <QFile>
@@ -199,6 +200,32 @@ TEST(TrendCsv, WritesAMillionRowsPieceByPiece)
     EXPECT_EQ(buffer.data().count('\n'), count + 1);
     EXPECT_TRUE(buffer.data().endsWith("\r\n1772371119.999000,999999\r\n"));
     EXPECT_LT(largest, 500'000);
+}
+
+// Each look into a history may be a question to a database.
+TEST(TrendCsv, LooksIntoEachOfManyColumnsAFewTimes)
+{
+    constexpr int columns = 2'000;
+    SampledTracks tracks;
+    std::vector<Track> all;
+    for (int i = 0; i < columns; ++i) {
+        all.push_back({{{i / 100 + 1}, DeviceNumber{i % 100 + 1, 0}.node()}, Channel::position, {}});
+        for (int sample = 0; sample < 50; ++sample)
+            tracks[all.back()].append({at(sample), i + sample});
+    }
+    int looks = 0;
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    TrendCsv csv(buffer, extractOf(all, at(0), at(50)),
+                 [&, of = tracks.historyOf()](const Track &track) {
+                     ++looks;
+                     return of(track);
+                 },
+                 {});
+    while (csv.writeSome()) {
+    }
+    EXPECT_EQ(buffer.data().count('\n'), 1 + 50);
+    EXPECT_LE(looks, 8 * columns);
 }
 
 TEST(TrendCsv, GoesOnWhileSamplesComeAndGo)
