@@ -35,7 +35,7 @@ if(NOT CODEWHEEL_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Release")
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
-    # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build keeps both.
+    # GCC 12 gives false warnings about bounds and uninitialized values after heavy inlining; the dev build has them.
     target_compile_options(codewheel_options INTERFACE -Wno-array-bounds
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-stringop-overread -Wno-stringop-overflow -Wno-restrict>)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
