@@ -41,6 +41,13 @@ void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Ins
     last.showed = shows && (isNew || last.showed);
 }
 
+void ValueTap::interrupt()
+{
+    for (std::size_t device = 0; device < m_last.size(); ++device)
+        if (std::exchange(m_last[device].showed, false))
+            m_noted.push_back({device, {.at = m_last[device].at}});
+}
+
 bool ValueTap::isOverdue(const Last &last, Instant passed)
 {
     return passed > shortestUnseen && last.usual < passed / usualUnseen;

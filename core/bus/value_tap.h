@@ -24,6 +24,8 @@ public:
     // `isLive`: the device is exchanged, or asked; the bus is at `now`.
     void look(std::size_t device, const Reading &reading, bool isLive, Instant now,
               const std::optional<ExchangedWords> &exchanged = {});
+    // Nothing was seen from the last values on, until the next ones come: the computer slept.
+    void interrupt();
     // Where there are other devices now, none of them has shown anything.
     void forgetDevices() { m_last.clear(); }
     // Of all since the last call, oldest first.

@@ -271,6 +271,7 @@ void LineRunner::slept(std::chrono::milliseconds duration)
     d->endScan(true);
     d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
     d->state.operate = false;
+    d->tap.interrupt();
     d->tellEvent(Slept{duration});
     d->publish();
 }

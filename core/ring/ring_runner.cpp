@@ -508,6 +508,7 @@ void RingRunner::slept(std::chrono::milliseconds duration)
     if (d->zerosAreDue || d->alarmStops > alarmsBefore) // whatever has been exchanged
         d->zeroOut();
     d->ring.operate = false;
+    d->tap.interrupt();
     d->tell(0, Slept{duration});
 }
 

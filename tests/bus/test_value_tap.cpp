@@ -77,6 +77,18 @@ TEST_F(ValueTapTest, WhatWasNotSeenIsAGap)
                                          noted(5500ms), noted(5600ms), noted(6500ms)));
 }
 
+TEST_F(ValueTapTest, WhileTheComputerSleptNothingWasSeen)
+{
+    tap.look(0, reading(1ms, 17), true, 1ms);
+    tap.look(2, reading(2ms, 19), true, 2ms);
+    tap.interrupt();
+    tap.interrupt();
+    tap.look(0, reading(1ms, 17), true, 3ms);
+    tap.look(0, reading(4ms, 18), true, 4ms);
+    EXPECT_THAT(tap.noted(), ElementsAre(shows(0, 1ms, 17), shows(2, 2ms, 19), shows(0, 1ms, {}),
+                                         shows(2, 2ms, {}), shows(0, 4ms, 18)));
+}
+
 TEST_F(ValueTapTest, AnotherPaceIsNone)
 {
     Instant at = 0s;

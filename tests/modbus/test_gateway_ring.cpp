@@ -2,6 +2,7 @@
 // A ring behind a gateway: what is sent and when, what somebody else sends, and what is said about it.
 #include "bus/bus_outline.h"
 #include "bus/word_channel.h"
+#include "history/encoder_history.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
@@ -396,6 +397,28 @@ TEST_F(GatewayThread, AfterTheComputerSleptTheBusIsInWatch)
     slept = 3'600'000;
     pumpUntil([this] { return ring->countOf(MessageId::computerSlept) == 1; });
     pumpUntil([this] { return !ring->bus->isOperating(); });
+    ring->bus->close();
+}
+
+TEST_F(GatewayThread, WhileTheComputerSleptIsAGapInTheHistory)
+{
+    std::atomic<int> slept{0};
+    open({}, [&slept] { return std::chrono::milliseconds(slept.exchange(0)); });
+    EncoderHistory kept;
+    QObject::connect(&ring->encoder(writtenPlace), &EncoderSession::shown, ring->bus.get(),
+                     [&](const ShownSeries &shown) {
+                         for (ShownValues values : shown) {
+                             values.at = ring->bus->sinceEpoch(values.at);
+                             kept.add(values);
+                         }
+                     });
+    const MemoryHistory &in = kept.of(Channel::in);
+    pumpUntil([&] { return in.newest().has_value(); });
+    slept = 3'600'000;
+    pumpUntil([this] { return ring->countOf(MessageId::computerSlept) == 1; });
+    pumpUntil([&] { return !in.gaps().empty() && in.newest().has_value(); });
+    ASSERT_EQ(in.gaps().size(), 1U);
+    EXPECT_GE(in.gaps().front().to - in.gaps().front().from, 1h);
     ring->bus->close();
 }
 
