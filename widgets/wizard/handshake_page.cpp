@@ -185,8 +185,7 @@ void HandshakePage::showRow(const Exchange &row)
 void HandshakePage::showLatest()
 {
     showWords();
-    const HandshakeRecord &record = m_setup.record;
-    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    const std::optional<Outcome> &last = m_setup.record.last();
     if (last && !isBusy() && stateNow(*last) != m_shownState)
         showEnd();
 }
@@ -255,7 +254,7 @@ EncoderState HandshakePage::stateNow(const Outcome &last) const
 void HandshakePage::showEnd()
 {
     const HandshakeRecord &record = m_setup.record;
-    std::optional<Outcome> last = record.recovery ? record.recovery : record.outcome;
+    std::optional<Outcome> last = record.last();
     if (last)
         m_shownState = last->leftIn = stateNow(*last);
     m_next->setVisible(!last || isBusy());

@@ -31,6 +31,8 @@ struct HandshakeRecord
     std::optional<Outcome> recovery; // of bringing it back after a cancel or an error
     int eepromWritesInAll = 0;       // by this program, including this handshake
 
+    // Of bringing it back, if that was tried, or else of the handshake; nothing: still running.
+    const std::optional<Outcome> &last() const { return recovery ? recovery : outcome; }
     // Whether the encoder has taken a value in this handshake that a cancel would have to deal with.
     bool hasTaken() const;
     ParameterValues taken() const; // confirmed, or active by run

@@ -24,7 +24,7 @@ ReportPage::ReportPage(Setup &setup, QWidget *parent)
 void ReportPage::enter()
 {
     const HandshakeRecord &record = m_setup.record;
-    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    const std::optional<Outcome> &last = record.last();
     m_leftIn->setText(last ? leftInText(last->leftIn) : QString());
     m_report->show(reportOf(record, m_setup.encoder->device(), QCoreApplication::applicationVersion()),
                    QStringLiteral("encoder-%1-%2")

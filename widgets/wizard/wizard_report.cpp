@@ -117,7 +117,7 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     fact(WizardReport::tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
     fact(WizardReport::tr("Result"), resultText(record));
     fact(WizardReport::tr("Verified"), verificationText(record, device));
-    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    const std::optional<Outcome> &last = record.last();
     if (last && last->restored)
         fact(WizardReport::tr("Restored"), restoredText(last->restored));
     if (record.recovery)
