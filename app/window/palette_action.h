@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include "widgets/palette/palette_source.h"
 
 class QAction;
 
@@ -9,10 +9,8 @@ namespace codewheel {
 
 class OtherLanguage;
 
-// What an action does, or why it cannot be done now; empty: its text says it.
-QString tipOf(const QAction &action);
-// By which it is found besides its text and its tip: both in the other language, and what people of the field
-// call it, in both.
-QString wordsOf(const QAction &action, OtherLanguage &otherLanguage);
+// An action of a menu, triggered exactly as by it. It is found by its text and what it does, by both in the
+// other language, and by what people of the field call it, in both.
+PaletteEntry paletteEntry(QAction &action, const QString &context, OtherLanguage &otherLanguage);
 
 } // namespace codewheel

@@ -2,11 +2,10 @@
 #include "app/window/palette_actions.h"
 
 #include "app/window/menu_list.h"
-#include "app/window/palette_words.h"
+#include "app/window/palette_action.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>
-#include <QPointer>
 
 #include <utility>
 
@@ -58,24 +57,10 @@ std::vector<PaletteEntry> PaletteActions::next()
 
 PaletteEntry PaletteActions::entryOf(QAction &action, const QString &menu) const
 {
-    const QPointer<QAction> its(&action); // its bus may go while the palette is open
-    return {.id = idOf(action),
-            .title = plainLabel(action.text()),
-            .context = placeOf(action, menu),
-            .key = action.shortcut().toString(QKeySequence::NativeText),
-            .does = tipOf(action),
-            .words = wordsOf(action, m_otherLanguage),
-            .icon = action.icon(),
-            .isUsual = m_usual.contains(&action),
-            .run =
-                [its] {
-                    if (its)
-                        its->trigger();
-                },
-            .state =
-                [its] {
-                    return its ? PaletteState{its->isEnabled(), tipOf(*its)} : PaletteState{false};
-                }};
+    PaletteEntry entry = paletteEntry(action, placeOf(action, menu), m_otherLanguage);
+    entry.id = idOf(action);
+    entry.isUsual = m_usual.contains(&action);
+    return entry;
 }
 
 } // namespace codewheel

@@ -2,7 +2,7 @@
 #include "app/window/palette_buttons.h"
 
 #include "app/window/menu_list.h"
-#include "app/window/palette_words.h"
+#include "app/window/palette_action.h"
 #include "other_language.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/page.h"
@@ -124,26 +124,13 @@ PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const Where &where
 
 PaletteEntry PaletteButtons::entryOf(QAction &action, const Where &where) const
 {
-    const QPointer<QAction> its(&action);
-    const QString label = plainLabel(action.text());
-    const QString tip = tipOf(action);
-    return {.title = label,
-            .context = where.title,
-            .key = action.shortcut().toString(QKeySequence::NativeText),
-            .does = tip,
-            .words = wordsOf(action, m_otherLanguage),
-            .icon = action.icon(),
-            .run =
-                [its, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
-                    if (panel)
-                        show(*panel);
-                    if (its)
-                        its->trigger();
-                },
-            .state =
-                [its, tip] {
-                    return its ? PaletteState{its->isEnabled(), tip} : PaletteState{false};
-                }};
+    PaletteEntry entry = paletteEntry(action, where.title, m_otherLanguage);
+    entry.run = [run = entry.run, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
+        if (panel)
+            show(*panel);
+        run();
+    };
+    return entry;
 }
 
 } // namespace codewheel

@@ -7,7 +7,6 @@
 #include "tests/support/places.h"
 #include "widgets/structure/structure_view.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
