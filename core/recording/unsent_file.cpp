@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qsizetype longestHost = 24; // a name in PostgreSQL has 63 bytes at most
+constexpr qsizetype hostPartLength = 24; // a name in PostgreSQL has 63 bytes at most
 
 const QString suffix = QStringLiteral(".cwrec");
 
@@ -31,7 +31,7 @@ QString newRecordingName(Instant begun)
     const auto at = QDateTime::fromMSecsSinceEpoch(
         std::chrono::duration_cast<std::chrono::milliseconds>(begun).count(), Qt::UTC);
     return QStringLiteral("codewheel_%1_%2_%3")
-        .arg(at.toString(QStringLiteral("yyyyMMdd_HHmmss")), host.left(longestHost),
+        .arg(at.toString(QStringLiteral("yyyyMMdd_HHmmss")), host.left(hostPartLength),
              QString::number(QRandomGenerator::system()->generate(), 16).rightJustified(8, u'0'));
 }
 
