@@ -5,6 +5,7 @@
 #include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/local_time.h"
 #include "encoder/sentence.h"
 #include "journal/argument_json.h"
 #include "journal/message_fields.h"
@@ -51,17 +52,17 @@ constexpr std::array messagesOptions{
 constexpr qint64 portion = 5'000; // ids looked at together
 constexpr int usualLast = 100;
 
-Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
+Checked<std::optional<TypedTime>> timeFrom(const Call &call, const char *option)
 {
     const auto text = call.arguments.value(option);
     if (!text)
         return std::nullopt;
-    const auto at = QDateTime::fromString(*text, Qt::ISODateWithMs);
-    if (!at.isValid())
+    const auto at = TypedTime::parse(*text, QTimeZone::systemTimeZone());
+    if (!at)
         return badInput(QStringLiteral("badTime"),
                         CommandLine::tr("\"%1\" is not a time. Write it as 2026-03-01 or 2026-03-01T14:02."),
                         {*text});
-    return at.toMSecsSinceEpoch();
+    return at;
 }
 
 // By its name in the project, otherwise by its number. Empty: there is none.
@@ -145,8 +146,11 @@ Checked<MessageFilter> filterFrom(const Call &call)
     if (!from || !until)
         return tl::unexpected(from ? until.error() : from.error());
     filter.place = *place;
-    filter.from = *from;
-    filter.until = *until;
+    // Of an hour that comes twice, from the first to the last.
+    if (*from)
+        filter.from = (*from)->first.toMSecsSinceEpoch();
+    if (*until)
+        filter.until = (*until)->last.toMSecsSinceEpoch();
     filter.text = call.arguments.value("--text").value_or(QString());
     return filter;
 }

@@ -11,12 +11,11 @@
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "cli/value_lines.h"
+#include "encoder/local_time.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "transfer/project_places.h"
 #include "transfer/values_before.h"
-
-#include <QTimeZone>
 
 #include <algorithm>
 #include <array>
@@ -61,29 +60,17 @@ Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession
     return find(encoder.place());
 }
 
-struct TypedSpan
-{
-    QDateTime from;
-    QDateTime until;
-};
-
-// To the minute, or to the second if one is given.
-Checked<TypedSpan> timeMeant(const QString &typed, const QDateTime &now)
+Checked<TypedTime> timeMeant(const QString &typed, const QDateTime &now)
 {
     const QString text = typed.contains(u'T') ? typed : now.date().toString(Qt::ISODate) + u'T' + typed;
-    const bool toTheMinute = text.count(u':') == 1;
-    auto at = QDateTime::fromString(text, Qt::ISODate);
-    if (!at.isValid() || text.count(u':') < 1)
-        return badInput(QStringLiteral("badTime"),
-                        CommandLine::tr("\"%1\" is not a time. Write it as 14:02 or 2026-03-01T14:02."),
-                        {typed});
-    if (at.timeSpec() == Qt::LocalTime)
-        at.setTimeZone(now.timeZone());
-    return TypedSpan{at, at.addSecs(toTheMinute ? 60 : 1)};
+    if (const auto at = TypedTime::parse(text, now.timeZone()))
+        return *at;
+    return badInput(QStringLiteral("badTime"),
+                    CommandLine::tr("\"%1\" is not a time. Write it as 14:02 or 2026-03-01T14:02."), {typed});
 }
 
 // With --at.
-Checked<std::optional<TypedSpan>> timeMeant(const Call &call)
+Checked<std::optional<TypedTime>> timeMeant(const Call &call)
 {
     const auto typed = call.arguments.value("--at");
     if (!typed)
@@ -93,12 +80,11 @@ Checked<std::optional<TypedSpan>> timeMeant(const Call &call)
 }
 
 Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all,
-                                  const std::optional<TypedSpan> &span)
+                                  const std::optional<TypedTime> &at)
 {
-    if (!span)
+    if (!at)
         return all.front();
-    const auto found = std::ranges::find_if(
-        all, [&](const ValuesBefore &one) { return one.at >= span->from && one.at < span->until; });
+    const auto found = std::ranges::find_if(all, [&](const ValuesBefore &one) { return at->covers(one.at); });
     if (found == all.end())
         return badInput(
             QStringLiteral("noWriteThen"),
@@ -110,7 +96,8 @@ Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefo
 
 QString localTime(const ValuesBefore &before, const QDateTime &now)
 {
-    return before.at.toTimeZone(now.timeZone()).toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss"));
+    const QDateTime at = before.at.toTimeZone(now.timeZone());
+    return at.toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss")) + offsetIfTwice(at);
 }
 
 QString assignments(const DeviceDescription &device, const ParameterValues &values)
@@ -147,9 +134,9 @@ Answer listedValues(const Call &call, const EncoderSession &encoder, const std::
 
 Checked<Answer> runRestore(const Call &call)
 {
-    const auto span = timeMeant(call);
-    if (!span)
-        return tl::unexpected(span.error());
+    const auto at = timeMeant(call);
+    if (!at)
+        return tl::unexpected(at.error());
     const auto encoder = encoderAt(call, call.arguments.rest.front());
     if (!encoder)
         return tl::unexpected(encoder.error());
@@ -164,7 +151,7 @@ Checked<Answer> runRestore(const Call &call)
             {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->place().shown()}}));
     if (call.arguments.has("--list"))
         return listedValues(call, **encoder, *all);
-    const auto before = valuesMeant(call, *all, *span);
+    const auto before = valuesMeant(call, *all, *at);
     if (!before)
         return tl::unexpected(before.error());
     return plan(call, {wishToRestore(*before, places)}).map([&](const TransferPlan &planned) {

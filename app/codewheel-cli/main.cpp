@@ -19,8 +19,8 @@ int main(int argc, char **argv)
     codewheel::Language language;
     language.use(QString()); // the system's
 
-    // What is printed can be typed in again: numbers without group separators.
-    QLocale locale;
+    // What is printed can be typed in again: digits 0 to 9, numbers without group separators.
+    QLocale locale = QLocale().zeroDigit() == QStringLiteral("0") ? QLocale() : QLocale::c();
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(locale);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/freshness_text.h"
 
+#include "encoder/local_time.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
@@ -38,8 +40,9 @@ QString agoText(const QDateTime &then, const QDateTime &now)
 QString recordedText(const QDateTime &then)
 {
     const QDateTime there = then.toLocalTime();
-    return QStringLiteral("%1 %2").arg(QLocale().toString(there.date(), QLocale::ShortFormat),
-                                       there.time().toString(QStringLiteral("HH:mm:ss")));
+    return QStringLiteral("%1 %2%3").arg(QLocale().toString(there.date(), QLocale::ShortFormat),
+                                         there.time().toString(QStringLiteral("HH:mm:ss")),
+                                         offsetIfTwice(there));
 }
 
 QString momentText(const QDateTime &at, const QDateTime &now)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_fields.h"
 
+#include "encoder/local_time.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -45,8 +47,9 @@ QString placeText(const std::optional<Place> &place)
 QString messageTime(const QDateTime &at)
 {
     const QLocale locale;
-    return QStringLiteral("%1 %2").arg(locale.toString(at.date(), QLocale::ShortFormat),
-                                       at.time().toString(QStringLiteral("HH:mm:ss.zzz")));
+    return QStringLiteral("%1 %2%3").arg(locale.toString(at.date(), QLocale::ShortFormat),
+                                         at.time().toString(QStringLiteral("HH:mm:ss.zzz")),
+                                         offsetIfTwice(at));
 }
 
 QString messageTime(qint64 at)

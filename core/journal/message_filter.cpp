@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_filter.h"
 
+#include "encoder/local_time.h"
 #include "journal/message_fields.h"
 
 #include <QLocale>
@@ -48,10 +49,11 @@ bool MessageTextMatcher::fitsTime(qint64 at)
         const auto local = QDateTime::fromMSecsSinceEpoch(at);
         m_offset = qint64{local.offsetFromUtc()} * 1000;
         m_date = QLocale().toString(local.date(), QLocale::ShortFormat) + u' ';
+        m_whichHour = offsetIfTwice(local);
     }
     const auto inDay = static_cast<int>(((at + m_offset) % (24 * hour) + 24 * hour) % (24 * hour));
-    return contains(m_date + QTime::fromMSecsSinceStartOfDay(inDay).toString(QStringLiteral("HH:mm:ss.zzz")),
-                    m_text);
+    const QString time = QTime::fromMSecsSinceStartOfDay(inDay).toString(QStringLiteral("HH:mm:ss.zzz"));
+    return contains(m_date + time + m_whichHour, m_text);
 }
 
 } // namespace codewheel

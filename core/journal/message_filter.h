@@ -48,6 +48,7 @@ private:
     QHash<QString, bool> m_texts; // by code and arguments
     qint64 m_quarter = -1;        // the quarter of an hour that m_date is for
     QString m_date;               // as shown in that quarter
+    QString m_whichHour;          // of two, where the clocks are put back
     qint64 m_offset = 0;          // of local time from UTC in that quarter, ms
 };
 

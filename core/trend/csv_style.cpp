@@ -2,6 +2,7 @@
 #include "trend/csv_style.h"
 
 #include "encoder/csv_text.h"
+#include "encoder/local_time.h"
 
 #include <QDateTime>
 
@@ -48,8 +49,16 @@ int decimalsFor(double factor)
 CsvStyle::CsvStyle(const QLocale &locale, const QTimeZone &timeZone)
     : separator(locale.decimalPoint() == QStringLiteral(",") ? ';' : ',')
     , decimalSign(locale.decimalPoint().toStdString())
+    , hasSeconds(false)
     , zone(timeZone)
 {}
+
+CsvStyle CsvStyle::withDates(const QTimeZone &zone)
+{
+    CsvStyle style;
+    style.zone = zone;
+    return style;
+}
 
 std::string CsvStyle::begin() const
 {
@@ -61,6 +70,11 @@ std::string CsvStyle::timeTitle() const
     return isForSpreadsheets() ? "time" : "time [s]";
 }
 
+std::string CsvStyle::dateTitle() const
+{
+    return hasSeconds && zone ? "date and time" : "";
+}
+
 std::string CsvStyle::field(const QString &text) const
 {
     const QString quoted = csvText(text); // which also disarms what a spreadsheet would take for a formula
@@ -70,10 +84,12 @@ std::string CsvStyle::field(const QString &text) const
 
 void CsvTimes::append(std::string &text, Instant sinceEpoch)
 {
-    if (m_style.isForSpreadsheets())
-        appendTimeOfDay(text, sinceEpoch);
-    else
+    if (m_style.hasSeconds)
         appendSeconds(text, sinceEpoch);
+    if (m_style.hasSeconds && m_style.zone)
+        text += m_style.separator;
+    if (m_style.zone)
+        appendDate(text, sinceEpoch);
 }
 
 void CsvTimes::appendSeconds(std::string &text, Instant sinceEpoch) const
@@ -87,20 +103,23 @@ void CsvTimes::appendSeconds(std::string &text, Instant sinceEpoch) const
 
 // Year, month and day in this order are understood by spreadsheets of every country. The clocks of a time
 // zone are changed at the beginning of a minute.
-void CsvTimes::appendTimeOfDay(std::string &text, Instant sinceEpoch)
+void CsvTimes::appendDate(std::string &text, Instant sinceEpoch)
 {
     const auto minute = std::chrono::floor<std::chrono::minutes>(sinceEpoch);
     if (m_minute != minute) {
         m_minute = minute;
-        m_beginOfMinute =
-            QDateTime::fromMSecsSinceEpoch(std::chrono::milliseconds(minute).count(), *m_style.zone)
-                .toString(QStringLiteral("yyyy-MM-dd HH:mm:"))
-                .toStdString();
+        const auto there =
+            QDateTime::fromMSecsSinceEpoch(std::chrono::milliseconds(minute).count(), *m_style.zone);
+        const QString form = m_style.isForSpreadsheets() ? QStringLiteral("yyyy-MM-dd HH:mm:")
+                                                         : QStringLiteral("yyyy-MM-ddTHH:mm:");
+        m_beginOfMinute = there.toString(form).toStdString();
+        m_offset = m_style.isForSpreadsheets() ? "" : offsetText(there).toStdString();
     }
     const std::int64_t microseconds = (sinceEpoch - minute).count();
     text += m_beginOfMinute;
     appendPadded(text, microseconds / microsecondsPerSecond, 2);
     appendFraction(text, microseconds % microsecondsPerSecond);
+    text += m_offset;
 }
 
 void CsvTimes::appendFraction(std::string &text, std::int64_t microseconds) const

@@ -16,20 +16,24 @@ struct CsvStyle
 {
     // For programs, the same everywhere: comma and point, times in seconds since 1970, UTC.
     CsvStyle() = default;
+    // The same with a second column for people: date and time of day there, with its offset from UTC.
+    static CsvStyle withDates(const QTimeZone &zone);
     // As the spreadsheets of a country want it: its decimal sign, a semicolon where that is a comma, dates
     // and times of day in this time zone, and a byte order mark, without which some take UTF-8 for something
     // else.
     CsvStyle(const QLocale &locale, const QTimeZone &zone);
 
-    bool isForSpreadsheets() const { return zone.has_value(); }
+    bool isForSpreadsheets() const { return !hasSeconds; }
     std::string begin() const; // of the file
     std::string timeTitle() const;
+    std::string dateTitle() const; // of the second column; empty: there is none
     // A title or another text, in quotation marks if need be.
     std::string field(const QString &text) const;
 
     char separator = ',';
     std::string decimalSign{"."};
-    std::optional<QTimeZone> zone{};
+    bool hasSeconds = true;
+    std::optional<QTimeZone> zone{}; // of the dates; nothing: there are none
 };
 
 // Appends times to a text, fast where they follow one another.
@@ -44,12 +48,13 @@ public:
 
 private:
     void appendSeconds(std::string &text, Instant sinceEpoch) const;
-    void appendTimeOfDay(std::string &text, Instant sinceEpoch);
+    void appendDate(std::string &text, Instant sinceEpoch);
     void appendFraction(std::string &text, std::int64_t microseconds) const;
 
     const CsvStyle m_style;
     std::optional<std::chrono::minutes> m_minute; // that m_beginOfMinute is of
     std::string m_beginOfMinute;                  // "2026-03-01 14:02:"
+    std::string m_offset;                         // "+01:00"
 };
 
 // Appends the values of a column to a text: as many decimals as it takes to tell one step from the next, and

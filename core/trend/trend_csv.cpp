@@ -24,6 +24,8 @@ bool TrendCsv::writeSome()
 void TrendCsv::appendTitles(const TrendExtract &extract)
 {
     m_text = m_style.begin() + m_style.timeTitle();
+    if (const std::string title = m_style.dateTitle(); !title.empty())
+        m_text += m_style.separator + title;
     for (const TrendColumn &column : extract.columns)
         m_text += m_style.separator + m_style.field(column.title());
     m_text += "\r\n";

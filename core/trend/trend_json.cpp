@@ -190,6 +190,12 @@ QJsonArray marksJson(const std::deque<Mark> &marks, const TimeSpan &span)
     return all;
 }
 
+QJsonValue dateColumnJson(const CsvStyle &style)
+{
+    const std::string title = style.dateTitle();
+    return title.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(title));
+}
+
 // The offset is that at the beginning; the clocks may be changed later.
 QJsonObject zoneJson(const QTimeZone &zone, Instant from)
 {
@@ -212,6 +218,7 @@ QByteArray trendJson(const TrendTable &table, const HistoryOf &historyOf, const 
                            {QStringLiteral("separator"), QString(QLatin1Char(style.separator))},
                            {QStringLiteral("decimalSign"), QString::fromStdString(style.decimalSign)},
                            {QStringLiteral("timeColumn"), QString::fromStdString(style.timeTitle())},
+                           {QStringLiteral("dateColumn"), dateColumnJson(style)},
                            {QStringLiteral("from"), isoText(extract.span.from)},
                            {QStringLiteral("to"), isoText(extract.span.to)},
                            {QStringLiteral("timeZone"), zoneJson(origin.now.timeZone(), extract.span.from)},

@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QProcess>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -131,6 +132,29 @@ TEST_F(CliExport, NothingIsReplacedUnlessAsked)
     EXPECT_TRUE(tell().json()[u"ended"].toBool()) << "the recording itself";
 }
 
+// 25 October 2026 in Berlin: 3:00 is 2:00 once more.
+TEST_F(CliExport, AnHourThatComesTwiceIsExportedFromItsFirstToItsLast)
+{
+    const QByteArray zone = qgetenv("TZ");
+    qputenv("TZ", "Europe/Berlin");
+    const auto restore = qScopeGuard([&] { zone.isNull() ? qunsetenv("TZ") : qputenv("TZ", zone); });
+    const Instant halfPastTwo =
+        std::chrono::milliseconds(QDateTime(QDate(2026, 10, 25), QTime(0, 30), Qt::UTC).toMSecsSinceEpoch());
+    auto recording = writer();
+    for (const int minutes : {-60, 0, 60, 120})
+        recording->add(
+            RecordedValues{"1.0"_ring, {{.at = halfPastTwo + minutes * 1min, .position = minutes}}});
+    recording->end();
+    const QString from = QStringLiteral("--yes --dates --from 2026-10-25T02:30");
+    ASSERT_EQ(save(from + QStringLiteral(" --to 2026-10-25T02:30")).exit, 0);
+    EXPECT_THAT(contents(table).toStdString(), HasSubstr(",2026-10-25T02:30:00.000000+02:00,0\r\n"));
+    EXPECT_THAT(contents(table).toStdString(), HasSubstr(",2026-10-25T02:30:00.000000+01:00,60\r\n"));
+    ASSERT_EQ(save(from + QStringLiteral("+01:00")).exit, 0);
+    EXPECT_THAT(contents(table).toStdString(), testing::Not(HasSubstr("+02:00")));
+    EXPECT_THAT(runLine(QStringLiteral("export %1 --yes -o %2 --from 2026-10-25T02:30").arg(file, table)).out,
+                HasSubstr("from 2026-10-25T02:30:00.000+02:00"));
+}
+
 struct BadExport
 {
     const char *options;
@@ -149,6 +173,7 @@ TEST_F(CliExport, BadInputIsASentenceAndSavesNothing)
                                        {"--from +5", "nothingThen"},
                                        {"--from 2001-01-01 --to 2001-01-02", "nothingThen"},
                                        {"--from +1 --to +1", "nothingThen"},
+                                       {"--locale --dates", "badOption"},
                                        {"--unit furlongs", "optionNotAllowed"},
                                        {"--unit millimetres", "unitNotKnown"},
                                        {"--mm-per-turn 0", "notANumber"}}) {

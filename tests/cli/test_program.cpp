@@ -72,6 +72,20 @@ TEST(CliProgram, WhatIsKnownIsToldInTheLanguageOfTheSystem)
     EXPECT_THAT(run.out, testing::Not(testing::ContainsRegex("[(](read|echoed|told)[)]")));
 }
 
+// Numbers that are printed can be typed in again, and found by a script.
+TEST(CliProgram, DigitsAreThoseOfPrograms)
+{
+    for (const char *locale : {"ar_EG.UTF-8", "fa_IR.UTF-8", "ne_NP.UTF-8"}) {
+        const Ended run = start(QStringLiteral("read 1.0"), QString::fromLatin1(locale));
+        EXPECT_EQ(run.exit, 0) << run.err;
+        EXPECT_THAT(run.out, HasSubstr("= 8192\n")) << locale;
+        EXPECT_THAT(run.out, HasSubstr("= 24.5 ")) << locale;
+        const Ended written =
+            start(QStringLiteral("write 1.0 preset=12 --dry-run"), QString::fromLatin1(locale));
+        EXPECT_EQ(written.exit, 0) << written.err;
+    }
+}
+
 // Except for the texts that docs/command-line.md gives in the user's language.
 TEST(CliProgram, JsonIsTheSameInEveryLanguage)
 {

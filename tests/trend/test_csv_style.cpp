@@ -93,6 +93,18 @@ TEST(CsvTimes, FollowTheClocksOfTheTimeZone)
     EXPECT_EQ(text, "2026-03-29 01:59:59,9999992026-03-29 03:00:00,000000");
 }
 
+TEST(CsvTimes, HaveADateBesideTheSeconds)
+{
+    const QTimeZone berlin("Europe/Berlin");
+    CsvTimes times(CsvStyle::withDates(berlin));
+    std::string text;
+    const QDateTime change(QDate(2026, 10, 25), QTime(1, 0), Qt::UTC); // 3:00 is 2:00 once more
+    for (const Instant beside : {Instant(-1), Instant(0)})
+        times.append(text, std::chrono::milliseconds(change.toMSecsSinceEpoch()) + beside);
+    EXPECT_EQ(text, "1792889999.999999,2026-10-25T02:59:59.999999+02:00"
+                    "1792890000.000000,2026-10-25T02:00:00.000000+01:00");
+}
+
 TEST(CsvStyle, IsUsedForAWholeTable)
 {
     test::SampledTracks tracks;
@@ -105,6 +117,10 @@ TEST(CsvStyle, IsUsedForAWholeTable)
               "\xEF\xBB\xBFtime;\"1.0 Kran;1: position [deg]\"\r\n"
               "2026-03-01 14:02:00,000000;90,0000\r\n"
               "2026-03-01 14:02:00,001000;\r\n");
+    EXPECT_EQ(tracks.written(extract, CsvStyle::withDates(QTimeZone(3'600))),
+              "time [s],date and time,1.0 Kran;1: position [deg]\r\n"
+              "1772370120.000000,2026-03-01T14:02:00.000000+01:00,90.0000\r\n"
+              "1772370120.001000,2026-03-01T14:02:00.001000+01:00,\r\n");
 }
 
 } // namespace

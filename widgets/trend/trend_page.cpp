@@ -83,6 +83,7 @@ void TrendPage::takeArchives()
         for (const Place place : archive->places())
             buses.insert(place.bus);
     m_tracks.setPassing(buses);
+    m_together->setVisible(m_histories.archives().size() > 1);
     showCurve();
     showValues();
 }
@@ -102,6 +103,38 @@ void TrendPage::beginTogether()
         archive->setShift(archive->shift() + *begin - its->from);
     else
         say(Role::attention, tr("There is no other curve to begin with. Add one first."));
+}
+
+// All begin with the one that begins last, and show what any of them shows.
+void TrendPage::layTogether()
+{
+    std::optional<Instant> begin;
+    for (const Archive *archive : m_histories.archives())
+        if (const auto its = archive->span())
+            begin = std::max(begin.value_or(its->from), its->from);
+    for (Archive *archive : m_histories.archives())
+        if (const auto its = archive->span())
+            archive->setShift(archive->shift() + *begin - its->from);
+    bool hasRoom = true;
+    for (const Track &track : tracksOfRecordings())
+        for (const Archive *archive : m_histories.archives())
+            for (const Place place : archive->places())
+                if (place.node == track.place.node && archive->of(place, track.channel) != nullptr)
+                    hasRoom = m_tracks.add({place, track.channel, track.bit}) && hasRoom;
+    if (!hasRoom)
+        say(Role::attention, tr("There is no room for more curves. Remove some first."));
+    else if (m_tracks.shown().empty())
+        say(Role::attention, tr("Add a curve of one of the recordings first."));
+    m_view->showAll();
+}
+
+std::vector<Track> TrendPage::tracksOfRecordings() const
+{
+    std::vector<Track> tracks;
+    for (const TrendTracks::Shown &shown : m_tracks.shown())
+        if (m_histories.archiveOf(shown.track.place) != nullptr)
+            tracks.push_back(shown.track);
+    return tracks;
 }
 
 void TrendPage::putCursorAOnB()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "trend/csv_style.h"
 #include "trend/trend_origin.h"
 #include "widgets/look/page.h"
 #include "widgets/look/printed_view.h"
@@ -76,6 +77,8 @@ private:
     void showCurve();
     void takeArchives();
     void beginTogether();
+    void layTogether();
+    std::vector<Track> tracksOfRecordings() const;
     void putCursorAOnB();
     void showValues();
     void showStatistics();
@@ -88,6 +91,7 @@ private:
     void askPicture();
     void askExport(Extract what);
     std::optional<TimeSpan> spanOf(Extract what) const;
+    CsvStyle csvStyle() const;
     TrendOrigin origin() const;
     void endExport(const QString &failure);
     void cancelExport();
@@ -117,7 +121,9 @@ private:
     QBoxLayout *m_lastLine = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_pause = nullptr;
+    QAction *m_together = nullptr; // with two recordings or more
     QAction *m_forSpreadsheets = nullptr;
+    QAction *m_withDates = nullptr;
     TrendExport *m_export = nullptr; // while it is written
     int m_percent = -1;
     QTimer m_soon;   // showStatistics()

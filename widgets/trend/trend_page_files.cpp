@@ -114,6 +114,14 @@ std::optional<TimeSpan> TrendPage::spanOf(Extract what) const
     return {};
 }
 
+CsvStyle TrendPage::csvStyle() const
+{
+    const QTimeZone zone = QTimeZone::systemTimeZone();
+    if (m_forSpreadsheets->isChecked())
+        return CsvStyle(QLocale(), zone);
+    return m_withDates->isChecked() ? CsvStyle::withDates(zone) : CsvStyle();
+}
+
 void TrendPage::askExport(Extract what)
 {
     const QString path =
@@ -130,11 +138,9 @@ void TrendPage::exportTo(const QString &path, Extract what)
     TrendExtract extract{.columns = {}, .span = *span};
     for (const TrendTracks::Shown &shown : m_tracks.shown())
         extract.columns.push_back({shown.track, m_station(shown.track.place), m_scales.of(shown)});
-    const CsvStyle style =
-        m_forSpreadsheets->isChecked() ? CsvStyle(QLocale(), QTimeZone::systemTimeZone()) : CsvStyle();
     delete m_export;
     m_export = new TrendExport(
-        std::make_unique<TrendFiles>(path, extract, historyOf(m_histories), style),
+        std::make_unique<TrendFiles>(path, extract, historyOf(m_histories), csvStyle()),
         [this] { return origin(); }, this);
     connect(m_export, &TrendExport::progressed, this, [this](int percent) {
         if (std::exchange(m_percent, percent) != percent)

@@ -21,6 +21,7 @@
 #include "widgets/trend/trend_values_model.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
@@ -138,6 +139,9 @@ void TrendPage::makeTools()
     m_pause->setCheckable(true);
     QAction *all = tool(Icon::search, tr("All"), Qt::CTRL | Qt::Key_Home,
                         tr("Shows all the time there is, with axes that fit"));
+    m_together =
+        tool(Icon::compare, tr("Together"), Qt::CTRL | Qt::SHIFT | Qt::Key_T,
+             tr("Lays the open recordings on each other: all begin together, with the same curves of each"));
     QAction *note =
         tool(Icon::write, tr("Note"), Qt::CTRL | Qt::Key_M, tr("Marks the moment at the cursor with a text"));
     QAction *picture = tool(Icon::save, tr("Picture"), Qt::CTRL | Qt::SHIFT | Qt::Key_I,
@@ -149,6 +153,7 @@ void TrendPage::makeTools()
     connect(m_follow, &QAction::triggered, this,
             [this](bool follow) { follow ? m_view->follow() : m_view->stopFollowing(); });
     connect(all, &QAction::triggered, m_view, &TrendView::showAll);
+    connect(m_together, &QAction::triggered, this, &TrendPage::layTogether);
     connect(note, &QAction::triggered, this, &TrendPage::askNote);
     connect(picture, &QAction::triggered, this, &TrendPage::askPicture);
 }
@@ -168,7 +173,14 @@ QMenu *TrendPage::makeExportMenu()
     add(tr("&All that is kept…"), Extract::all);
     menu->addSeparator();
     m_forSpreadsheets = menu->addAction(tr("For s&preadsheets of this country"));
-    m_forSpreadsheets->setCheckable(true);
+    m_withDates = menu->addAction(tr("With a column of &dates"));
+    m_withDates->setToolTip(tr("Beside the seconds: date and time of day, with the offset from UTC"));
+    auto *styles = new QActionGroup(menu);
+    styles->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction *style : {m_forSpreadsheets, m_withDates}) {
+        style->setCheckable(true);
+        styles->addAction(style);
+    }
     m_forSpreadsheets->setToolTip(tr("With its decimal sign, and with dates and times of day; otherwise with "
                                      "commas, points and seconds, as programs take it"));
     return menu;
@@ -198,7 +210,7 @@ void TrendPage::makeTable()
     m_table->setToolTip(tr("The curves, and what they are at the cursors"));
     FittedColumns::useIn(*m_table, TrendValuesModel::name);
     const int row = m_table->fontMetrics().height() + 2 * grid::unit;
-    m_table->setMinimumHeight(3 * row);
+    m_table->setMinimumHeight(2 * row);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it fits
     m_parts->addTab(tr("Values"));
     m_parts->addTab(tr("Statistics"));

@@ -44,6 +44,9 @@ constexpr std::array exportOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "with millimetres: the way of one turn of a shaft")},
     Option{"--locale", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "as the spreadsheets of the country want it")},
+    Option{"--dates", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "with a second column of dates and times of day, with their offset from UTC")},
     Option{"--yes", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace CSV and its .json if they are there")},
 };
@@ -61,6 +64,19 @@ Checked<void> checkTargets(const Arguments &arguments, const QString &recording,
             return can;
     }
     return {};
+}
+
+Checked<CsvStyle> styleMeant(const Arguments &arguments)
+{
+    if (arguments.has("--locale") && arguments.has("--dates"))
+        return badInput(
+            QStringLiteral("badOption"),
+            CommandLine::tr("Give --locale or --dates, not both: with --locale the first column has "
+                            "dates and times of day."));
+    const QTimeZone zone = QTimeZone::systemTimeZone();
+    if (arguments.has("--locale"))
+        return CsvStyle(QLocale(), zone);
+    return arguments.has("--dates") ? CsvStyle::withDates(zone) : CsvStyle();
 }
 
 Complaint aboutStopping()
@@ -109,6 +125,9 @@ Answer savedTable(const TrendFiles &files, const TrendExtract &extract, const Re
 Checked<Answer> exportTable(const Call &call, const RecordingArchive &archive, const RecordingFacts &facts,
                             const QString &table)
 {
+    const auto style = styleMeant(call.arguments);
+    if (!style)
+        return tl::unexpected(style.error());
     const auto extract = extractMeant(call, facts);
     if (!extract)
         return tl::unexpected(extract.error());
@@ -118,9 +137,7 @@ Checked<Answer> exportTable(const Call &call, const RecordingArchive &archive, c
     const HistoryOf historyOf = [&archive](const Track &track) {
         return archive.of(track.place, track.channel);
     };
-    TrendFiles files(table, *extract, historyOf,
-                     call.arguments.has("--locale") ? CsvStyle(QLocale(), QTimeZone::systemTimeZone())
-                                                    : CsvStyle());
+    TrendFiles files(table, *extract, historyOf, *style);
     if (const auto begun = files.begin(); !begun)
         return tl::unexpected(complaintAbout(begun.error()));
     StopSignals stop;
@@ -166,7 +183,7 @@ Checked<Answer> runExport(const Call &call)
 const Subcommand exportCommand{
     .name = "export",
     .usage = "FILE [-o CSV [--tracks TRACKS] [--from TIME] [--to TIME] [--unit UNIT] [--mm-per-turn MM] "
-             "[--locale] [--yes]]",
+             "[--locale | --dates] [--yes]]",
     .summary =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what is in a recording, or make a table of it"),
     .details = QT_TRANSLATE_NOOP(

@@ -2,8 +2,7 @@
 #include "cli/recording/export_time.h"
 
 #include "cli/texts.h"
-
-#include <QDateTime>
+#include "encoder/local_time.h"
 
 namespace codewheel {
 namespace {
@@ -44,8 +43,9 @@ Checked<Instant> timeMeant(const QString &text, const RecordingFacts &facts, Whi
     if (text.startsWith(u'+') || text.startsWith(u'-')) {
         if (const auto seconds = secondsOf(text))
             return (text.startsWith(u'+') ? facts.span->from : facts.span->to) + *seconds;
-    } else if (const auto at = QDateTime::fromString(text, Qt::ISODateWithMs); at.isValid()) {
-        return recordedAt(facts.clock, std::chrono::milliseconds(at.toMSecsSinceEpoch()), which);
+    } else if (const auto at = TypedTime::parse(text, QTimeZone::systemTimeZone())) {
+        const QDateTime &moment = which == Which::first ? at->first : at->last;
+        return recordedAt(facts.clock, std::chrono::milliseconds(moment.toMSecsSinceEpoch()), which);
     }
     return badInput(
         QStringLiteral("badTime"),

@@ -4,6 +4,7 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/local_time.h"
 #include "encoder/sentence.h"
 #include "history/rough_duration.h"
 #include "history/track.h"
@@ -130,7 +131,8 @@ QString countsLine(const RecordingFacts &facts)
 
 QString recordedTimeText(const WallClock &clock, Instant at)
 {
-    return dateTimeOf(clock.wall(at)).toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss.zzz"));
+    const QDateTime there = dateTimeOf(clock.wall(at));
+    return there.toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss.zzz")) + offsetIfTwice(there);
 }
 
 Result<RecordingFacts> RecordingFacts::of(const RecordingReader &reader)
