@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/arguments.h"
-#include "encoder/encoder_session.h"
+#include "encoder/position_mode.h"
 
 #include <QtGlobal>
 
@@ -16,9 +16,8 @@ inline constexpr Option inPositionModeOption{
 // The user says so with that option. Only needed if the mode is not known.
 inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
 {
-    constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
     if (arguments.has(inPositionModeOption.name) && !encoder.latest().mode)
-        encoder.tell(Parameter::startUpMode, startsUpAsK3);
+        tellPositionMode(encoder);
 }
 
 } // namespace codewheel

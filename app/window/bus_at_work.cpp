@@ -31,7 +31,9 @@ BusAtWork::BusAtWork(BusId id, Surroundings surroundings, QObject *parent)
     : QObject(parent)
     , m_id(id)
     , m_surroundings(std::move(surroundings))
-{}
+{
+    connect(&m_surroundings.project, &ProjectDocument::replaced, &m_known, &KnownKeeper::forget);
+}
 
 BusAtWork::~BusAtWork() = default;
 
@@ -66,11 +68,17 @@ void BusAtWork::tellMessagesOf(EncoderBus &bus)
 void BusAtWork::keepAccount(std::unique_ptr<LedgerKeeper> ledger)
 {
     m_ledger = std::move(ledger);
+    m_known.watch(*bus());
     const auto tell = [this](const Message &message) { Q_EMIT messaged(message, m_surroundings.clock()); };
     connect(m_ledger.get(), &LedgerKeeper::messaged, this, tell);
     if (m_ledger->problem())
         tell(*m_ledger->problem());
     keepAccountOf(m_surroundings.project, *m_ledger);
+}
+
+void BusAtWork::forgetKnown()
+{
+    m_known.forget();
 }
 
 void BusAtWork::endAccount()

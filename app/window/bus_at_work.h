@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/encoder_bus.h"
+#include "journal/known_keeper.h"
 
 #include <any>
 #include <functional>
@@ -65,11 +66,13 @@ protected:
     void tellMessagesOf(EncoderBus &bus);
     void keepAccount(std::unique_ptr<LedgerKeeper> ledger); // from now on
     void endAccount();
+    void forgetKnown(); // it leads to other encoders from now on
 
 private:
     const BusId m_id;
     const Surroundings m_surroundings;
     std::unique_ptr<LedgerKeeper> m_ledger;
+    KnownKeeper m_known;
     std::optional<Refusal> m_whyRefused;
 };
 

@@ -100,6 +100,7 @@ void LineAtWork::replace(std::unique_ptr<LineSession> session, std::shared_ptr<S
 
 void LineAtWork::openTraining()
 {
+    forgetKnown();
     auto line = std::make_shared<SimulatedLine>();
     const bool isVirtual = !surroundings().byThread;
     auto link = std::make_unique<SimulatedLineLink>(line, isVirtual ? SimulatedLineLink::Clock()

@@ -111,6 +111,8 @@ void RingAtWork::useTraining()
 
 void RingAtWork::useGateway(const GatewaySettings &settings)
 {
+    if (m_gateway && *m_gateway != settings)
+        forgetKnown();
     m_gateway = settings;
     use(std::make_unique<GatewayLink>(m_makePort(settings), settings,
                                       gatewayDevices(project().project(), id(), catalog())));

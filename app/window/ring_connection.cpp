@@ -63,7 +63,6 @@ void RingConnection::connectRing()
 void RingConnection::ringConnected()
 {
     m_notice.withdraw();
-    tellAgain();
     Q_EMIT changed();
     if (m_ring.gateway())
         Q_EMIT told({.severity = Severity::information,
@@ -79,7 +78,6 @@ void RingConnection::disconnectRing()
         return;
     }
     m_leaving.ask(Leaving::Why::disconnect, {&m_bus}, [this] {
-        rememberTold();
         m_bus.close();
         m_notice.withdraw();
         Q_EMIT changed();
@@ -110,36 +108,6 @@ void RingConnection::readIn()
         m_bus.readIn();
         Q_EMIT changed();
     });
-}
-
-// So that the user need not enter again what the same encoder has.
-void RingConnection::rememberTold()
-{
-    m_told.clear();
-    m_toldAt = m_ring.gateway();
-    for (const Participant &participant : m_bus.structure())
-        if (const EncoderSession *encoder = m_bus.encoder(participant.number)) {
-            Told &told = m_told[participant.number];
-            told.deviceKey = participant.deviceKey;
-            for (const Parameter parameter : allParameters())
-                if (const auto known = encoder->known(parameter); known && known->evidence == Evidence::told)
-                    told.values.push_back({parameter, known->value});
-        }
-}
-
-// What was entered for simulated encoders is not so for real ones, nor the other way round.
-void RingConnection::tellAgain()
-{
-    if (m_toldAt != m_ring.gateway())
-        return;
-    for (const Participant &participant : m_bus.structure()) {
-        const auto told = m_told.find(participant.number);
-        EncoderSession *encoder = m_bus.encoder(participant.number);
-        if (encoder == nullptr || told == m_told.end() || told->second.deviceKey != participant.deviceKey)
-            continue;
-        for (const ParameterValue &value : told->second.values)
-            encoder->tell(value.parameter, value.value);
-    }
 }
 
 // What a gateway shows is what the project says.

@@ -3,11 +3,8 @@
 
 #include "encoder/message.h"
 #include "encoder/refusal.h"
-#include "modbus/gateway_settings.h"
 
 #include <QObject>
-
-#include <map>
 
 namespace codewheel {
 
@@ -43,8 +40,6 @@ Q_SIGNALS:
 
 private:
     void ringConnected();
-    void rememberTold();
-    void tellAgain();
     bool mayChangeRing(); // if not, it says why
 
     RingAtWork &m_ring;
@@ -55,13 +50,6 @@ private:
     bool m_isConnecting = false;
     bool m_isRefused = false; // the notice is a refusal
     // What the user entered for each device, with the make it was then.
-    struct Told
-    {
-        QString deviceKey;
-        ParameterValues values;
-    };
-    std::map<NodeId, Told> m_told;
-    std::optional<GatewaySettings> m_toldAt; // where these devices were; empty: on the training ring
 };
 
 } // namespace codewheel

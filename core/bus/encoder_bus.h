@@ -95,6 +95,7 @@ public:
 
     virtual Instant now() const = 0; // of the newest snapshot
     virtual QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
+    Instant instantOf(const QDateTime &time) const { return m_wallTime.instantOf(time); }
     Instant sinceEpoch(Instant at) const { return m_wallTime.sinceEpoch(at); }
     // A simulated clock stands still until the bus is opened: its time is now `time`.
     void setTime(const QDateTime &time) { m_wallTime.goOn(time, now()); }

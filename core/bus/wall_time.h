@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include <algorithm>
 #include <vector>
 
 namespace codewheel {
@@ -41,6 +42,17 @@ public:
     {
         using std::chrono::milliseconds;
         return m_begin.addMSecs(std::chrono::duration_cast<milliseconds>(awakeOrNot(at)).count());
+    }
+    // When that was; within a sleep, its end. Before Instant 0 it is negative.
+    Instant instantOf(const QDateTime &time) const
+    {
+        Instant at = std::chrono::milliseconds(m_begin.msecsTo(time));
+        for (const Sleep &sleep : m_sleeps) {
+            if (at < sleep.until)
+                break;
+            at = std::max(sleep.until, at - sleep.duration);
+        }
+        return at;
     }
     // Since 1970, UTC.
     Instant sinceEpoch(Instant at) const { return m_beginSinceEpoch + awakeOrNot(at); }

@@ -166,13 +166,41 @@ void DrivenEncoderSession::take(const KnowledgeChanged &change)
     if (!change.version.isEmpty())
         m_version = change.version;
     m_eepromWrites += change.eepromWrites;
+    compareWithBefore();
     Q_EMIT knownChanged();
     if (change.eepromWrites > 0)
         Q_EMIT eepromWritten(change.eepromWrites);
 }
 
+// By the serial number that it has just reported.
+void DrivenEncoderSession::compareWithBefore()
+{
+    const auto number = known(Parameter::serialNumber);
+    if (!knownBefore() || !knownBefore()->serialNumber || !number || number->evidence != Evidence::read)
+        return;
+    if (number->value == *knownBefore()->serialNumber)
+        takeKnownBefore();
+    else
+        setKnownBefore({});
+}
+
+void DrivenEncoderSession::takeKnownBefore()
+{
+    if (!knownBefore())
+        return;
+    const KnownBefore before = *knownBefore();
+    for (const KnownBefore::Value &value : before.values) {
+        const Instant at = instantOf(value.at);
+        m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
+    }
+    setKnownBefore({});
+    postAllKnown();
+    Q_EMIT knownChanged();
+}
+
 void DrivenEncoderSession::forgetAll()
 {
+    setKnownBefore({});
     m_known.clear();
     m_cams.clear();
     postAllKnown();

@@ -38,6 +38,8 @@ public:
     void proceed() override;
     void cancel(OnCancel how) override;
 
+    void takeKnownBefore() override;
+
     int eepromWrites() const override { return m_eepromWrites; }
     void countEepromWrites(int writes) { m_eepromWrites += writes; }
 
@@ -55,6 +57,7 @@ protected:
     // Message without time and place.
     virtual void report(Message message, Instant at) = 0;
     virtual Instant now() const = 0;
+    virtual Instant instantOf(const QDateTime &time) const = 0;
 
     void limitTo(const Capabilities &can) { m_can = can; }
     void moveTo(Place place) { m_place = place; }
@@ -66,6 +69,7 @@ protected:
 private:
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
+    void compareWithBefore();
     void takeWhatWaitsForRun(const Outcome &outcome, Instant at);
     void postAllKnown();
 

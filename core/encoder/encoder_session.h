@@ -5,6 +5,7 @@
 #include "encoder/eeprom_count.h"
 #include "encoder/event.h"
 #include "encoder/freshness.h"
+#include "encoder/known_before.h"
 #include "encoder/place.h"
 #include "encoder/shown_values.h"
 
@@ -78,6 +79,17 @@ public:
     virtual void proceed() = 0;
     virtual void cancel(OnCancel how) = 0;
 
+    // What was known of the encoder at this place before; kept by journal/known_keeper.h. Empty: nothing, or
+    // it is settled whether it is the same encoder.
+    const std::optional<KnownBefore> &knownBefore() const { return m_before; }
+    void setKnownBefore(const std::optional<KnownBefore> &before)
+    {
+        m_before = before && !before->values.empty() ? before : std::nullopt;
+        Q_EMIT knownBeforeChanged();
+    }
+    // It is the same encoder: what it had then it has now, unless that is known anew. Sends nothing.
+    virtual void takeKnownBefore() {}
+
     // EEPROM writes by this program since this session began.
     virtual int eepromWrites() const = 0;
     // The same over all sessions, where a ledger is kept (journal/ledger_keeper.h, which sets it).
@@ -99,6 +111,7 @@ Q_SIGNALS:
     void shown(const codewheel::ShownSeries &values);
     void freshnessChanged(); // live, old or unknown, or the reason for it
     void knownChanged();
+    void knownBeforeChanged();
     // The encoder stored to its EEPROM this many times because of what this program sent.
     void eepromWritten(int writes);
     void eepromCountChanged();
@@ -124,6 +137,7 @@ protected:
 private:
     Freshness m_freshness;
     std::optional<EepromCount> m_count;
+    std::optional<KnownBefore> m_before;
 };
 
 inline std::optional<ValueOptions> valueOptionsOf(const EncoderSession *encoder)

@@ -53,4 +53,9 @@ Instant LineEncoderSession::now() const
     return m_line.latest().at;
 }
 
+Instant LineEncoderSession::instantOf(const QDateTime &time) const
+{
+    return m_line.instantOf(time);
+}
+
 } // namespace codewheel

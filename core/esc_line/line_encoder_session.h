@@ -36,6 +36,7 @@ private:
     void post(JobCommand command) override;
     void report(Message message, Instant at) override;
     Instant now() const override;
+    Instant instantOf(const QDateTime &time) const override;
 
     LineSession &m_line;
     bool m_swapsWarningBytes = false;

@@ -79,6 +79,11 @@ Instant RingEncoderSession::now() const
     return m_bus.latest().at;
 }
 
+Instant RingEncoderSession::instantOf(const QDateTime &time) const
+{
+    return m_bus.instantOf(time);
+}
+
 // The number is 0 if the encoder has no valid position (80000000h).
 Refusal RingEncoderSession::nameOf(const Message &fault) const
 {

@@ -30,6 +30,7 @@ private:
     void post(JobCommand command) override;
     void report(Message message, Instant at) override;
     Instant now() const override;
+    Instant instantOf(const QDateTime &time) const override;
 
     bool isOfThisRing() const;
     Result<void> checkLink(const Job &job) const;

@@ -9,12 +9,15 @@
 #include "widgets/connect/check_list.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/gateway/registers_page.h"
+#include "widgets/job/known_before_bar.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/parameters/parameter_panel.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/training/training_panel.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -127,6 +130,36 @@ TEST_F(GatewayInWindowTest, ConnectsInWatchAndWritesNothing)
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked->host, QStringLiteral("gateway.hall"));
     EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("modbus-tcp"));
+}
+
+// The user says that it is the same encoder; the mode is asked for anew.
+TEST_F(GatewayInWindowTest, WhatWasKnownBeforeADisconnectionIsAskedForOnce)
+{
+    connectGateway();
+    bus().encoder(fraba)->tell(Parameter::steps, 8'192);
+    bus().encoder(fraba)->tell(Parameter::startUpMode, 1);
+    ringActions().disconnectBus->trigger();
+    advance(5);
+    ringActions().connectBus->trigger();
+    advance(20);
+    ASSERT_TRUE(bus().isOpen());
+    EXPECT_FALSE(bus().encoder(fraba)->known(Parameter::steps));
+    ASSERT_TRUE(bus().encoder(fraba)->knownBefore());
+    window().findChild<StructureView *>()->choose(fraba);
+    auto *dock = window().findChild<QDockWidget *>(QStringLiteral("parametersDock"));
+    dock->show();
+    dock->raise();
+    advance(50);
+    auto *panel = window().findChild<ParameterPanel *>();
+    auto *bar = panel->findChild<KnownBeforeBar *>();
+    ASSERT_TRUE(panel->isVisible());
+    ASSERT_TRUE(bar->isVisible());
+    EXPECT_TRUE(bar->sentence().contains(QStringLiteral("Steps = 8192"))) << bar->sentence().toStdString();
+    click(button(*bar, QStringLiteral("The same")));
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 8'192);
+    EXPECT_FALSE(bus().encoder(fraba)->known(Parameter::startUpMode));
+    EXPECT_EQ(bank->writes, 0);
 }
 
 // Before anything was exchanged, too.

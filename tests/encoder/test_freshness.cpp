@@ -182,5 +182,17 @@ TEST(WallTime, IsThatOfTheDayWhenABusIsOpenedAgain)
     EXPECT_EQ(time.dateTime(12s), begin.addSecs(602)) << "it does not go back";
 }
 
+TEST(WallTime, LeadsBackToItsInstants)
+{
+    const QDateTime begin(QDate(2026, 11, 23), QTime(2, 0), Qt::UTC);
+    WallTime time(begin);
+    time.slept(1h, 10s);
+    time.slept(2h, 20s);
+    for (const Instant at :
+         {Instant(-3600s), Instant(0s), Instant(9s), Instant(10s), Instant(19s), Instant(20s), Instant(25s)})
+        EXPECT_EQ(time.instantOf(time.dateTime(at)), at) << at.count();
+    EXPECT_EQ(time.instantOf(begin.addSecs(1'800)), Instant(10s)) << "within a sleep: its end";
+}
+
 } // namespace
 } // namespace codewheel

@@ -2,7 +2,9 @@
 #include "widgets/dial/missing_values.h"
 
 #include "catalog/device_description.h"
+#include "encoder/position_mode.h"
 #include "encoder/refusal_text.h"
+#include "widgets/job/known_before_bar.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -19,15 +21,21 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     , m_needed(std::move(needed))
     , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read what is missing"), this))
     , m_message(new InlineMessage(this))
+    , m_before(new KnownBeforeBar(this))
 {
     auto *layout = layOut<QVBoxLayout>(this, grid::unit);
     layout->addWidget(m_message);
+    layout->addWidget(m_before);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
     describe(m_read, "readMissing", tr("Read what the dial needs"),
              tr("Reads what the dial needs from the encoder. That sends words, and hides the position for "
                 "some cycles."));
     m_read->hide();
     connect(m_read, &QPushButton::clicked, this, [this] { read(m_missing); });
+    connect(m_message, &InlineMessage::actionTriggered, this, [this] {
+        m_message->withdraw();
+        tellPositionMode(*m_encoder);
+    });
 }
 
 void MissingValues::setEncoder(EncoderSession *encoder)
@@ -36,6 +44,8 @@ void MissingValues::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     m_message->withdraw();
+    m_before->setEncoder(encoder);
+    m_isReading = false;
     if (encoder == nullptr)
         return;
     connect(encoder, &EncoderSession::knownChanged, this, &MissingValues::find);
@@ -44,6 +54,8 @@ void MissingValues::setEncoder(EncoderSession *encoder)
         m_read->setEnabled(true);
         if (outcome.result)
             m_message->withdraw();
+        if (std::exchange(m_isReading, false) && outcome.result)
+            tellMode();
     });
     connect(encoder, &EncoderSession::permissionChanged, m_message, &InlineMessage::withdraw);
     m_read->setEnabled(!encoder->runningJob());
@@ -64,8 +76,21 @@ void MissingValues::read(const std::vector<Parameter> &parameters)
 {
     if (m_encoder == nullptr)
         return;
-    if (const auto started = m_encoder->start(ReadParameters{parameters}); !started)
+    const auto started = m_encoder->start(ReadParameters{parameters});
+    m_isReading = started.has_value();
+    if (!started)
         m_message->showMessage(Role::attention, refusalText(started.error()));
+}
+
+// What no reading tells.
+void MissingValues::tellMode()
+{
+    if (m_encoder->device().mayHaveModes() && !m_encoder->latest().mode)
+        m_message->showMessage(
+            Role::attention,
+            tr("Its mode cannot be read: position, velocity or cam. It is known once you say it, "
+               "or switch it from here."),
+            tr("It is in &position mode"));
 }
 
 QString MissingValues::names() const

@@ -11,6 +11,7 @@ class QPushButton;
 namespace codewheel {
 
 class InlineMessage;
+class KnownBeforeBar;
 
 // Below a dial: what it needs to know of its encoder but does not, and a button that reads it where it can be
 // read.
@@ -32,12 +33,15 @@ Q_SIGNALS:
 
 private:
     void find();
+    void tellMode();
 
     std::vector<Parameter> m_needed;
     std::vector<Parameter> m_missing; // as far as this kind of encoder has them
     QPointer<EncoderSession> m_encoder;
     QPushButton *m_read;
     InlineMessage *m_message;
+    KnownBeforeBar *m_before;
+    bool m_isReading = false; // by its own job
 };
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #include "widgets/functions/encoder_functions.h"
 
 #include "catalog/device_description.h"
+#include "encoder/position_mode.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/known_text.h"
@@ -12,8 +13,6 @@
 
 namespace codewheel {
 namespace {
-
-constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
 
 void describeAction(QAction &action, const char *name, const QString &what, const QKeySequence &key = {})
 {
@@ -95,7 +94,7 @@ void EncoderFunctions::show()
 
 void EncoderFunctions::tellPositionMode()
 {
-    m_encoder->tell(Parameter::startUpMode, startsUpAsK3);
+    codewheel::tellPositionMode(*m_encoder);
 }
 
 void EncoderFunctions::goToPositionMode()

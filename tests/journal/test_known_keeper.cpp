@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was known of an encoder before its bus was connected anew.
+#include "catalog/catalog.h"
+#include "journal/known_keeper.h"
+#include "ring/ring_session.h"
+#include "simulator/training_bus.h"
+#include "tests/support/passing_link.h"
+#include "tests/support/places.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class RealLink : public test::PassingLink
+{
+public:
+    using PassingLink::PassingLink;
+    bool isSimulated() const override { return false; }
+};
+
+const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
+
+// A ring of which another Codewheel, or a spare part, may have taken care while it was not connected.
+class KnownKeeperTest : public testing::Test
+{
+protected:
+    KnownKeeperTest()
+    {
+        keeper.watch(bus);
+        connect();
+    }
+    void connect()
+    {
+        ASSERT_TRUE(bus.open(RingSession::Start::operating));
+        bus.advance(10);
+    }
+    void reconnect()
+    {
+        bus.close();
+        bus.setTime(noon.addSecs(3'600));
+        connect();
+    }
+    // The same place, another encoder.
+    void replaceRing()
+    {
+        bus.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), noon.addSecs(3'600));
+        connect();
+    }
+    void read(Place place, const std::vector<Parameter> &parameters)
+    {
+        ASSERT_TRUE(at(place).start(ReadParameters{parameters}));
+        for (int i = 0; i < 1'000 && at(place).runningJob(); ++i)
+            bus.advance(10);
+    }
+    EncoderSession &at(Place place) { return *bus.encoder(place); }
+
+    static constexpr Place fraba = "1.0"_ring;
+    static constexpr Place baumer = "2.0"_ring;
+
+    const Catalog catalog = Catalog::builtIn();
+    RingSession bus{std::make_unique<RealLink>(makeTrainingBus(catalog).link), catalog, noon};
+    KnownKeeper keeper;
+};
+
+TEST_F(KnownKeeperTest, WhatWasReadIsUnknownUntilItIsTheSameEncoder)
+{
+    read(fraba, {Parameter::steps, Parameter::revolutions});
+    ASSERT_EQ(at(fraba).known(Parameter::steps)->value, 8'192);
+    reconnect();
+    EXPECT_FALSE(at(fraba).known(Parameter::steps));
+    ASSERT_TRUE(at(fraba).knownBefore());
+    EXPECT_FALSE(at(baumer).knownBefore()) << "nothing was known of it";
+    at(fraba).takeKnownBefore();
+    const auto steps = at(fraba).known(Parameter::steps);
+    ASSERT_TRUE(steps);
+    EXPECT_EQ(steps->value, 8'192);
+    EXPECT_EQ(steps->evidence, Evidence::read);
+    EXPECT_LT(std::abs(noon.secsTo(at(fraba).dateTime(steps->at))), 60) << "as old as it is";
+    EXPECT_FALSE(at(fraba).knownBefore()) << "it is settled";
+}
+
+TEST_F(KnownKeeperTest, TheSameSerialNumberSettlesIt)
+{
+    read(fraba, {Parameter::steps, Parameter::serialNumber});
+    reconnect();
+    read(fraba, {Parameter::serialNumber});
+    EXPECT_EQ(at(fraba).known(Parameter::steps)->value, 8'192);
+    EXPECT_FALSE(at(fraba).knownBefore());
+}
+
+TEST_F(KnownKeeperTest, AnotherSerialNumberIsAnotherEncoder)
+{
+    read(fraba, {Parameter::steps, Parameter::serialNumber});
+    KnownBefore other = [&] {
+        reconnect();
+        return *at(fraba).knownBefore();
+    }();
+    *other.serialNumber += 1;
+    at(fraba).setKnownBefore(other);
+    read(fraba, {Parameter::serialNumber});
+    EXPECT_FALSE(at(fraba).known(Parameter::steps));
+    EXPECT_FALSE(at(fraba).knownBefore());
+    reconnect();
+    EXPECT_FALSE(at(fraba).known(Parameter::steps)) << "nor the next time";
+}
+
+TEST_F(KnownKeeperTest, WhatIsKnownAnewStays)
+{
+    at(baumer).tell(Parameter::steps, 1'000);
+    at(baumer).tell(Parameter::revolutions, 4);
+    reconnect();
+    at(baumer).tell(Parameter::steps, 2'000);
+    at(baumer).takeKnownBefore();
+    EXPECT_EQ(at(baumer).known(Parameter::steps)->value, 2'000);
+    EXPECT_EQ(at(baumer).known(Parameter::revolutions)->value, 4);
+    EXPECT_EQ(at(baumer).known(Parameter::revolutions)->evidence, Evidence::told);
+}
+
+TEST_F(KnownKeeperTest, AnOpenQuestionOutlivesAnotherConnection)
+{
+    at(baumer).tell(Parameter::steps, 1'000);
+    reconnect();
+    at(baumer).tell(Parameter::revolutions, 4); // the question is still open
+    reconnect();
+    ASSERT_TRUE(at(baumer).knownBefore());
+    EXPECT_EQ(at(baumer).knownBefore()->values.size(), 2u);
+}
+
+// The controller may have switched it meanwhile: in cam mode a preset would set a cam.
+TEST_F(KnownKeeperTest, TheModeIsUnknownAfterEachConnection)
+{
+    at(fraba).tell(Parameter::startUpMode, 1);
+    at(fraba).tell(Parameter::steps, 8'192);
+    bus.advance(10);
+    ASSERT_EQ(at(fraba).latest().mode, Mode::position);
+    reconnect();
+    at(fraba).takeKnownBefore();
+    bus.advance(10);
+    EXPECT_EQ(at(fraba).known(Parameter::steps)->value, 8'192);
+    EXPECT_FALSE(at(fraba).latest().mode);
+}
+
+TEST_F(KnownKeeperTest, AnotherKindOfEncoderIsAnotherOne)
+{
+    at(fraba).tell(Parameter::steps, 8'192);
+    reconnect();
+    ASSERT_TRUE(bus.name(fraba, QStringLiteral("baumer-gxp6w")));
+    bus.advance(10);
+    EXPECT_FALSE(at(fraba).knownBefore());
+}
+
+TEST_F(KnownKeeperTest, IsForgottenWithTheLink)
+{
+    at(baumer).tell(Parameter::steps, 1'000);
+    bus.close();
+    keeper.forget();
+    replaceRing();
+    EXPECT_FALSE(at(baumer).knownBefore());
+}
+
+TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSame)
+{
+    TrainingBus training = makeTrainingBus(catalog);
+    RingSession simulated{std::move(training.link), catalog, noon};
+    keeper.watch(simulated);
+    ASSERT_TRUE(simulated.open(RingSession::Start::operating));
+    simulated.encoder(baumer)->tell(Parameter::steps, 1'000);
+    simulated.close();
+    ASSERT_TRUE(simulated.open(RingSession::Start::operating));
+    EXPECT_EQ(simulated.encoder(baumer)->known(Parameter::steps)->value, 1'000);
+    EXPECT_FALSE(simulated.encoder(baumer)->knownBefore());
+}
+
+// What holds for simulated encoders does not for real ones at the same places.
+TEST_F(KnownKeeperTest, NothingOfASimulatedEncoderIsOfferedForARealOne)
+{
+    TrainingBus training = makeTrainingBus(catalog);
+    RingSession ring{std::move(training.link), catalog, noon};
+    keeper.watch(ring);
+    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    ring.encoder(baumer)->tell(Parameter::steps, 1'000);
+    ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), noon);
+    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    EXPECT_FALSE(ring.encoder(baumer)->knownBefore());
+    EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));
+}
+
+} // namespace
+} // namespace codewheel
