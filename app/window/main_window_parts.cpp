@@ -178,7 +178,7 @@ void MainWindow::connectProject()
     m_report = new ReportExport(
         *this, m_project, *m_buses, m_plant->catalog(), [this] { return m_plant->ledgers(); }, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
-    connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
+    connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::preview);
     auto *printing =
         new Printing(*this, *m_report,
                      {.bus = [this](BusId bus) { return m_plant->nameOf(bus); },

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/printing.h"
 
-#include "app/report/report_pages.h"
-#include "app/report/sheet_format.h"
 #include "app/window/picture_in_text.h"
+#include "app/window/printed_report.h"
 #include "app/window/printed_table.h"
 #include "app/window/report_export.h"
 #include "widgets/help/help_topic.h"
@@ -11,7 +10,6 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QLocale>
-#include <QPainter>
 #include <QPrinter>
 #include <QPrintPreviewDialog>
 #include <QTextCursor>
@@ -22,22 +20,6 @@ namespace {
 
 constexpr QSize previewSize(900, 700);
 constexpr int printedPoints = 9; // font size in a table
-
-void printReport(const Report &report, QPrinter &printer)
-{
-    const ReportPages pages(report);
-    printer.setFullPage(true); // sheets include their margins
-    QPainter painter(&printer);
-    const double scale = static_cast<double>(printer.resolution()) / sheet::dotsPerInch;
-    for (int page = 0; page < pages.count(); ++page) {
-        if (page > 0)
-            printer.newPage();
-        painter.save();
-        painter.scale(scale, scale);
-        pages.paint(painter, page);
-        painter.restore();
-    }
-}
 
 void printSheets(QTextDocument &document, QPrinter &printer)
 {

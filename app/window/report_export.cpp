@@ -2,6 +2,7 @@
 #include "app/window/report_export.h"
 
 #include "app/report/save_report.h"
+#include "app/window/report_preview.h"
 #include "encoder/refusal_text.h"
 #include "report/kept_counts.h"
 #include "report/live_encoders.h"
@@ -48,6 +49,13 @@ QString ReportExport::proposedPath() const
     const QFileInfo project(m_document.file());
     const QString name = m_document.file().isEmpty() ? tr("report", "file name") : project.completeBaseName();
     return project.dir().filePath(name + QStringLiteral(".pdf"));
+}
+
+void ReportExport::preview()
+{
+    ReportPreview dialog(report(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        askWhere();
 }
 
 void ReportExport::askWhere()

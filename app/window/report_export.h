@@ -28,6 +28,7 @@ public:
                  FindLedgers ledgers, InlineMessage &notice);
 
     Report report() const; // as of now
+    void preview();        // then asks where to save it, if it is to be saved
     void askWhere();
     // Replaces any existing file. False: it was not saved, and says why.
     bool saveTo(const QString &path);

@@ -90,9 +90,9 @@ void WindowActions::makeFileMenu()
     closeRecording = described(menu->addAction(tr("C&lose recording")), Qt::CTRL | Qt::ALT | Qt::Key_W,
                                tr("Closes the recording that is chosen in the bus structure"));
     menu->addSeparator();
-    exportReport =
-        described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report…")), {},
-                  tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
+    exportReport = described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report…")), {},
+                             tr("Shows the commissioning report of the project, and saves it as a PDF or a "
+                                "web page; sends nothing"));
     print = described(
         menu->addAction(lineIcon(Icon::write), tr("Pr&int…")), QKeySequence::Print,
         tr("Prints the table or the picture that has the focus, or else the commissioning report, after a "

@@ -147,8 +147,7 @@ QString LineKind::linkText(const KindData &settings) const
     const auto *plan = settings.as<LinePlan>();
     const LineSettings line = plan != nullptr ? plan->settings : LineSettings();
     QStringList parts{sentence(tr("%1 Bd"), {QString::number(line.serial.baudRate)}), line.serial.format()};
-    if (!line.port.isEmpty())
-        parts.prepend(line.port);
+    parts.prepend(isTraining(settings) ? tr("training line (simulated)") : line.port);
     return parts.join(QStringLiteral(", "));
 }
 

@@ -14,9 +14,11 @@ QString toldBy(const EepromCount &count)
 {
     switch (count.by) {
     case CountedBy::serialNumber:
-        return sentence(ReportTexts::tr("serial number %1, read from it"), {count.serialNumber});
+        return sentence(ReportTexts::tr("serial number %1, read from it"),
+                        {report_words::serialNumber(count.serialNumber)});
     case CountedBy::labelSerialNumber:
-        return sentence(ReportTexts::tr("serial number %1, from its label"), {count.serialNumber});
+        return sentence(ReportTexts::tr("serial number %1, from its label"),
+                        {report_words::serialNumberOfLabel(count.serialNumber, {})});
     case CountedBy::place:
         return ReportTexts::tr("project and place; another encoder at this place counts on");
     case CountedBy::session:

@@ -21,12 +21,16 @@ QString headingOf(const ReportedDevice &device)
 
 QString serialNumber(const ReportedDevice &device)
 {
-    if (const StoredValue *known = device.known(Parameter::serialNumber))
-        return QStringLiteral("%1 (%2)").arg(QString::number(known->value),
-                                             report_words::evidence(known->evidence));
+    QStringList parts;
+    const StoredValue *known = device.known(Parameter::serialNumber);
+    if (known != nullptr)
+        parts << QStringLiteral("%1 (%2)").arg(report_words::serialNumber(QString::number(known->value)),
+                                               report_words::evidence(known->evidence));
     if (const QString &label = device.planned->label.serialNumber; !label.isEmpty())
-        return sentence(ReportTexts::tr("%1 (from the label)"), {label});
-    return report_words::unknown();
+        parts << sentence(
+            ReportTexts::tr("%1 (from the label)"),
+            {report_words::serialNumberOfLabel(label, known ? std::optional(known->value) : std::nullopt)});
+    return parts.empty() ? report_words::unknown() : parts.join(QStringLiteral(", "));
 }
 
 QString labelText(const DeviceLabel &label)
@@ -53,7 +57,8 @@ ReportFacts factsOf(const ReportedDevice &device, const QDateTime &now)
          : device.notLive
              ? sentence(ReportTexts::tr("of the connected encoder, not up to date. %1", "why, when"),
                         {report_words::lastSeen(*device.notLive, now)})
-             : ReportTexts::tr("of the connected encoder")});
+         : device.isSimulated ? ReportTexts::tr("of a simulated encoder")
+                              : ReportTexts::tr("of the connected encoder")});
     if (!planned.note.isEmpty())
         facts.push_back({ReportTexts::tr("Note"), planned.note});
     return facts;

@@ -36,7 +36,8 @@ void addConnected(ReportInput &input, const Buses &buses)
             input.connected.emplace(bus->id(), connectedBus(input.project, *bus));
     for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
         const EncoderBus &bus = *buses.busOf(encoder->place());
-        LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder), notLive(bus, encoder->place())};
+        LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder), notLive(bus, encoder->place()),
+                          bus.isSimulated()};
         if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
             input.live[encoder->place()] = std::move(known);
         input.writes[encoder->place()] = encoder->eepromCount();

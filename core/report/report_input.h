@@ -16,6 +16,7 @@ struct LiveEncoder
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;
     std::optional<NotLive> notLive{};
+    bool isSimulated = false;
 };
 
 // Everything a commissioning report is made of; no other source is used.

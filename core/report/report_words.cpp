@@ -45,6 +45,25 @@ QString unit(const ReportedDevice &device, Parameter parameter)
     return described ? unitText(described->unit) : QString();
 }
 
+QString serialNumber(const QString &decimal)
+{
+    bool isNumber = false;
+    const qint64 number = decimal.toLongLong(&isNumber);
+    return isNumber ? QStringLiteral("%1 (%2h)").arg(decimal, QString::number(number, 16).toUpper())
+                    : decimal;
+}
+
+QString serialNumberOfLabel(const QString &typed, std::optional<std::int64_t> read)
+{
+    bool isDecimal = false;
+    bool isHex = false;
+    const qint64 decimal = typed.toLongLong(&isDecimal);
+    const qint64 hex = typed.toLongLong(&isHex, 16);
+    if (isDecimal && read == decimal)
+        return serialNumber(typed);
+    return isHex && (!isDecimal || read == hex) ? serialNumber(QString::number(hex)) : typed;
+}
+
 QString evidence(Evidence evidence)
 {
     switch (evidence) {

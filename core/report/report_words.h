@@ -14,6 +14,11 @@ QString device(const ReportedDevice &device);
 QString value(const ReportedDevice &device, Parameter parameter, std::int64_t value);
 QString unit(const ReportedDevice &device, Parameter parameter);
 QString evidence(Evidence evidence);
+// "20417 (4FC1h)": labels have the one or the other. Anything else is shown as it is.
+QString serialNumber(const QString &decimal);
+// As typed from a label. With letters, or where `read` is this number, it is hexadecimal; of digits alone
+// nobody knows.
+QString serialNumberOfLabel(const QString &typed, std::optional<std::int64_t> read);
 QString unknown();
 // Why it is of before, and of when: "The bus does not run. Last seen: 1 Mar 2026 14:02."
 QString lastSeen(const NotLive &old, const QDateTime &now);

@@ -91,6 +91,7 @@ std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Cata
         if (const auto live = input.live.find(planned.place()); live != input.live.end()) {
             device.isConnected = true;
             device.notLive = live->second.notLive;
+            device.isSimulated = live->second.isSimulated;
             device.values = live->second.values;
             device.cams = live->second.cams;
         }

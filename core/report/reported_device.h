@@ -14,6 +14,7 @@ struct ReportedDevice
     QString shownPlace{}; // with the name of its bus, if several buses of the project have such places
     const DeviceDescription *description = nullptr; // null: no encoder, or not known to this program
     bool isConnected = false;
+    bool isSimulated = false;
     std::optional<NotLive> notLive{}; // of a connected one: what is known of it is of before
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;

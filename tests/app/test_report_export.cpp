@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/report_export.h"
+#include "app/window/report_preview.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QIODevice>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 #include <QTextBrowser>
 #include <QUrl>
@@ -71,11 +73,18 @@ TEST_F(ReportExportTest, HasWhatTheConnectedEncoderIsKnownToHave)
 
 TEST_F(ReportExportTest, SavesAPdfWhereTheUserChoosesTo)
 {
-    const Question question([&](QWidget &dialog) {
-        dialog.findChild<QLineEdit *>()->setText(path("crane"));
-        QTest::keyClick(dialog.findChild<QLineEdit *>(), Qt::Key_Return);
+    int sheets = 0;
+    std::optional<Question> question; // the next one
+    const Question preview([&](QWidget &dialog) {
+        question.emplace([&](QWidget &files) {
+            files.findChild<QLineEdit *>()->setText(path("crane"));
+            QTest::keyClick(files.findChild<QLineEdit *>(), Qt::Key_Return);
+        });
+        sheets = qobject_cast<ReportPreview *>(&dialog)->sheets();
+        QTest::mouseClick(dialog.findChild<QPushButton *>(QStringLiteral("saveReport")), Qt::LeftButton);
     });
     actions().exportReport->trigger();
+    EXPECT_GT(sheets, 2);
     EXPECT_THAT(content("crane.pdf"), testing::StartsWith("%PDF-"));
 }
 

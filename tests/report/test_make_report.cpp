@@ -109,6 +109,9 @@ TEST(CommissioningReport, WhatTheConnectedEncoderTellsGoesBeforeTheProject)
                 Contains("Steps | 4096 | 4096 | steps | read | 1 Mar 2026 14:00:00 | as wanted"));
     EXPECT_THAT(rowsOf(section), Contains("Direction | 3 (CW) | unknown |  |  |  | not compared"));
     EXPECT_THAT(factsOf(section.blocks), Contains("Known values: of the connected encoder"));
+    input.live["1.0"_ring].isSimulated = true;
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), frabaHeading).blocks),
+                Contains("Known values: of a simulated encoder"));
     EXPECT_THAT(factsOf(sectionOf(reportOf(input), baumerHeading).blocks),
                 Contains("Known values: as stored in the project; the encoder was not asked"));
 }
@@ -263,8 +266,8 @@ TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
     EXPECT_THAT(
         rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
         ElementsAre(
-            "1.0 | Crane 1, hoist | 12 | 30 Jan 2026 14:00:00 | serial number 20417, read from "
-            "it | about 200; nothing is guaranteed beyond 500",
+            "1.0 | Crane 1, hoist | 12 | 30 Jan 2026 14:00:00 | serial number 20417 (4FC1h), read "
+            "from it | about 200; nothing is guaranteed beyond 500",
             "2.0 | Crane 1, trolley | 3, perhaps 2 more |  | this connection only; nothing is kept of "
             "others | not stated"));
     input.writes.clear();
@@ -326,7 +329,14 @@ TEST(CommissioningReport, SerialNumberIsOfTheEncoderOrOfItsLabelOrUnknown)
                 Contains("Serial number: B 4711 (from the label)"));
     fraba(input).stored.push_back({Parameter::serialNumber, 20417, Evidence::read, input.now});
     EXPECT_THAT(factsOf(sectionOf(reportOf(input), frabaHeading).blocks),
-                Contains("Serial number: 20417 (read)"));
+                Contains("Serial number: 20417 (4FC1h) (read)"));
+    for (const auto &[typed, shown] :
+         {std::pair("20417", "20417 (4FC1h)"), {"4fc1", "20417 (4FC1h)"}, {"1234", "1234"}}) {
+        findDevice(input.project, "1.0"_ring)->label.serialNumber = QString::fromLatin1(typed);
+        EXPECT_THAT(
+            factsOf(sectionOf(reportOf(input), frabaHeading).blocks),
+            Contains(std::string("Serial number: 20417 (4FC1h) (read), ") + shown + " (from the label)"));
+    }
 }
 
 TEST(CommissioningReport, NumbersAndDatesFollowTheLocale)
