@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "language.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/help/help_topic.h"
@@ -14,7 +15,9 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QShortcut>
+#include <QStackedWidget>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -229,6 +232,65 @@ TEST_F(HelpTest, AlarmStopWorksWhileTheKeysAreRead)
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_F12, Qt::ControlModifier);
     advance(10);
     EXPECT_EQ(out(test::fraba), 0U);
+}
+
+class HelpInGerman : public HelpTest
+{
+protected:
+    HelpInGerman()
+    {
+        language.use(QStringLiteral("de"));
+        open();
+    }
+    ~HelpInGerman() override { QLocale::setDefault(QLocale::c()); }
+
+private:
+    Language language;
+};
+
+TEST_F(HelpInGerman, F1OpensThePageInTheLanguageOfTheWindow)
+{
+    QTest::keyClick(&window(), Qt::Key_8, Qt::AltModifier);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    ASSERT_NE(help(), nullptr);
+    EXPECT_TRUE(help()->shown().path().endsWith(QStringLiteral("/manual/de/device.md")))
+        << help()->shown().path().toStdString();
+    actions().structureEditor->trigger();
+    window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    const QUrl editor = help()->shown();
+    EXPECT_TRUE(editor.path().endsWith(QStringLiteral("/manual/de/project.md")));
+    const Manual german;
+    ASSERT_TRUE(german.has(editor)) << editor.toString().toStdString();
+    for (const ManualSection &section : german.find(editor)->sections)
+        if (section.anchor == editor.fragment(QUrl::FullyDecoded))
+            EXPECT_EQ(section.title, QStringLiteral("Busaufbau bearbeiten"));
+}
+
+TEST_F(HelpInGerman, EveryPageAndPanelHasItsPlace)
+{
+    const Manual german;
+    const auto check = [&](const QWidget &part) {
+        const QUrl url = Manual::url(helpTopicOf(&part));
+        EXPECT_TRUE(german.has(url)) << url.toString().toStdString();
+    };
+    const auto *pages = window().findChild<QStackedWidget *>(QStringLiteral("pages"));
+    for (int i = 0; i < pages->count(); ++i)
+        check(*pages->widget(i));
+    for (const auto *panel : window().findChildren<QDockWidget *>())
+        check(*panel);
+}
+
+// Those about files and protocols are in English, and lead back.
+TEST_F(HelpInGerman, APageInEnglishLeadsToTheGermanOnes)
+{
+    actions().manual->trigger();
+    auto *page = help()->findChild<QTextBrowser *>();
+    page->setSource(Manual::url(QStringLiteral("../cam-files.md")));
+    page->setSource(QUrl(QStringLiteral("manual/cams.md")));
+    EXPECT_TRUE(help()->shown().path().endsWith(QStringLiteral("/manual/de/cams.md")))
+        << help()->shown().path().toStdString();
 }
 
 } // namespace

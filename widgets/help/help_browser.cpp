@@ -8,7 +8,6 @@
 #include "widgets/look/roles.h"
 
 #include <QFile>
-#include <QLocale>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTimer>
@@ -40,8 +39,6 @@ void HelpBrowser::preparePage()
     const QUrl page = m_url.adjusted(QUrl::RemoveFragment);
     if (page != m_prepared) {
         m_prepared = page;
-        if (page == Manual::firstPage())
-            tellLanguage();
         nameHeadings(*document());
         formatManual(*document(), palette());
         findMarks();
@@ -55,8 +52,10 @@ void HelpBrowser::preparePage()
 
 void HelpBrowser::doSetSource(const QUrl &url, QTextDocument::ResourceType type)
 {
-    leaveFor(m_url.resolved(url));
-    QTextBrowser::doSetSource(url, type);
+    const QUrl there =
+        Manual::translated(m_url.resolved(url)); // pages of other languages lead to English ones
+    leaveFor(there);
+    QTextBrowser::doSetSource(there, type);
 }
 
 void HelpBrowser::backward()
@@ -85,17 +84,6 @@ void HelpBrowser::leaveFor(const QUrl &url)
 void HelpBrowser::returnToPlace()
 {
     verticalScrollBar()->setValue(m_left.value(m_url));
-}
-
-void HelpBrowser::tellLanguage()
-{
-    const QLocale::Language language = QLocale().language();
-    if (language == QLocale::English || language == QLocale::C)
-        return;
-    QTextCursor top(document());
-    top.movePosition(QTextCursor::EndOfBlock);
-    top.insertBlock(QTextBlockFormat(), QTextCharFormat());
-    top.insertText(tr("The manual is in English only."));
 }
 
 // The pages name the light pictures; each has a dark twin beside it.

@@ -40,7 +40,6 @@ private:
     void preparePage();
     void leaveFor(const QUrl &url);
     void returnToPlace();
-    void tellLanguage();
     void fitPictures();
     QImage picture(const QUrl &url) const;
     void findMarks();

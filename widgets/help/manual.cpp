@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/help/manual.h"
 
+#include "widgets/help/manual_headings.h"
 #include "widgets/help/manual_text.h"
 
 #include <QCoreApplication>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileInfo>
 #include <QResource>
 #include <QTextBlock>
 #include <QTextDocument>
@@ -16,6 +18,7 @@ namespace codewheel {
 namespace {
 
 constexpr auto docsFolder = u":/codewheel-manual/docs/";
+constexpr auto manualFolder = u":/codewheel-manual/docs/manual/"; // in English; others are within it
 
 // In the build tree, or installed.
 QStringList placesOfManual()
@@ -34,6 +37,21 @@ QString fileOf(const QUrl &url)
 QUrl urlOf(const QString &file)
 {
     return QUrl(QStringLiteral("qrc") + file);
+}
+
+// Of the manual in the program's language.
+QString folderOfManual()
+{
+    const QString language =
+        QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts");
+    const QString folder = QString::fromUtf16(manualFolder) + language + u'/';
+    return QFile::exists(folder + QStringLiteral("README.md")) ? folder : QString::fromUtf16(manualFolder);
+}
+
+bool isOfOtherLanguage(const QString &file)
+{
+    return file.startsWith(QString::fromUtf16(manualFolder)) &&
+           QFileInfo(file).path() + u'/' != folderOfManual();
 }
 
 std::vector<ManualSection> sectionsOfPage(const QTextDocument &document)
@@ -93,6 +111,7 @@ QStringList Manual::files()
                            QDirIterator::Subdirectories);
          each.hasNext();)
         files << each.next();
+    files.removeIf(isOfOtherLanguage);
     files.sort();
     return files;
 }
@@ -138,12 +157,28 @@ bool Manual::has(const QUrl &url) const
 
 QUrl Manual::firstPage()
 {
-    return urlOf(QString::fromUtf16(docsFolder) + QStringLiteral("manual/README.md"));
+    return urlOf(folderOfManual() + QStringLiteral("README.md"));
 }
 
 QUrl Manual::url(const QString &topic)
 {
-    return firstPage().resolved(QUrl(topic));
+    return translated(urlOf(QString::fromUtf16(manualFolder)).resolved(QUrl(topic)));
+}
+
+QUrl Manual::translated(const QUrl &url)
+{
+    const QString file = fileOf(url);
+    const QFileInfo page(file);
+    const QString own = folderOfManual() + page.fileName();
+    if (page.path() + u'/' != QString::fromUtf16(manualFolder) || own == file || !QFile::exists(own))
+        return url;
+    QUrl same = urlOf(own);
+    const QString anchor = url.fragment(QUrl::FullyDecoded);
+    const QStringList ownAnchors = headingAnchors(own);
+    const qsizetype which = headingAnchors(file).indexOf(anchor);
+    if (!anchor.isEmpty())
+        same.setFragment(which >= 0 && which < ownAnchors.size() ? ownAnchors[which] : anchor);
+    return same;
 }
 
 } // namespace codewheel

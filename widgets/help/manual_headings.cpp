@@ -20,11 +20,21 @@ QString plainHeading(QString markdown)
     return markdown.replace(link, QStringLiteral("\\1")).remove(marks).simplified();
 }
 
-void addHeadings(std::vector<ManualHeading> &headings, const QString &markdown, const QString &topic)
+struct Heading
+{
+    QString title;
+    QString anchor;
+};
+
+std::vector<Heading> headingsOf(const QString &file)
 {
     static const QRegularExpression heading(QStringLiteral("^#{1,6} +(.*)$"));
+    QFile source(file);
+    if (!source.open(QIODevice::ReadOnly))
+        return {};
+    const QString markdown = QString::fromUtf8(source.readAll());
+    std::vector<Heading> headings;
     QSet<QString> used;
-    QString page;
     bool isCode = false;
     for (const QString &line : markdown.split(u'\n')) {
         isCode ^= line.startsWith(QStringLiteral("```"));
@@ -32,25 +42,44 @@ void addHeadings(std::vector<ManualHeading> &headings, const QString &markdown, 
         if (isCode || !match.hasMatch())
             continue;
         const QString title = plainHeading(match.captured(1));
-        const QString anchor = unusedAnchor(title, used);
-        used.insert(anchor);
-        const bool isPage = page.isEmpty();
-        if (isPage)
-            page = title;
-        headings.push_back({page, title, isPage ? topic : QStringLiteral("%1#%2").arg(topic, anchor)});
+        headings.push_back({title, unusedAnchor(title, used)});
+        used.insert(headings.back().anchor);
     }
+    return headings;
+}
+
+// Pages of the manual have the same names in each language; the others are named from docs/manual.
+QString topicOf(const QString &file)
+{
+    const QFileInfo firstPage(u':' + Manual::firstPage().path());
+    const QFileInfo page(file);
+    const QString docs = file.left(file.indexOf(QStringLiteral("/docs/")) + 6);
+    return page.path() == firstPage.path() ? page.fileName()
+                                           : QStringLiteral("../") + QDir(docs).relativeFilePath(file);
 }
 
 } // namespace
 
+QStringList headingAnchors(const QString &file)
+{
+    QStringList anchors;
+    for (const Heading &heading : headingsOf(file))
+        anchors << heading.anchor;
+    return anchors;
+}
+
 std::vector<ManualHeading> manualHeadings()
 {
     std::vector<ManualHeading> headings;
-    const QDir folder(QFileInfo(u':' + Manual::firstPage().path()).path());
     for (const QString &file : Manual::files()) {
-        QFile source(file);
-        if (source.open(QIODevice::ReadOnly))
-            addHeadings(headings, QString::fromUtf8(source.readAll()), folder.relativeFilePath(file));
+        const QString topic = topicOf(file);
+        QString page;
+        for (const Heading &its : headingsOf(file)) {
+            const bool isPage = page.isEmpty();
+            if (isPage)
+                page = its.title;
+            headings.push_back({page, its.title, isPage ? topic : topic + u'#' + its.anchor});
+        }
     }
     return headings;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -15,6 +16,8 @@ struct ManualHeading
     QString topic; // in the form of setHelpTopic()
 };
 
+// Of one page, in its order: "offline-and-online".
+QStringList headingAnchors(const QString &file);
 // Of all pages that Manual has, page by page.
 std::vector<ManualHeading> manualHeadings();
 

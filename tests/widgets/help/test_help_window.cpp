@@ -115,17 +115,6 @@ TEST_F(HelpWindowTest, FindsInThePage)
     EXPECT_FALSE(help.isVisible());
 }
 
-TEST_F(HelpWindowTest, SaysInAnotherLanguageThatTheManualIsInEnglish)
-{
-    help.showTopic({});
-    EXPECT_FALSE(page().toPlainText().contains(QStringLiteral("in English only")));
-    QLocale::setDefault(QLocale(QLocale::German));
-    HelpWindow german;
-    german.showTopic({});
-    EXPECT_TRUE(
-        german.findChild<QTextBrowser *>()->toPlainText().contains(QStringLiteral("in English only")));
-}
-
 TEST_F(HelpWindowTest, KeepsItsSize)
 {
     help.resize(700, 500);
