@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/role_label.h"
 
 #include <QEvent>
@@ -63,7 +64,11 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_hint->setIndent(grid::margin);
     bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);
-    connect(&bar, &QStatusBar::messageChanged, m_hint, &QLabel::setText);
+    allowEliding(*m_hint);
+    connect(&bar, &QStatusBar::messageChanged, this, [this](const QString &hint) {
+        m_hint->setText(
+            m_hint->fontMetrics().elidedText(hint, Qt::ElideRight, m_hint->width() - 2 * grid::margin));
+    });
     setState(Role::inactive, tr("not connected"));
 }
 
@@ -149,7 +154,7 @@ bool StatusLine::eventFilter(QObject *watched, QEvent *event)
 void StatusLine::fit()
 {
     const int spacing = m_bar.layout() ? m_bar.layout()->spacing() : grid::unit;
-    int needed = 2 * grid::margin;
+    int needed = 3 * grid::margin;
     for (const QWidget *always : m_always)
         if (always != nullptr && !always->isHidden())
             needed += always->sizeHint().width() + spacing;

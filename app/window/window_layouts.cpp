@@ -18,7 +18,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto restOfTheEdge = 150ms; // longer than the pauses of a hand dragging the edge
-constexpr QSize smallestWindow(1024, 600);
+constexpr QSize smallestWindow(960, 560);
 constexpr int leastOfPanel = 20;          // pixels; anything smaller shows nothing
 constexpr QSize handleOfFloating(80, 20); // by which it can be dragged
 

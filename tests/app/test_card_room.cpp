@@ -59,15 +59,17 @@ TEST_P(CardRoom, HoldsTwoInTheUsualWindowWithTheBottomFolded)
 
 TEST_P(CardRoom, HoldsOneInTheSmallestWindowWithTheBottomOpen)
 {
-    resizeTo({1024, 640});
+    resizeTo({960, 600});
     monitors().pin(test::fraba);
+    expectWhole(1);
+    resizeTo({1024, 640});
     expectWhole(1);
     EXPECT_GE(monitors().cards().front()->width(), rowWide);
 }
 
 TEST_P(CardRoom, WhyAWordIsOldIsReadOnTheCardWhichStaysAsItIs)
 {
-    resizeTo({1024, 640});
+    resizeTo({960, 600});
     const int before = monitors().card(test::fraba)->height();
     actions().stop->trigger();
     advance(100);

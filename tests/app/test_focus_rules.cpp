@@ -4,7 +4,10 @@
 #include "widgets/connect/connect_page.h"
 #include "widgets/find/find_page.h"
 #include "widgets/line/line_settings_form.h"
+#include "widgets/look/label_text.h"
+#include "widgets/monitor/word_view.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
@@ -72,6 +75,29 @@ TEST_F(FocusRulesTest, TabGoesFromTheFormToItsButtons)
         << QApplication::focusWidget()->objectName().toStdString()
         << QApplication::focusWidget()->metaObject()->className()
         << QApplication::focusWidget()->parentWidget()->metaObject()->className();
+}
+
+// What is done to the word comes before what is done to the card, and before anything else.
+TEST_F(FocusRulesTest, TabGoesFromTheBitsToTheHexFieldAndTheButtonsOfTheWord)
+{
+    QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
+    ASSERT_NE(qobject_cast<WordView *>(QApplication::focusWidget()), nullptr);
+    QTest::keyClick(QApplication::focusWidget(),
+                    Qt::Key_Space); // stages a bit, so that there is something to write
+    QStringList reached;
+    for (int i = 0; i < 12; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QWidget *now = QApplication::focusWidget();
+        const auto *button = qobject_cast<QAbstractButton *>(now);
+        reached << (button != nullptr && !button->text().isEmpty()
+                        ? plainLabel(button->text())
+                        : QString::fromLatin1(now->metaObject()->className()));
+    }
+    const qsizetype write = reached.indexOf(QStringLiteral("Write"));
+    EXPECT_EQ(reached.front(), QStringLiteral("codewheel::WordField")) << reached.join(u' ').toStdString();
+    EXPECT_GT(write, 0) << reached.join(u' ').toStdString();
+    EXPECT_EQ(reached.indexOf(QStringLiteral("Discard")), write + 1) << reached.join(u' ').toStdString();
+    EXPECT_GT(reached.indexOf(QStringLiteral("Show")), write) << reached.join(u' ').toStdString();
 }
 
 } // namespace

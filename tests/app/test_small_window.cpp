@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 1024 x 640 logical pixels are enough for every page and panel, for gloves too.
+// 960 x 600 logical pixels are enough for every page and panel, for gloves too.
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/appearance.h"
+#include "widgets/look/label_text.h"
+#include "widgets/monitor/word_card.h"
+#include "widgets/monitor/word_sender.h"
 #include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
@@ -16,9 +19,11 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPoint>
+#include <QPushButton>
 #include <QRect>
 #include <QSize>
 #include <QStatusBar>
+#include <QTest>
 #include <QTreeView>
 
 #include <gtest/gtest.h>
@@ -27,8 +32,8 @@
 namespace codewheel {
 namespace {
 
-constexpr QSize smallest(1024, 640);
-constexpr int titleBar = 30; // of a typical desktop, taken from the height
+constexpr QSize smallest(960, 600); // 1920 x 1200 at 200 %
+constexpr int titleBar = 30;        // of a typical desktop, taken from the height
 
 struct Case
 {
@@ -111,6 +116,26 @@ TEST_P(SmallWindow, HoldsEveryPanelAtTheBottomBelowEveryPage)
                         shows->trigger();
                         expectSmall(QStringLiteral("%1, %2").arg(action->text(), panel->windowTitle()));
                     }
+    }
+}
+
+// Whatever panel is open beside or below it.
+TEST_P(SmallWindow, LeavesWriteInSight)
+{
+    for (auto *panel : window().findChildren<QDockWidget *>()) {
+        panel->show();
+        panel->raise();
+        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier); // to the words
+        advance(50);
+        const auto *card = monitors().card(test::fraba);
+        ASSERT_NE(card, nullptr);
+        for (auto *button : card->findChildren<QPushButton *>())
+            if (button->isVisible() && plainLabel(button->text()) == WordSender::tr("Write")) {
+                const QPoint middle = button->mapTo(&window(), button->rect().center());
+                EXPECT_EQ(window().childAt(middle), button) << panel->windowTitle().toStdString();
+                EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect())
+                    << panel->windowTitle().toStdString();
+            }
     }
 }
 

@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-constexpr QSize small(1024, 640);
+constexpr QSize small(960, 600);
 constexpr QSize usual(1280, 800);
 constexpr QSize large(1920, 1080);
 

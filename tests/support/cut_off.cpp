@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTextEdit>
@@ -142,6 +143,8 @@ private:
 
     void lookAtTexts(QWidget &widget)
     {
+        if (qobject_cast<const QStatusBar *>(&widget) != nullptr)
+            return; // draws its hint below the widget that shows it
         const Scrolled by = scrolled(widget);
         for (const PaintedText &painted : paintedTexts(widget)) {
             const auto *button = qobject_cast<const QAbstractButton *>(&widget);

@@ -99,6 +99,8 @@ int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
     case PM_LayoutHorizontalSpacing:
     case PM_LayoutVerticalSpacing:
         return grid::unit;
+    case PM_TabBarTabHSpace:
+        return 2 * grid::margin;
     case PM_SmallIconSize:
     case PM_ToolBarIconSize:
         return m_largeControls ? larger(grid::smallIcon) : grid::smallIcon;

@@ -172,6 +172,23 @@ void WordCard::arrange(QHBoxLayout *title)
         rows->addWidget(note);
     }
     rows->addWidget(m_message);
+    orderTabs(*title);
+}
+
+// What is done to the word comes before what is done to the card.
+void WordCard::orderTabs(const QLayout &title)
+{
+    QWidget *last = m_bits;
+    const auto add = [&last](QWidget *widget) {
+        if ((widget->focusPolicy() & Qt::TabFocus) != 0)
+            setTabOrder(std::exchange(last, widget), widget);
+    };
+    for (const WordLine *line : m_lines)
+        for (QWidget *field : line->findChildren<QWidget *>())
+            add(field);
+    for (int i = 0; i < title.count(); ++i)
+        if (QWidget *button = title.itemAt(i)->widget())
+            add(button);
 }
 
 void WordCard::setStation(const QString &station)

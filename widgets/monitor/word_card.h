@@ -70,6 +70,7 @@ private:
     void makeLines();
     QHBoxLayout *makeTitle();
     void arrange(QHBoxLayout *title);
+    void orderTabs(const QLayout &title);
     void makeSender(WordSender &sender, NumberFields &numbers);
     void makeKeys();
     void makeTrendActions();
