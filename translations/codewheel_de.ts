@@ -2023,7 +2023,7 @@
     </message>
     <message>
         <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else: %1. Somebody else may write to it: stop the machine by its own means.</source>
-        <translation>Die Nullen des ALARM STOP wurden gesendet, aber OUT wurde anders zurückgelesen: %1. Vielleicht schreibt noch jemand darauf: Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+        <translation>Die Nullen des ALARM-STOPPs wurden gesendet, aber OUT wurde anders zurückgelesen: %1. Vielleicht schreibt noch jemand darauf: Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
     <message>
         <source>The gateway says that its ring runs again.</source>
@@ -2031,7 +2031,7 @@
     </message>
     <message>
         <source>The zeros of the ALARM STOP have not arrived yet: the gateway does not acknowledge them. The program goes on trying. Stop the machine by its own means.</source>
-        <translation>Die Nullen des ALARM STOP sind noch nicht angekommen: Das Gateway bestätigt sie nicht. Das Programm versucht es weiter. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen: Das Gateway bestätigt sie nicht. Das Programm versucht es weiter. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
     <message>
         <source>The watchdog of the gateway was acknowledged.</source>
@@ -2043,7 +2043,7 @@
     </message>
     <message>
         <source>ALARM STOP: all OUT words of the ring are set to 0.</source>
-        <translation>ALARM STOP: alle OUT-Worte des Rings werden auf 0 gesetzt.</translation>
+        <translation>ALARM-STOPP: alle OUT-Worte des Rings werden auf 0 gesetzt.</translation>
     </message>
 </context>
 <context>
@@ -3116,19 +3116,19 @@
     </message>
     <message>
         <source>The position was not set: the encoder shows %2, and would show %1. Make sure that its OUT word reaches it, then set the position again.</source>
-        <translation>Die Position wurde nicht gesetzt: Der Drehgeber zeigt %2 und würde sonst %1 zeigen. Stellen Sie sicher, dass sein OUT-Wort ihn erreicht, und setzen Sie die Position noch einmal.</translation>
+        <translation>Die Position wurde nicht gesetzt: Der Geber zeigt %2 und würde sonst %1 zeigen. Stellen Sie sicher, dass sein OUT-Wort ihn erreicht, und setzen Sie die Position noch einmal.</translation>
     </message>
     <message>
         <source>The position was not set: the encoder shows %2, and would show %1. It had used its preset up (preset flag 0): write the preset again, then set the position.</source>
-        <translation>Die Position wurde nicht gesetzt: Der Drehgeber zeigt %2 und würde sonst %1 zeigen. Sein Preset war verbraucht (Preset-Flag 0): Schreiben Sie den Preset neu, und setzen Sie dann die Position.</translation>
+        <translation>Die Position wurde nicht gesetzt: Der Geber zeigt %2 und würde sonst %1 zeigen. Sein Preset war verbraucht (Preset-Flag 0): Schreiben Sie den Preset neu, und setzen Sie dann die Position.</translation>
     </message>
     <message>
         <source>The preset was sent, but it is not known whether the position was set, since it is not known what the encoder has for: %1. It shows %2: compare that with the machine. It can be told where that value was written from here before.</source>
-        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt, weil nicht bekannt ist, was der Drehgeber hat für: %1. Er zeigt %2: Vergleichen Sie das mit der Maschine. Sagen lässt es sich, wenn dieser Wert vorher von hier geschrieben wurde.</translation>
+        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt, weil nicht bekannt ist, was der Geber hat für: %1. Er zeigt %2: Vergleichen Sie das mit der Maschine. Sagen lässt es sich, wenn dieser Wert vorher von hier geschrieben wurde.</translation>
     </message>
     <message>
         <source>The preset was sent, but it is not known whether the position was set: the encoder shows %1, which does not tell. Compare it with the machine before you go on.</source>
-        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt: Der Drehgeber zeigt %1, und das verrät es nicht. Vergleichen Sie es mit der Maschine, bevor Sie weitermachen.</translation>
+        <translation>Der Preset wurde gesendet, aber ob die Position gesetzt wurde, ist nicht bekannt: Der Geber zeigt %1, und das verrät es nicht. Vergleichen Sie es mit der Maschine, bevor Sie weitermachen.</translation>
     </message>
     <message>
         <source>The gateway says that its ring does not run (status register %1): what it shows is old. Start the ring at its master.</source>
@@ -3148,7 +3148,7 @@
     </message>
     <message>
         <source>%1 does not have all OUT registers of the ring as planned (%2), though it has the first. Nothing was sent. Compare the bus structure with the ring, and the first register of OUT with the manual of the gateway.</source>
-        <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Nichts wurde gesendet. Vergleichen Sie die Busstruktur mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
+        <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Nichts wurde gesendet. Vergleichen Sie den Busaufbau mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
     </message>
     <message>
         <source>No register is set that acknowledges the watchdog of this gateway. Enter it and its value, by the manual of the gateway, in the connection.</source>
@@ -7650,7 +7650,7 @@ wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dor
     </message>
     <message>
         <source>The zeros of the ALARM STOP have not arrived within %1 s. Stop the machine by its own means.</source>
-        <translation>Die Nullen des ALARM STOP sind innerhalb von %1 s nicht angekommen. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+        <translation>Die Nullen des ALARM-STOPPs sind innerhalb von %1 s nicht angekommen. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
     <message>
         <source>Connections that the gateway had closed while idle: %1. Stray bytes: %2. Echoes of our requests: %3.</source>
@@ -7689,6 +7689,14 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>with a second column of dates and times of day, with their offset from UTC</source>
+        <translation>mit einer zweiten Spalte für Datum und Uhrzeit samt Abstand zu UTC</translation>
+    </message>
+    <message>
+        <source>Give --locale or --dates, not both: with --locale the first column has dates and times of day.</source>
+        <translation>--locale oder --dates angeben, nicht beides: Mit --locale hat schon die erste Spalte Datum und Uhrzeit.</translation>
     </message>
 </context>
 <context>
@@ -10832,10 +10840,6 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>Page of the manual</source>
         <translation>Seite des Handbuchs</translation>
     </message>
-    <message>
-        <source>The manual is in English only.</source>
-        <translation>Das Handbuch gibt es nur auf Englisch.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::HelpSidebar</name>
@@ -10845,7 +10849,7 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
     <message>
         <source>Searches all pages for sections that have all these words (Ctrl+Shift+F)</source>
-        <translation>Sucht auf allen Seiten nach Abschnitten, die alle diese (englischen) Wörter enthalten (Strg+Umschalt+F)</translation>
+        <translation>Sucht auf allen Seiten nach Abschnitten, die alle diese Wörter enthalten (Strg+Umschalt+F)</translation>
     </message>
     <message>
         <source>Sections found</source>
@@ -10869,7 +10873,7 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
     <message>
         <source>No section of the manual has all these words.</source>
-        <translation>Kein Abschnitt des Handbuchs enthält alle diese Wörter. Es ist auf Englisch.</translation>
+        <translation>Kein Abschnitt des Handbuchs enthält alle diese Wörter.</translation>
     </message>
     <message numerus="yes">
         <source>%n sections</source>
@@ -11330,6 +11334,21 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>Key</source>
         <translation>Taste</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::KnownBeforeBar</name>
+    <message>
+        <source>Before it was connected anew this was known: %1 (%2). Is it the same encoder?</source>
+        <translation>Vor dem neuen Verbinden war bekannt: %1 (%2). Ist es derselbe Geber?</translation>
+    </message>
+    <message>
+        <source>The sa&amp;me</source>
+        <translation>Dersel&amp;be</translation>
+    </message>
+    <message>
+        <source>An&amp;other one</source>
+        <translation>Ein an&amp;derer</translation>
     </message>
 </context>
 <context>
@@ -12136,6 +12155,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>Line</source>
         <comment>name of a new bus</comment>
         <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>training line (simulated)</source>
+        <translation>Übungsleitung (simuliert)</translation>
     </message>
 </context>
 <context>
@@ -13239,6 +13262,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>&amp;Training bus</source>
         <translation>Übu&amp;ngsbus</translation>
     </message>
+    <message>
+        <source>The window is made anew once the transfer has ended.</source>
+        <translation>Das Fenster wird neu aufgebaut, sobald die Übertragung zu Ende ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -13740,6 +13767,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Reads what the dial needs from the encoder. That sends words, and hides the position for some cycles.</source>
         <translation>Liest aus dem Geber, was die Anzeige braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Its mode cannot be read: position, velocity or cam. It is known once you say it, or switch it from here.</source>
+        <translation>Die Betriebsart lässt sich nicht auslesen: Position, Drehzahl oder Nocken. Bekannt ist sie, sobald sie von Hand eingetragen oder von hier aus umgeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>It is in &amp;position mode</source>
+        <translation>Er ist im &amp;Positionsbetrieb</translation>
     </message>
 </context>
 <context>
@@ -14353,7 +14388,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>shows it in the bus structure and its monitor</source>
-        <translation>zeigt ihn in der Busstruktur und seinen Monitor</translation>
+        <translation>zeigt ihn im Busaufbau und seinen Monitor</translation>
     </message>
     <message>
         <source>shows it among the parameters, sends nothing</source>
@@ -14679,6 +14714,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>preset, zero, zero point</source>
         <translation>Preset, nullen, Nullpunkt</translation>
+    </message>
+    <message>
+        <source>What was being typed for the encoder before was not taken: %1 %2.</source>
+        <translation>Die angefangene Eingabe für den vorigen Geber wurde nicht übernommen: %1 %2.</translation>
     </message>
 </context>
 <context>
@@ -16236,6 +16275,33 @@ Zustand: %3 (%4)</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ReportPreview</name>
+    <message>
+        <source>Sheets of the report</source>
+        <translation>Blätter des Berichts</translation>
+    </message>
+    <message>
+        <source>The report as it will be saved or printed</source>
+        <translation>Der Bericht, wie er gespeichert oder gedruckt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>Asks where to save it, as a PDF or a web page</source>
+        <translation>Fragt, wo er gespeichert wird, als PDF oder Webseite</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Dr&amp;ucken…</translation>
+    </message>
+    <message>
+        <source>Asks for the printer</source>
+        <translation>Fragt nach dem Drucker</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportSheets</name>
     <message>
         <source>Page %1 of %2</source>
@@ -16746,6 +16812,10 @@ Zustand: %3 (%4)</translation>
         <comment>result</comment>
         <translation>%1 (nicht aktuell)</translation>
     </message>
+    <message>
+        <source>of a simulated encoder</source>
+        <translation>eines simulierten Gebers</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RequestField</name>
@@ -16980,7 +17050,7 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>exception %1: %2 times</source>
-        <translation>Ausnahme %1: %2-mal</translation>
+        <translation>Exception %1: %2-mal</translation>
     </message>
     <message>
         <source>Gateway</source>
@@ -16992,7 +17062,7 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>ALARM STOP has stopped the ring. Start it once it may run again.</source>
-        <translation>ALARM STOP hat den Ring angehalten. Starten, sobald er wieder laufen darf.</translation>
+        <translation>ALARM-STOPP hat den Ring angehalten. Starten, sobald er wieder laufen darf.</translation>
     </message>
     <message>
         <source>The ring was stopped from here. Start it.</source>
@@ -17261,11 +17331,11 @@ Zustand: %3 (%4)</translation>
     </message>
     <message>
         <source>A job that was cut has left %1 in OUT of %2. The encoder may show no position, and the controller gets none.</source>
-        <translation>Ein abgerissener Auftrag hat %1 in OUT von %2 hinterlassen. Der Drehgeber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
+        <translation>Ein abgerissener Auftrag hat %1 in OUT von %2 hinterlassen. Der Geber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
     </message>
     <message>
         <source>A job that was cut may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
-        <translation>Ein abgerissener Auftrag hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Drehgeber vielleicht keine Position.</translation>
+        <translation>Ein abgerissener Auftrag hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Geber vielleicht keine Position.</translation>
     </message>
 </context>
 <context>
@@ -19002,10 +19072,6 @@ Worte: IN %3, OUT %4</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>&amp;Handshake trace, at most</source>
-        <translation>Handshake-&amp;Protokoll, höchstens</translation>
-    </message>
-    <message>
         <source> rows</source>
         <comment>of a table</comment>
         <translation> Zeilen</translation>
@@ -19056,10 +19122,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Darüber hinaus fallen die ältesten Meldungen weg. Wirkt beim nächsten Start.</translation>
     </message>
     <message>
-        <source>Kept for each encoder while the program runs; the oldest are dropped.</source>
-        <translation>Je Geber, solange das Programm läuft; die ältesten fallen weg.</translation>
-    </message>
-    <message>
         <source>How often unsaved changes are kept in case of a crash. They are offered at the next start until they are recovered or discarded.</source>
         <translation>Wie oft nicht Gespeichertes für den Fall eines Absturzes aufgehoben wird. Beim nächsten Start wird es angeboten, bis es wiederhergestellt oder verworfen ist.</translation>
     </message>
@@ -19074,6 +19136,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Memory for what all encoders have shown while the program runs; the oldest is dropped. How far back it goes is shown on the page of the trend.</source>
         <translation>Speicher für das, was alle Geber gezeigt haben, solange das Programm läuft; das Älteste wird verworfen. Wie weit es zurückreicht, steht auf der Seite des Trends.</translation>
+    </message>
+    <message>
+        <source>&amp;Handshake trace and terminal, at most</source>
+        <translation>&amp;Handshake-Protokoll und Terminal, höchstens</translation>
+    </message>
+    <message>
+        <source>Kept for each encoder, and in the terminal of each serial line, while the program runs; the oldest are dropped.</source>
+        <translation>Je Geber, und im Terminal je serieller Leitung, solange das Programm läuft; die ältesten entfallen.</translation>
     </message>
 </context>
 <context>
@@ -21082,6 +21152,30 @@ Worte: IN %3, OUT %4</translation>
         <source>There is no other curve to begin with. Add one first.</source>
         <translation>Es gibt keine andere Kurve, mit der sie beginnen könnte. Zuerst eine hinzufügen.</translation>
     </message>
+    <message>
+        <source>There is no room for more curves. Remove some first.</source>
+        <translation>Für weitere Kurven ist kein Platz. Erst einige entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a curve of one of the recordings first.</source>
+        <translation>Erst eine Kurve einer der Aufzeichnungen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Lays the open recordings on each other: all begin together, with the same curves of each</source>
+        <translation>Legt die offenen Aufzeichnungen übereinander: Alle beginnen gemeinsam, mit den gleichen Kurven von jeder</translation>
+    </message>
+    <message>
+        <source>With a column of &amp;dates</source>
+        <translation>Mit &amp;Datumsspalte</translation>
+    </message>
+    <message>
+        <source>Beside the seconds: date and time of day, with the offset from UTC</source>
+        <translation>Neben den Sekunden: Datum und Uhrzeit samt Abstand zu UTC</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TrendValuesModel</name>
@@ -21667,10 +21761,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Bearbeitet den geplanten Bus</translation>
     </message>
     <message>
-        <source>Saves the commissioning report of the project as a PDF or a web page; sends nothing</source>
-        <translation>Speichert den Inbetriebnahmebericht des Projekts als PDF oder Webseite; sendet nichts</translation>
-    </message>
-    <message>
         <source>T&amp;ransfer</source>
         <translation>Ü&amp;bertragung</translation>
     </message>
@@ -21995,6 +22085,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>German, language</source>
         <translation>Deutsch, Sprache</translation>
+    </message>
+    <message>
+        <source>Shows the commissioning report of the project, and saves it as a PDF or a web page; sends nothing</source>
+        <translation>Zeigt den Inbetriebnahmebericht des Projekts und speichert ihn als PDF oder Webseite; sendet nichts</translation>
     </message>
 </context>
 <context>

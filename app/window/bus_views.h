@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QObject>
 
+#include <any>
 #include <vector>
 
 class QMenu;
@@ -20,6 +21,7 @@ namespace codewheel {
 
 class DevicePanel;
 class InlineMessage;
+struct ProgramSettings;
 class Leaving;
 class StatusLine;
 class StructureEditor;
@@ -73,8 +75,12 @@ public:
     // Whether a fault plan can be loaded now; loads it, and shows it or what is wrong with it.
     virtual bool takesFaultPlans() const { return false; }
     virtual void loadFaultPlan(const QString &) {}
-    virtual void showFrame() {} // with each frame of the window
-    virtual void compare() {}   // reports how its bus differs from the project
+    // What its pages have collected, for those in another language; its own are about to go.
+    virtual std::any takeWork() { return {}; }
+    virtual void goOn(const std::any &) {}
+    virtual void showFrame() {}                          // with each frame of the window
+    virtual void useSettings(const ProgramSettings &) {} // at first, and when they have changed
+    virtual void compare() {}                            // reports how its bus differs from the project
     // Whether an action that its faults name is available now; carries it out.
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}

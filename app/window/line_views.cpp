@@ -227,6 +227,22 @@ QAction *LineViews::actionFor(DataCheck::Action action) const
     }
 }
 
+void LineViews::useSettings(const ProgramSettings &settings)
+{
+    m_terminal->setMostRows(settings.traceRows);
+}
+
+std::any LineViews::takeWork()
+{
+    return m_terminal->takeRows();
+}
+
+void LineViews::goOn(const std::any &work)
+{
+    if (const auto *before = std::any_cast<LineTerminal::Collected>(&work))
+        m_terminal->goOn(*before);
+}
+
 void LineViews::open()
 {
     Q_EMIT panelRequested(linePanel);

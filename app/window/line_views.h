@@ -56,6 +56,9 @@ public:
     void connectTraining() override;
     void connectFound(const KindData &plan) override;
     void showFrame() override;
+    void useSettings(const ProgramSettings &settings) override;
+    std::any takeWork() override;
+    void goOn(const std::any &work) override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
     QAction *actionFor(DataCheck::Action action) const override;

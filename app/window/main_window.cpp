@@ -21,11 +21,13 @@
 #include "app/window/transfer_pages.h"
 #include "app/window/why_in_window.h"
 #include "app/window/window_layouts.h"
+#include "app/window/work_in_window.h"
 #include "bus/buses.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_pin.h"
+#include "widgets/input/undo_rule.h"
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/inline_message.h"
@@ -40,6 +42,8 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/trace/trace_view.h"
+#include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/transfer_page.h"
 #include "widgets/trend/trend_page.h"
 #include "widgets/wizard/parameter_wizard.h"
 
@@ -77,6 +81,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
 {
     setObjectName(QStringLiteral("mainWindow"));
     qApp->installEventFilter(new WheelRule(this));
+    qApp->installEventFilter(new UndoRule(this));
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
@@ -167,6 +172,62 @@ void MainWindow::showFirstTime()
         if (const auto turning = bus->turning(); turning && !m_dial->pinned())
             m_dial->pinForNow(*turning);
     m_panels.raise(panel::dial);
+}
+
+bool MainWindow::mayGo()
+{
+    if (m_transfer == nullptr || !m_transfer->isBusy())
+        return true;
+    m_notice->showMessage(Role::attention, tr("The window is made anew once the transfer has ended."));
+    return false;
+}
+
+WorkInWindow MainWindow::takeWork()
+{
+    WorkInWindow work;
+    if (m_plant == nullptr)
+        return work;
+    work = {.row = chosen().row,
+            .page = m_pages->currentIndex(),
+            .kindOfPage = m_pages->currentWidget()->metaObject()->className(),
+            .traces = m_trace->takeTraces(),
+            .wizard = m_wizard->takeUnderWay(),
+            .wanted = m_parameters->typed(),
+            .typed = typedTexts(*this)};
+    for (const auto &[bus, views] : m_views)
+        work.ofBuses[bus] = views->takeWork();
+    return work;
+}
+
+void MainWindow::goOn(WorkInWindow work)
+{
+    if (m_plant == nullptr)
+        return;
+    if (work.row)
+        m_structure->choose(*work.row);
+    m_trace->goOn(std::move(work.traces));
+    m_wizard->goOn(work.wizard);
+    for (const auto &[bus, its] : work.ofBuses)
+        if (BusViews *views = viewsOf(bus))
+            views->goOn(its);
+    showPageAgain(work.page, work.kindOfPage);
+    if (work.wanted)
+        m_parameters->goOn(*work.wanted);
+    typeAgain(*this, work.typed);
+}
+
+// Those that plan something when they are opened plan it anew.
+void MainWindow::showPageAgain(int page, const QByteArray &kind)
+{
+    QWidget *same = m_pages->widget(page);
+    if (same == nullptr || same->metaObject()->className() != kind)
+        return;
+    if (qobject_cast<TransferPage *>(same) != nullptr)
+        m_actions.transfer->trigger();
+    else if (qobject_cast<ReplacePage *>(same) != nullptr)
+        m_actions.replaceEncoder->trigger();
+    else
+        m_pages->setCurrentIndex(page);
 }
 
 std::optional<Place> MainWindow::pinnedDial() const

@@ -62,6 +62,7 @@ struct Track;
 class WantedValues;
 class WhyInWindow;
 class WindowLayouts;
+struct WorkInWindow;
 class WordChannel;
 
 // The window: menus, tool bar, panels around the open page (monitors, wizard, cams, structure editor,
@@ -81,6 +82,10 @@ public:
     void attach(Plant &plant, MessageModel &messages);
     // At the first start of all: what turns is pinned beside the monitor.
     void showFirstTime();
+    // What is under way here, for the window in another language, which goes on with it. This one goes.
+    bool mayGo(); // false while values are transferred, which the window does; it says so
+    WorkInWindow takeWork();
+    void goOn(WorkInWindow work); // once it is visible
     std::optional<Place> pinnedDial() const;
     void pinDial(Place place); // for this session
     // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
@@ -158,6 +163,7 @@ private:
     void goTo(Place place);        // a device, or without a node a bus
     EncoderBus *chosenBus() const; // null: no bus, or it has no session
     void showChosen();
+    void showPageAgain(int page, const QByteArray &kind);
     void makePages();
     void makeFinder();
     void connectProject();

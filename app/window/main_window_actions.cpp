@@ -94,6 +94,8 @@ void MainWindow::showSettings()
         language->setChecked(language->data().toString() == choices.language);
     if (m_trace != nullptr)
         m_trace->setMostRows(choices.traceRows);
+    for (const auto &[bus, views] : m_views)
+        views->useSettings(choices);
     if (m_plant != nullptr)
         m_plant->histories().setLimit(static_cast<std::size_t>(choices.trendMemory) << 20);
 }

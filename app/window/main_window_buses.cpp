@@ -72,6 +72,7 @@ void MainWindow::addViews(BusAtWork &bus, BusViews &views)
 {
     const BusId id = bus.id();
     m_views[id] = &views;
+    views.useSettings(m_settings.choices());
     for (const auto &[panel, page] : views.pages())
         m_panels.addPage(*panel, page);
     connect(&views, &BusViews::told, this, [this, id](Message message) {

@@ -9,12 +9,14 @@
 #include "app/window/recording_in_window.h"
 #include "app/window/start.h"
 #include "app/window/start_probe.h"
+#include "app/window/work_in_window.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QTimer>
 
 namespace codewheel {
 namespace {
@@ -22,6 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr qint64 megabyte = 1'000'000;
+constexpr auto betweenTriesToGo = 500ms;
 constexpr auto measuredRun = 2s; // after which a measured start ends
 
 } // namespace
@@ -164,16 +167,22 @@ void Program::useLanguage()
 // All texts are made with the window, so it is rebuilt; bus, jobs and messages go on.
 void Program::makeWindowAnew()
 {
+    if (!m_window->mayGo()) {
+        QTimer::singleShot(betweenTriesToGo, this, &Program::makeWindowAnew);
+        return;
+    }
     m_window->saveWindow();
     useLanguage();
     const bool visible = m_window->isVisible();
     const auto pinned = m_window->pinnedDial();
+    WorkInWindow work = m_window->takeWork();
     const bool showsRecording = m_plant && m_window->recording().showsDetails();
     m_window.reset();
     openWindow();
     if (pinned)
         m_window->pinDial(*pinned);
     m_window->setVisible(visible);
+    m_window->goOn(std::move(work));
     if (showsRecording)
         m_window->recording().openDetails();
     m_choices.goOnIn(*m_window);

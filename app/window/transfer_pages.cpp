@@ -89,6 +89,11 @@ void TransferPages::showActions()
                  "it again"));
 }
 
+bool TransferPages::isBusy() const
+{
+    return m_transfer->isBusy() || m_replace->isBusy();
+}
+
 void TransferPages::showTransfer()
 {
     m_pages.setCurrentWidget(m_transfer);

@@ -33,6 +33,7 @@ public:
 
     // The encoder chosen in the window.
     void setEncoder(const ShownEncoder &shown);
+    bool isBusy() const; // encoders are being written
 
 Q_SIGNALS:
     void told(const codewheel::Message &message);

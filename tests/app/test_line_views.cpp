@@ -13,6 +13,7 @@
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
+#include "widgets/models/traffic_model.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/training/line_training_panel.h"
@@ -22,6 +23,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTableView>
 #include <QTest>
@@ -387,6 +389,17 @@ TEST_F(LineViewsTest, APortIsPlannedWithoutBeingOpened)
     shown->project().undoStack().undo();
     const LinePlan *before = linePlan(project(), firstLine);
     EXPECT_TRUE(before == nullptr || before->settings.port.isEmpty());
+}
+
+TEST_F(LineViewsTest, TheTerminalKeepsAsManyRowsAsTheSettingsSay)
+{
+    QSettings(folder.filePath(QStringLiteral("window.ini")), QSettings::IniFormat)
+        .setValue(QStringLiteral("trace/mostRows"), 1'000);
+    open();
+    advance(60'000);
+    const auto *rows = view<LineTerminal>().findChild<TrafficModel *>();
+    EXPECT_LE(rows->rowCount() + rows->waiting(), 1'000);
+    EXPECT_GT(rows->rowCount() + rows->waiting(), 500) << "of some thousands";
 }
 
 } // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/input/checked_delegate.h"
 
+#include "widgets/input/form_focus.h"
 #include "widgets/input/input_mark.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QLineEdit>
 #include <QPersistentModelIndex>
 #include <QValidator>
@@ -73,14 +75,26 @@ bool CheckedDelegate::eventFilter(QObject *object, QEvent *event)
         m_open = field;
         field->parent()->installEventFilter(this);
         field->parent()->parent()->installEventFilter(this);
+        new FormFocus(*field, [this, field] { takeWaiting(*field); });
     }
     if (event->type() == QEvent::FocusOut && field != nullptr) {
         if (field->window()->isHidden()) // it closes with its window, rather than being left
             return true;
         if (!field->hasAcceptableInput())
             return false;
+        if (field->isModified() && !isInSameForm(*field, QApplication::focusWidget()))
+            return false; // it waits: Qt would take it for whatever is chosen elsewhere
     }
     return QStyledItemDelegate::eventFilter(object, event);
+}
+
+// The focus has come back to its form.
+void CheckedDelegate::takeWaiting(QLineEdit &field)
+{
+    if (!field.isVisible() || !field.hasAcceptableInput())
+        return;
+    Q_EMIT commitData(&field);
+    Q_EMIT closeEditor(&field);
 }
 
 // The view would close the field for another cell, and what was typed would be lost.

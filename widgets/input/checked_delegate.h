@@ -11,7 +11,8 @@
 namespace codewheel {
 
 // Fields in the cells of a table. Refused input is not taken and its field stays open, marked, to be
-// corrected, whatever else in the table is clicked; Esc restores the previous value.
+// corrected, whatever else in the table is clicked; Esc restores the previous value. What is being typed
+// while the focus goes to another page or panel waits, until it comes back to this one.
 class CheckedDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -37,6 +38,7 @@ protected:
 
 private:
     bool isHeldOff(QEvent::Type type) const;
+    void takeWaiting(QLineEdit &field);
 
     Complaint m_complaint;
     QPointer<QLineEdit> m_open; // the field that was opened last

@@ -62,6 +62,15 @@ void StepTable::showSteps(const DeviceDescription &device, const std::vector<Ste
         removeAt(rowCount() - 1);
 }
 
+void StepTable::goOnFrom(const DeviceDescription &device, std::vector<StepRow> rows, int current)
+{
+    m_isOnLine = !device.hasWords();
+    for (StepRow &row : rows)
+        row.what = stepText(device, row.step);
+    setRows(std::move(rows));
+    m_current = current;
+}
+
 void StepTable::begin()
 {
     m_current = -1;

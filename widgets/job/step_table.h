@@ -36,6 +36,8 @@ public:
 
     // Keeps rows that are the same.
     void showSteps(const DeviceDescription &device, const std::vector<Step> &steps);
+    // Has the steps and answers of another table.
+    void goOnFrom(const DeviceDescription &device, std::vector<StepRow> rows, int current);
     void begin(); // no answers yet, all planned
     // steps[index] waits for the user, or is on its way; those before are done.
     void setCurrent(int index, bool waitsForUser);

@@ -57,6 +57,23 @@ std::vector<LineRecord::Row> recordRows(const TrafficModel &model)
 
 } // namespace
 
+LineTerminal::Collected LineTerminal::takeRows()
+{
+    m_rows->setParent(nullptr);
+    return {std::shared_ptr<const TrafficModel>(m_rows), m_begin};
+}
+
+void LineTerminal::goOn(const Collected &before)
+{
+    m_rows->goOnFrom(*before.rows);
+    m_begin = before.begin;
+}
+
+void LineTerminal::setMostRows(int rows)
+{
+    m_rows->setMost(rows);
+}
+
 void LineTerminal::setLine(LineSession *line)
 {
     if (m_line)

@@ -39,9 +39,19 @@ public:
 
     void setLine(codewheel::LineSession *line); // null: none
     void setExplainOptions(const esc::ExplainOptions &options);
+    void setMostRows(int rows); // beyond these the oldest are dropped
     // The typed requests, oldest first, for the settings.
     QStringList history() const;
     void setHistory(const QStringList &history);
+
+    // What was collected, for the terminal in another language.
+    struct Collected
+    {
+        std::shared_ptr<const TrafficModel> rows;
+        QDateTime begin;
+    };
+    Collected takeRows(); // it is about to go
+    void goOn(const Collected &before);
 
     // They report on the spot what went wrong.
     bool save(const QString &path);       // all rows, docs/line-sessions.md

@@ -193,6 +193,15 @@ void TrafficModel::clear()
     Q_EMIT countsChanged();
 }
 
+void TrafficModel::goOnFrom(const TrafficModel &before)
+{
+    setRows(before.rows());
+    m_waiting = before.m_waiting;
+    m_last = before.m_last;
+    m_dropped = before.m_dropped;
+    Q_EMIT countsChanged();
+}
+
 void TrafficModel::bringBack()
 {
     bringRowsBack();

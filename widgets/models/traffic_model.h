@@ -44,6 +44,8 @@ public:
     // The last exchange, which began with sending this, was typed: marks all its rows.
     void markTyped(const QByteArray &sent);
     void tellMeaningsChanged();
+    // Has the rows of another model, in place of its own.
+    void goOnFrom(const TrafficModel &before);
     // Removes all rows, including waiting ones; bringBack() restores them before newer ones.
     void clear();
     void bringBack();

@@ -7,6 +7,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/job/job_strip.h"
+#include "widgets/job/known_before_bar.h"
 #include "widgets/job/outcome_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
@@ -69,6 +70,7 @@ QWidget *ParameterPanel::makeTablePage()
     m_differences = new RoleLabel(page);
     m_message = new InlineMessage(page);
     m_message->setObjectName(QStringLiteral("panelMessage"));
+    m_before = new KnownBeforeBar(page);
     m_bar = new ValueBar(page);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
@@ -81,9 +83,10 @@ QWidget *ParameterPanel::makeTablePage()
     m_valueNotes = smallText();
     m_note = smallText();
 
-    layOutColumn(page,
-                 {{m_table, 1}, m_message, m_bar, m_differences, m_valueNotes, m_buttons, m_job, m_note},
-                 {.margins = QMargins()});
+    layOutColumn(
+        page,
+        {{m_table, 1}, m_before, m_message, m_bar, m_differences, m_valueNotes, m_buttons, m_job, m_note},
+        {.margins = QMargins()});
     return page;
 }
 
@@ -165,10 +168,12 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
 {
     if (session() != nullptr)
         session()->disconnect(this);
+    const auto typed = m_table->typed();
     m_encoder = encoder;
     m_message->withdraw();
     m_bar->hide();
     m_model->setEncoder(encoder);
+    m_before->setEncoder(session());
     m_job->setEncoder(session());
     m_functions->setEncoder(session());
     const bool hasParameters = encoder.isThere() && !encoder.device().parameters.empty();
@@ -183,6 +188,10 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
     m_table->setCurrentIndex(m_model->index(0, ParameterModel::wantedColumn));
     showWhatIsPossible();
     showRunningJob();
+    if (typed)
+        m_message->showMessage(Role::attention,
+                               tr("What was being typed for the encoder before was not taken: %1 %2.")
+                                   .arg(parameterName(typed->parameter), typed->text));
 }
 
 QAction &ParameterPanel::isInPositionMode() const

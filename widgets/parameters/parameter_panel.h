@@ -4,6 +4,7 @@
 #include "widgets/look/roles.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/monitor/word_format.h"
+#include "widgets/parameters/parameter_table.h"
 
 #include <QWidget>
 
@@ -19,9 +20,9 @@ class CopyMenu;
 class EmptyState;
 class EncoderFunctions;
 class InlineMessage;
+class KnownBeforeBar;
 class JobStrip;
 class ParameterModel;
-class ParameterTable;
 class PresetReview;
 class RoleLabel;
 class ValueBar;
@@ -38,6 +39,9 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
 
+    // What is being typed in the table, and typed again in the panel in another language.
+    std::optional<ParameterTable::Typed> typed() const { return m_table->typed(); }
+    void goOn(const ParameterTable::Typed &typed) { m_table->goOn(typed); }
     void setEncoder(const codewheel::ShownEncoder &encoder);
     // Modes, FRABA preset, reset: for the menu here and that of the window.
     QList<QAction *> functionActions() const;
@@ -98,6 +102,7 @@ private:
     RoleLabel *m_differences = nullptr;
     QLabel *m_valueNotes = nullptr;
     QLabel *m_note = nullptr;
+    KnownBeforeBar *m_before = nullptr;
     InlineMessage *m_message = nullptr;
     ValueBar *m_bar = nullptr;
     QWidget *m_buttons = nullptr; // or, while a job runs,

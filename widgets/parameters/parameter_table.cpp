@@ -56,6 +56,27 @@ bool ParameterTable::finishEditing()
     return true;
 }
 
+std::optional<ParameterTable::Typed> ParameterTable::typed() const
+{
+    for (const NumberInput *input : viewport()->findChildren<NumberInput *>())
+        if (input->isVisible() && input->isModified())
+            return Typed{input->parameter(), input->text()};
+    return {};
+}
+
+void ParameterTable::goOn(const Typed &typed)
+{
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (m_model.rowAt(row).isHead() || m_model.rowAt(row).parameter.parameter != typed.parameter)
+            continue;
+        edit(m_model.index(row, ParameterModel::wantedColumn));
+        for (NumberInput *input : viewport()->findChildren<NumberInput *>()) {
+            input->setText(typed.text);
+            input->setModified(true);
+        }
+    }
+}
+
 bool ParameterTable::hasWantedValue(int row) const
 {
     return !m_model.rowAt(row).isReadOnly() || m_model.rowAt(row).isTold();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/parameter.h"
 #include "widgets/help/key_help.h"
 
 #include <QTableView>
+
+#include <optional>
 
 namespace codewheel {
 
@@ -21,7 +24,15 @@ public:
 
     // False while what is typed is bad; the focus is then back in its field.
     bool finishEditing();
-    static QList<KeyHelp> keys(); // that it handles
+    // In a field that is open, and not taken; empty: nothing.
+    struct Typed
+    {
+        Parameter parameter;
+        QString text;
+    };
+    std::optional<Typed> typed() const;
+    void goOn(const Typed &typed); // opens the field again
+    static QList<KeyHelp> keys();  // that it handles
 
 Q_SIGNALS:
     void inputChecked(const QString &wrong); // empty: good, or given up

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/value_field.h"
 
+#include "widgets/input/form_focus.h"
 #include "widgets/look/layouts.h"
 #include "widgets/parameters/value_input.h"
 
@@ -8,6 +9,21 @@
 #include <QKeyEvent>
 
 namespace codewheel {
+namespace {
+
+// What was taken is undone by the project from here on, not letter by letter.
+void forgetTyping(QLineEdit &field)
+{
+    const int cursor = field.cursorPosition();
+    const bool isSelected = field.hasSelectedText();
+    field.setText(QString(field.text()));
+    if (isSelected)
+        field.selectAll();
+    else
+        field.setCursorPosition(cursor);
+}
+
+} // namespace
 
 ValueField::ValueField(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent)
     : QWidget(parent)
@@ -16,7 +32,7 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     m_input->setObjectName(parameterKey(parameter.parameter));
     layOutRow(this, {m_input}, {.margins = QMargins()});
     setFocusProxy(m_input);
-    if (const auto *number = qobject_cast<NumberInput *>(m_input)) {
+    if (auto *number = qobject_cast<NumberInput *>(m_input)) {
         m_input->installEventFilter(this);
         connect(number, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
         connect(number, &QLineEdit::textChanged, this, [this] {
@@ -24,8 +40,11 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
             if (!std::exchange(m_isTyped, false))
                 takeText();
         });
-        connect(number, &QLineEdit::editingFinished, this, &ValueField::takeText);
-        connect(number, &QLineEdit::returnPressed, this, &ValueField::entered);
+        connect(number, &QLineEdit::returnPressed, this, [this] {
+            takeText();
+            Q_EMIT entered();
+        });
+        new FormFocus(*number, [this] { takeText(); });
     } else {
         connect(static_cast<QComboBox *>(m_input), &QComboBox::currentIndexChanged, this,
                 &ValueField::edited);
@@ -61,11 +80,19 @@ bool ValueField::eventFilter(QObject *input, QEvent *event)
 
 void ValueField::takeText()
 {
-    const QString text = static_cast<const NumberInput *>(m_input)->text();
+    auto *number = static_cast<NumberInput *>(m_input);
+    const QString text = number->text();
     if (!value() || signalsBlocked() || text == m_taken)
         return;
     m_taken = text;
+    forgetTyping(*number);
     Q_EMIT edited();
+}
+
+bool ValueField::isBeingTyped() const
+{
+    const auto *number = qobject_cast<NumberInput *>(m_input);
+    return number != nullptr && number->text() != m_taken;
 }
 
 Result<std::optional<std::int64_t>> ValueField::value() const

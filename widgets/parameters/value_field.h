@@ -22,12 +22,14 @@ public:
     ~ValueField() override;
 
     void setValue(std::optional<std::int64_t> value);
+    bool isBeingTyped() const; // and not taken yet
     // Nothing: empty. Refused: not a number, or out of the parameter's range.
     Result<std::optional<std::int64_t>> value() const;
 
 Q_SIGNALS:
-    // Not by setValue(). typed: the text has changed. edited: a value was taken, because the field was left,
-    // Return was pressed, a choice was made, or a screen reader has set it. Refused input is not taken.
+    // Not by setValue(). typed: the text has changed. edited: a value was taken, because the focus went to
+    // another part of its form (FormFocus), Return was pressed, a choice was made, or a screen reader has set
+    // it. Refused input is not taken.
     void typed();
     void edited();
     void entered(); // Return in a valid number

@@ -20,6 +20,7 @@ class NumberInput : public QLineEdit
 public:
     NumberInput(ParameterDescription parameter, QWidget *parent = nullptr);
 
+    Parameter parameter() const { return m_parameter.parameter; }
     void setValue(std::optional<std::int64_t> value);
     Result<std::optional<std::int64_t>> value() const;
 

@@ -11,6 +11,7 @@ namespace codewheel {
 ProjectDocument::ProjectDocument(QObject *parent)
     : QObject(parent)
 {
+    m_undo.setUndoLimit(mostSteps);
     connect(&m_undo, &QUndoStack::cleanChanged, this, [this] { Q_EMIT savedChanged(isSaved()); });
 }
 

@@ -73,6 +73,7 @@ public:
     void renumber(Place from, Place to, const QString &what);
     Gesture newGesture() { return ++m_lastGesture; }
 
+    static constexpr int mostSteps = 1'000; // to be undone; older ones are dropped
     QUndoStack &undoStack() { return m_undo; }
 
 Q_SIGNALS:

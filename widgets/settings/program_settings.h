@@ -19,7 +19,7 @@ struct ProgramSettings
     int framesPerSecond = 30;
     int eepromQuestionFrom = 75;    // percent of the manual's figure; never more
     int largestMessageFile = 200;   // MB
-    int traceRows = 20'000;         // of one encoder
+    int traceRows = 20'000;         // of one encoder, or of the terminal of a line
     int trendMemory = 256;          // MB, for all encoders together
     int secondsBetweenKeeping = 30; // of unsaved changes, for recovery after a crash
 

@@ -151,9 +151,11 @@ void SettingsDialog::makeKept(const std::vector<KeptFolder> &folders)
         addNumber(form, tr("&Messages, at most"), tr(" MB", "megabytes"),
                   tr("Beyond this, the oldest messages are dropped. Takes effect at the next start."),
                   messageFileRange);
-    m_traceRows = addNumber(form, tr("&Handshake trace, at most"), tr(" rows", "of a table"),
-                            tr("Kept for each encoder while the program runs; the oldest are dropped."),
-                            traceRowsRange);
+    m_traceRows =
+        addNumber(form, tr("&Handshake trace and terminal, at most"), tr(" rows", "of a table"),
+                  tr("Kept for each encoder, and in the terminal of each serial line, while the program "
+                     "runs; the oldest are dropped."),
+                  traceRowsRange);
     m_trendMemory =
         addNumber(form, tr("&Trend, at most"), tr(" MB", "megabytes"),
                   tr("Memory for what all encoders have shown while the program runs; the oldest is "

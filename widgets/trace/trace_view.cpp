@@ -138,23 +138,43 @@ void TraceView::collect(const EncoderSession &encoder)
     if (collected.rows && collected.device == encoder.device())
         return;
     const auto columns = m_buses.open(encoder.place().bus)->trafficColumns();
-    const bool isShown = collected.rows && collected.rows.get() == m_shown;
-    auto fresh = std::make_unique<TrafficModel>(columns, m_mostRows);
-    fresh->setHeld(m_hold->isChecked());
-    connect(fresh.get(), &TrafficModel::countsChanged, this, [this, changed = fresh.get()] {
-        if (changed == m_shown)
+    keep(encoder.place(), {encoder.device(), std::make_unique<TrafficModel>(columns, m_mostRows)});
+}
+
+// In place of what was collected there.
+void TraceView::keep(Place place, Collected fresh)
+{
+    TrafficModel *rows = fresh.rows.get();
+    rows->setHeld(m_hold->isChecked());
+    connect(rows, &TrafficModel::countsChanged, this, [this, rows] {
+        if (rows == m_shown)
             showCounts();
     });
-    connect(fresh.get(), &QAbstractItemModel::rowsInserted, this,
-            [this, changed = fresh.get()](const QModelIndex &, int first, int last) {
-                if (changed == m_shown)
+    connect(rows, &QAbstractItemModel::rowsInserted, this,
+            [this, rows](const QModelIndex &, int first, int last) {
+                if (rows == m_shown)
                     makeRoom(first, last);
             });
-    if (isShown) {
-        m_shown = fresh.get();
+    Collected &collected = m_collected[place];
+    if (collected.rows && collected.rows.get() == m_shown) {
+        m_shown = rows;
         showModel();
     }
-    collected = {encoder.device(), std::move(fresh)};
+    collected = std::move(fresh);
+}
+
+TraceView::Traces TraceView::takeTraces()
+{
+    m_shown = nullptr;
+    showModel();
+    return std::exchange(m_collected, {});
+}
+
+void TraceView::goOn(Traces traces)
+{
+    for (auto &[place, collected] : traces)
+        if (collected.rows)
+            keep(place, std::move(collected));
 }
 
 void TraceView::add(const TrafficRow &row)

@@ -43,6 +43,16 @@ public:
     outWords(Place place) const;             // that it has, oldest first, without what stood there at first
     TrafficModel *model(Place number) const; // null: nothing was collected for it
 
+    // What was collected, for the view in another language.
+    struct Collected
+    {
+        DeviceDescription device;
+        std::unique_ptr<TrafficModel> rows{};
+    };
+    using Traces = std::map<Place, Collected>;
+    Traces takeTraces();
+    void goOn(Traces traces);
+
     // UTF-8, comma-separated (docs/manual/sequence-and-trace.md). Reports on the spot what went wrong.
     bool exportTo(const QString &path);
     void exportRows(); // asks for the file
@@ -52,15 +62,10 @@ Q_SIGNALS:
     void goToWanted(codewheel::Place place);
 
 private:
-    struct Collected
-    {
-        DeviceDescription device;
-        std::unique_ptr<TrafficModel> rows{};
-    };
-
     // Sessions come and go with the connection; a trace stays as long as the device is the same.
     void watchEncoders();
     void collect(const EncoderSession &encoder);
+    void keep(Place place, Collected fresh);
     void add(const TrafficRow &row);
     void beginAnew(); // of the bus that says so
     void makeTable();
@@ -76,7 +81,7 @@ private:
     void copyWords(WordNotation notation); // OUT and IN
 
     Buses &m_buses;
-    std::map<Place, Collected> m_collected;
+    Traces m_collected;
     TrafficModel *m_shown = nullptr;
     int m_mostRows = 20'000;
     QStackedWidget *m_pages;

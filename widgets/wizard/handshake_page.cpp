@@ -102,6 +102,21 @@ void HandshakePage::enter()
     showWords();
 }
 
+void HandshakePage::resume(const UnderWay &before)
+{
+    const DeviceDescription &device = m_setup.encoder->device();
+    const Progress &progress = m_setup.record.progress;
+    m_work = before.work;
+    m_cancel->begin(m_setup.encoder);
+    m_cancel->follow(progress);
+    m_steps.goOnFrom(device, before.steps, before.current);
+    showEnd();
+    if (isBusy())
+        showWhereItIs(progress);
+    showWords();
+    Q_EMIT changed();
+}
+
 void HandshakePage::start()
 {
     EncoderSession &encoder = *m_setup.encoder;
@@ -111,18 +126,18 @@ void HandshakePage::start()
     record.device = encoder.device().fullName();
     record.serialNumber = m_setup.valueNow(Parameter::serialNumber);
     record.job = jobForWish(encoder, m_setup.wish);
-    m_jobs = jobsForWish(encoder, m_setup.wish);
-    m_done = {};
+    m_work.jobs = jobsForWish(encoder, m_setup.wish);
+    m_work.done = {};
     record.setPositionTo = m_setup.wish.setPositionTo;
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
     record.begun = encoder.dateTime(encoder.latest().at);
-    m_isRecovery = m_isCancelled = false;
+    m_work.isRecovery = m_work.isCancelled = false;
     m_cancel->begin(&encoder);
     m_steps.begin();
     m_problem->withdraw();
     m_state->setState(Role::inactive, tr("Begins"));
-    m_job.reset();
+    m_work.job.reset();
     if (const auto started = startJob(); !started)
         m_problem->showMessage(Role::attention, refusalText(started.error()), tr("Try again"));
     showEnd();
@@ -132,11 +147,12 @@ void HandshakePage::start()
 // Starts the first of the remaining jobs.
 Result<void> HandshakePage::startJob()
 {
-    const auto job = m_setup.encoder->start(m_jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
+    const auto job =
+        m_setup.encoder->start(m_work.jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
     if (!job)
         return tl::unexpected(job.error());
-    m_job = *job;
-    m_jobs.erase(m_jobs.begin());
+    m_work.job = *job;
+    m_work.jobs.erase(m_work.jobs.begin());
     return {};
 }
 
@@ -156,12 +172,18 @@ void HandshakePage::setByItself(bool on)
 void HandshakePage::showProgress()
 {
     Progress &progress = m_setup.record.progress;
-    if (m_job != progress.job)
+    if (m_work.job != progress.job)
         return;
-    if (!m_isRecovery)
-        progress = m_done.followedBy(progress);
+    if (!m_work.isRecovery)
+        progress = m_work.done.followedBy(progress);
     m_steps.showSteps(m_setup.encoder->device(), progress.steps);
     m_steps.setCurrent(progress.index, progress.waitsForUser);
+    showWhereItIs(progress);
+    m_cancel->follow(progress);
+}
+
+void HandshakePage::showWhereItIs(const Progress &progress)
+{
     m_view->scrollTo(m_steps.index(progress.index, 0));
     m_state->setState(Role::running, tr("Step %1 of %2").arg(progress.index + 1).arg(progress.steps.size()));
     const bool waits = progress.waitsForUser && m_setup.byHand;
@@ -170,13 +192,12 @@ void HandshakePage::showProgress()
         m_next->setFocus();
     else if (progress.waitsForUser)
         m_setup.encoder->proceed();
-    m_cancel->follow(progress);
 }
 
 void HandshakePage::showRow(const Exchange &row)
 {
-    m_outNow = row.out;
-    if (!m_job)
+    m_work.outNow = row.out;
+    if (!m_work.job)
         return;
     m_steps.answer(row);
     showWords();
@@ -207,28 +228,29 @@ void HandshakePage::showWords()
                                                     .counterpart = other}));
     };
     m_out->setText(
-        tr("OUT %1  %2").arg(hexWord(m_outNow), meaning(m_outNow, reading.in, WordDirection::out)));
+        tr("OUT %1  %2").arg(hexWord(m_work.outNow), meaning(m_work.outNow, reading.in, WordDirection::out)));
     m_in->setText(
-        tr("IN  %1  %2").arg(hexWord(reading.in), meaning(reading.in, m_outNow, WordDirection::in)));
+        tr("IN  %1  %2").arg(hexWord(reading.in), meaning(reading.in, m_work.outNow, WordDirection::in)));
 }
 
 void HandshakePage::showOutcome(const Outcome &ended)
 {
-    if (m_job != ended.job)
+    if (m_work.job != ended.job)
         return;
-    m_job.reset();
+    m_work.job.reset();
     HandshakeRecord &record = m_setup.record;
-    Outcome outcome = m_isRecovery ? ended : m_done.followedBy(ended);
-    if (!m_isRecovery && outcome.result && !m_jobs.empty()) {
-        m_done.add(record.progress.steps, ended);
-        const auto started =
-            m_isCancelled ? Result<void>(refuse(RefusalKind::stopped, RefusalId::cancelled)) : startJob();
+    Outcome outcome = m_work.isRecovery ? ended : m_work.done.followedBy(ended);
+    if (!m_work.isRecovery && outcome.result && !m_work.jobs.empty()) {
+        m_work.done.add(record.progress.steps, ended);
+        const auto started = m_work.isCancelled
+                                 ? Result<void>(refuse(RefusalKind::stopped, RefusalId::cancelled))
+                                 : startJob();
         if (started)
             return;
         outcome.result = tl::unexpected(started.error());
     }
-    (m_isRecovery ? record.recovery : record.outcome) = outcome;
-    m_endedAt = m_setup.encoder->latest().at;
+    (m_work.isRecovery ? record.recovery : record.outcome) = outcome;
+    m_work.endedAt = m_setup.encoder->latest().at;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
     if (!m_setup.encoder->device().hasWords())
@@ -246,7 +268,8 @@ void HandshakePage::showOutcome(const Outcome &ended)
 EncoderState HandshakePage::stateNow(const Outcome &last) const
 {
     const EncoderSession &encoder = *m_setup.encoder;
-    const bool isSeenAgain = encoder.freshness().isLive() && encoder.latest().at > m_endedAt + settlesWithin;
+    const bool isSeenAgain =
+        encoder.freshness().isLive() && encoder.latest().at > m_work.endedAt + settlesWithin;
     return isSeenAgain ? encoder.latest().state : last.leftIn;
 }
 
@@ -275,8 +298,8 @@ void HandshakePage::showEnd()
         m_problem->withdraw();
         if (last->onlyZeroSinceRun)
             m_problem->showMessage(Role::attention, messageText({.id = MessageId::onlyZeroSinceRun}));
-        m_state->setState(Role::running, m_isRecovery ? tr("Brought back") : tr("Verified"));
-        if (!m_isRecovery)
+        m_state->setState(Role::running, m_work.isRecovery ? tr("Brought back") : tr("Verified"));
+        if (!m_work.isRecovery)
             m_leftIn->setText(tr("Verified: %1. %2")
                                   .arg(verificationText(record, m_setup.encoder->device()), endText(*last)));
         return;
@@ -290,11 +313,11 @@ void HandshakePage::showEnd()
 
 bool HandshakePage::cancel()
 {
-    if (!m_job)
+    if (!m_work.job)
         return true;
-    m_isCancelled = true;
+    m_work.isCancelled = true;
     m_cancel->cancel();
-    return m_isCancelled || !m_job;
+    return m_work.isCancelled || !m_work.job;
 }
 
 CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Progress &progress) const
@@ -311,13 +334,13 @@ CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Pr
 
 void HandshakePage::leaveEncoder(OnCancel how)
 {
-    if (m_job)
+    if (m_work.job)
         m_setup.encoder->cancel(how);
 }
 
 void HandshakePage::goOn()
 {
-    m_isCancelled = false;
+    m_work.isCancelled = false;
 }
 
 void HandshakePage::bringBack(bool restore)
@@ -332,10 +355,10 @@ void HandshakePage::bringBack(bool restore)
         m_problem->showMessage(Role::attention, refusalText(started.error()));
         return;
     }
-    m_isRecovery = true;
-    m_isCancelled = false;
+    m_work.isRecovery = true;
+    m_work.isCancelled = false;
     m_cancel->begin(m_setup.encoder);
-    m_job = *started;
+    m_work.job = *started;
     m_steps.begin();
     m_problem->withdraw();
     showEnd();

@@ -34,8 +34,28 @@ public:
     void showProgress() override;
     void showOutcome(const Outcome &ended) override;
 
+    // What is under way, for the page in another language.
+    struct Work
+    {
+        std::vector<Job> jobs{};    // to come
+        DoneJobs done{};            // before the running one
+        std::optional<JobId> job{}; // of the handshake, or bringing the encoder back
+        bool isRecovery = false;
+        bool isCancelled = false;
+        Word outNow = 0;
+        Instant endedAt{};
+    };
+    struct UnderWay
+    {
+        Work work;
+        std::vector<StepRow> steps;
+        int current = -1;
+    };
+    UnderWay underWay() const { return {m_work, m_steps.rows(), m_steps.current()}; }
+    void resume(const UnderWay &before); // after enter()
+
     void start(); // by hand it sends nothing, otherwise the first word
-    bool isBusy() const { return m_job.has_value(); }
+    bool isBusy() const { return m_work.job.has_value(); }
     // Asks if the encoder has taken something, perhaps a moment later. False: the user goes on with the
     // handshake.
     bool cancel();
@@ -46,6 +66,7 @@ private:
     void nextStep();
     void setByItself(bool on);
     void bringBack(bool restore);
+    void showWhereItIs(const Progress &progress);
     void showEnd();
     EncoderState stateNow(const Outcome &last) const;
     void showWords();
@@ -65,13 +86,7 @@ private:
     QPushButton *m_restore;
     QPushButton *m_run;
     JobCancel *m_cancel;
-    std::vector<Job> m_jobs;    // to come
-    DoneJobs m_done;            // before the running one
-    std::optional<JobId> m_job; // of the handshake, or bringing the encoder back
-    bool m_isRecovery = false;
-    bool m_isCancelled = false;
-    Word m_outNow = 0;
-    Instant m_endedAt{};
+    Work m_work;
     EncoderState m_shownState = EncoderState::notSeen; // in the sentence about the end
 };
 

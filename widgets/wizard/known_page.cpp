@@ -3,7 +3,9 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "encoder/position_mode.h"
 #include "encoder/refusal_text.h"
+#include "widgets/job/known_before_bar.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fitted_columns.h"
@@ -22,9 +24,6 @@
 
 namespace codewheel {
 namespace {
-
-// Entered as start-up mode 1: position as K3 (FRABA manual 10.2).
-constexpr std::int64_t startUpAsK3 = 1;
 
 ReadParameters everythingOf(const DeviceDescription &device)
 {
@@ -50,6 +49,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
                                 tr("Say that the encoder is in position mode, not in velocity or cam mode. "
                                    "Setting the position would change a cam otherwise.")))
     , m_problem(new InlineMessage(this))
+    , m_before(new KnownBeforeBar(this))
 {
     using Kind = ReviewColumn::Kind;
     m_table.setColumns({{tr("Parameter")}, {tr("Value"), Kind::number}, {tr("Known by")}});
@@ -64,6 +64,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
 
     layOutColumn(this,
                  {layOutRow({m_read, {m_explanation, 1}}),
+                  m_before,
                   {m_view, 1},
                   m_tellRow,
                   layOutRow({m_mode, Stretch{1}, m_isPositionMode}),
@@ -81,6 +82,7 @@ void KnownPage::enter()
 {
     const EncoderSession &encoder = *m_setup.encoder;
     m_problem->withdraw();
+    m_before->setEncoder(m_setup.encoder);
     m_read->setVisible(encoder.can().reads);
     m_read->setToolTip(encoder.can().readingHidesPosition
                            ? tr("Reads all values. Each one hides the position for some cycles.")
@@ -228,7 +230,7 @@ void KnownPage::tell()
 
 void KnownPage::tellPositionMode()
 {
-    m_setup.encoder->tell(Parameter::startUpMode, startUpAsK3);
+    codewheel::tellPositionMode(*m_setup.encoder);
 }
 
 } // namespace codewheel

@@ -12,6 +12,7 @@ class QTableView;
 namespace codewheel {
 
 class InlineMessage;
+class KnownBeforeBar;
 class RoleLabel;
 class ValueField;
 
@@ -54,6 +55,7 @@ private:
     RoleLabel *m_mode;
     QPushButton *m_isPositionMode;
     InlineMessage *m_problem;
+    KnownBeforeBar *m_before;
     bool m_isRefused = false; // the problem is a refusal: it goes when sending is allowed
     std::optional<JobId> m_reading;
 };

@@ -129,6 +129,33 @@ void ParameterWizard::follow(EncoderSession *encoder)
     connect(encoder, &QObject::destroyed, this, [this] { showPage(device); });
 }
 
+ParameterWizard::UnderWay ParameterWizard::takeUnderWay()
+{
+    UnderWay now{.encoder = m_setup->encoder,
+                 .wish = m_setup->wish,
+                 .given = m_setup->given,
+                 .byHand = m_setup->byHand,
+                 .record = m_setup->record,
+                 .handshake = m_handshakePage->underWay(),
+                 .page = page()};
+    m_setup->keep(); // it is not undone: the other one goes on
+    return now;
+}
+
+void ParameterWizard::goOn(const UnderWay &before)
+{
+    if (!before.encoder)
+        return;
+    follow(before.encoder);
+    m_setup->wish = before.wish;
+    m_setup->given = before.given;
+    m_setup->byHand = before.byHand;
+    m_setup->record = before.record;
+    showPage(before.page);
+    if (before.page == handshake || before.page == report)
+        m_handshakePage->resume(before.handshake);
+}
+
 void ParameterWizard::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);

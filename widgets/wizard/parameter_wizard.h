@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/look/page.h"
+#include "widgets/wizard/handshake_page.h"
 #include "widgets/wizard/setup.h"
 
 #include <functional>
@@ -35,6 +36,20 @@ public:
     // Follows the bus structure until the first step; after that it stays with its encoder.
     void setEncoder(codewheel::EncoderSession *encoder);
     EncoderSession *encoder() const;
+
+    // What is under way, for the wizard in another language; this one goes.
+    struct UnderWay
+    {
+        QPointer<EncoderSession> encoder;
+        WriteWish wish;
+        std::map<Parameter, Setup::Given> given;
+        bool byHand = true;
+        HandshakeRecord record;
+        HandshakePage::UnderWay handshake;
+        Page page = device;
+    };
+    UnderWay takeUnderWay();
+    void goOn(const UnderWay &before);
 
     void focusPage();    // gives the shown page the focus
     bool isBusy() const; // a handshake is running

@@ -50,6 +50,7 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     m_layout->addLayout(m_setting);
     m_layout->addWidget(m_badInput);
 
+    connect(&m_setup.wanted, &WantedValues::changed, this, &ValuesPage::showWanted);
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
         const bool needsValue = m_setup.encoder->can().presetNeedsValue;
         m_setup.wish.initialisePreset = on && !needsValue;
@@ -164,6 +165,20 @@ void ValuesPage::showKnown()
         row.now->setText(tr("now %1").arg(
             nowText(m_setup.encoder->device(), parameter, m_setup.encoder->known(parameter))));
     m_consequences->refresh();
+}
+
+// They were changed elsewhere, or a change was undone.
+void ValuesPage::showWanted()
+{
+    if (!m_setup.encoder || m_rowsOf != m_setup.encoder->device().key)
+        return;
+    const ParameterValues wanted = m_setup.wanted.values(m_setup.encoder->place());
+    for (const auto &[parameter, row] : m_rows) {
+        const auto shown = row.field->value();
+        if (!row.field->isBeingTyped() && shown && *shown != valueOf(wanted, parameter))
+            row.field->setValue(valueOf(wanted, parameter));
+    }
+    checkFields();
 }
 
 void ValuesPage::showLatest()

@@ -30,6 +30,7 @@ public:
     bool mayGoOn() const override { return m_inputIsGood && m_hasAny; }
     void showLatest() override;
     void showKnown() override;
+    void showWanted();
 
 private:
     struct Row
