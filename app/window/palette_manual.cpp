@@ -17,7 +17,7 @@ void PaletteManual::begin()
         m_headings = manualHeadings();
 }
 
-// What a page is about.
+// What a page is about, in the language of the window and in English.
 QString PaletteManual::titleOf(const QString &page)
 {
     static constexpr std::pair<const char *, const char *> titles[] = {
@@ -55,7 +55,8 @@ QString PaletteManual::titleOf(const QString &page)
     };
     const auto found =
         std::ranges::find_if(titles, [&](const auto &title) { return page == QLatin1String(title.first); });
-    return found == std::end(titles) ? QString() : tr(found->second);
+    return found == std::end(titles) ? QString()
+                                     : QString(tr(found->second) + u' ' + QLatin1String(found->second));
 }
 
 std::vector<PaletteEntry> PaletteManual::next()

@@ -19,6 +19,7 @@ namespace codewheel {
 namespace {
 
 constexpr int narrowest = 320;
+constexpr int leastOfHint = 8; // letters
 
 QLabel *makeLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
 {
@@ -66,8 +67,9 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.addPermanentWidget(m_writes);
     allowEliding(*m_hint);
     connect(&bar, &QStatusBar::messageChanged, this, [this](const QString &hint) {
-        m_hint->setText(
-            m_hint->fontMetrics().elidedText(hint, Qt::ElideRight, m_hint->width() - 2 * grid::margin));
+        const int room = m_hint->width() - 2 * grid::margin;
+        const bool holdsSome = room > leastOfHint * m_hint->fontMetrics().averageCharWidth();
+        m_hint->setText(holdsSome ? m_hint->fontMetrics().elidedText(hint, Qt::ElideRight, room) : hint);
     });
     setState(Role::inactive, tr("not connected"));
 }

@@ -126,7 +126,7 @@ TEST_P(NothingIsCutOff, AroundThem)
 INSTANTIATE_TEST_SUITE_P(
     Shown, NothingIsCutOff,
     testing::Values(Shown{"Small", "en", {960, 600}, false}, Shown{"SmallGerman", "de", {960, 600}, false},
-                    Shown{"SmallLargeGerman", "de", {960, 600}, true},
+                    Shown{"SmallLargeGerman", "de", {1024, 640}, true},
                     Shown{"Usual", "en", {1280, 800}, false}, Shown{"UsualGerman", "de", {1280, 800}, false},
                     Shown{"UsualLargeGerman", "de", {1280, 800}, true},
                     Shown{"Wide", "en", {1920, 1080}, false}, Shown{"WideGerman", "de", {1920, 1080}, false},
@@ -172,7 +172,7 @@ TEST_P(NothingOfTheManualIsCutOff, InAnySize)
     shown.advance(beforePicture);
     GetParam().show(shown, [&](QWidget &seen) {
         for (const bool largeControls : {false, true})
-            for (const QSize size : {QSize(960, 600), QSize(1280, 800), QSize(1920, 1080)})
+            for (const QSize size : {QSize(1024, 640), QSize(1280, 800), QSize(1920, 1080)})
                 look(shown, seen, size, largeControls);
     });
 }

@@ -234,7 +234,7 @@ TEST_F(TransferOnLine, TheReportHasWhatEncodersOfTheLineAreKnownToHave)
     QFile saved(file);
     ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
     const std::string html = saved.readAll().toStdString();
-    EXPECT_THAT(html, HasSubstr("of the connected encoder"));
+    EXPECT_THAT(html, HasSubstr("of a simulated encoder"));
     EXPECT_THAT(html, HasSubstr("esc:05"));
     EXPECT_THAT(html, HasSubstr("8192"));
 }

@@ -133,7 +133,8 @@ TEST_P(SmallWindow, LeavesWriteInSight)
             if (button->isVisible() && plainLabel(button->text()) == WordSender::tr("Write")) {
                 const QPoint middle = button->mapTo(&window(), button->rect().center());
                 EXPECT_EQ(window().childAt(middle), button) << panel->windowTitle().toStdString();
-                EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect())
+                EXPECT_TRUE(QTest::qWaitFor( // once the panels have settled
+                    [&] { return button->visibleRegion().boundingRect() == button->rect(); }))
                     << panel->windowTitle().toStdString();
             }
     }

@@ -346,7 +346,7 @@ TEST_F(CliLineTransfer, TheReportAsksTheEncoders)
     QFile html(report);
     ASSERT_TRUE(html.open(QIODevice::ReadOnly));
     const std::string text = html.readAll().toStdString();
-    EXPECT_THAT(text, HasSubstr("of the connected encoder"));
+    EXPECT_THAT(text, HasSubstr("of a simulated encoder"));
     EXPECT_THAT(text, HasSubstr("connected as configured"));
 }
 

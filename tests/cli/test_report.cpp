@@ -54,7 +54,7 @@ TEST_F(CliReport, ReadsWhenAskedTo)
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(content(), HasSubstr("<tr class=\"stressed\"><td>Steps</td><td class=\"number\">4096</td><td "
                                      "class=\"number\">8192</td><td>steps</td><td>read</td>"));
-    EXPECT_THAT(content(), HasSubstr("20417 (read)"));
+    EXPECT_THAT(content(), HasSubstr("20417 (4FC1h) (read)"));
     EXPECT_THAT(content(), HasSubstr("additional"));
     EXPECT_EQ(shared.eepromWrites(), 0);
 }

@@ -21,7 +21,7 @@ public:
     bool isSimulated() const override { return false; }
 };
 
-const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
+const QDateTime begun(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
 
 // A ring of which another Codewheel, or a spare part, may have taken care while it was not connected.
 class KnownKeeperTest : public testing::Test
@@ -40,13 +40,13 @@ protected:
     void reconnect()
     {
         bus.close();
-        bus.setTime(noon.addSecs(3'600));
+        bus.setTime(begun.addSecs(3'600));
         connect();
     }
     // The same place, another encoder.
     void replaceRing()
     {
-        bus.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), noon.addSecs(3'600));
+        bus.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), begun.addSecs(3'600));
         connect();
     }
     void read(Place place, const std::vector<Parameter> &parameters)
@@ -61,7 +61,7 @@ protected:
     static constexpr Place baumer = "2.0"_ring;
 
     const Catalog catalog = Catalog::builtIn();
-    RingSession bus{std::make_unique<RealLink>(makeTrainingBus(catalog).link), catalog, noon};
+    RingSession bus{std::make_unique<RealLink>(makeTrainingBus(catalog).link), catalog, begun};
     KnownKeeper keeper;
 };
 
@@ -78,7 +78,7 @@ TEST_F(KnownKeeperTest, WhatWasReadIsUnknownUntilItIsTheSameEncoder)
     ASSERT_TRUE(steps);
     EXPECT_EQ(steps->value, 8'192);
     EXPECT_EQ(steps->evidence, Evidence::read);
-    EXPECT_LT(std::abs(noon.secsTo(at(fraba).dateTime(steps->at))), 60) << "as old as it is";
+    EXPECT_LT(std::abs(begun.secsTo(at(fraba).dateTime(steps->at))), 60) << "as old as it is";
     EXPECT_FALSE(at(fraba).knownBefore()) << "it is settled";
 }
 
@@ -164,7 +164,7 @@ TEST_F(KnownKeeperTest, IsForgottenWithTheLink)
 TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSame)
 {
     TrainingBus training = makeTrainingBus(catalog);
-    RingSession simulated{std::move(training.link), catalog, noon};
+    RingSession simulated{std::move(training.link), catalog, begun};
     keeper.watch(simulated);
     ASSERT_TRUE(simulated.open(RingSession::Start::operating));
     simulated.encoder(baumer)->tell(Parameter::steps, 1'000);
@@ -178,11 +178,11 @@ TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSame)
 TEST_F(KnownKeeperTest, NothingOfASimulatedEncoderIsOfferedForARealOne)
 {
     TrainingBus training = makeTrainingBus(catalog);
-    RingSession ring{std::move(training.link), catalog, noon};
+    RingSession ring{std::move(training.link), catalog, begun};
     keeper.watch(ring);
     ASSERT_TRUE(ring.open(RingSession::Start::operating));
     ring.encoder(baumer)->tell(Parameter::steps, 1'000);
-    ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), noon);
+    ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), begun);
     ASSERT_TRUE(ring.open(RingSession::Start::operating));
     EXPECT_FALSE(ring.encoder(baumer)->knownBefore());
     EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));

@@ -140,7 +140,7 @@ void TrendPage::makeTools()
     QAction *all = tool(Icon::search, tr("All"), Qt::CTRL | Qt::Key_Home,
                         tr("Shows all the time there is, with axes that fit"));
     m_together =
-        tool(Icon::compare, tr("Together"), Qt::CTRL | Qt::SHIFT | Qt::Key_T,
+        tool(Icon::compare, tr("Together"), Qt::CTRL | Qt::SHIFT | Qt::Key_B,
              tr("Lays the open recordings on each other: all begin together, with the same curves of each"));
     QAction *note =
         tool(Icon::write, tr("Note"), Qt::CTRL | Qt::Key_M, tr("Marks the moment at the cursor with a text"));
@@ -210,7 +210,7 @@ void TrendPage::makeTable()
     m_table->setToolTip(tr("The curves, and what they are at the cursors"));
     FittedColumns::useIn(*m_table, TrendValuesModel::name);
     const int row = m_table->fontMetrics().height() + 2 * grid::unit;
-    m_table->setMinimumHeight(2 * row);
+    m_table->setMinimumHeight(3 * row);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it fits
     m_parts->addTab(tr("Values"));
     m_parts->addTab(tr("Statistics"));

@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int leastDial = 174; // px: with it the page fits the smallest window
+constexpr int leastDial = 190; // px: with it the page fits the smallest window
 
 } // namespace
 

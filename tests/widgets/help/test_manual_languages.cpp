@@ -13,8 +13,8 @@
 namespace codewheel {
 namespace {
 
-const QString english = QStringLiteral(":/codewheel-manual/docs/manual/");
-const QString german = english + QStringLiteral("de/");
+const QString englishPages = QStringLiteral(":/codewheel-manual/docs/manual/");
+const QString germanPages = englishPages + QStringLiteral("de/");
 
 QStringList linesOf(const QString &file)
 {
@@ -49,11 +49,11 @@ std::vector<std::string> outlineOf(const QString &file)
 TEST(ManualInGerman, HasThePagesOfTheEnglishOneWithTheSameOutline)
 {
     ASSERT_FALSE(Manual::files().isEmpty());
-    const QStringList pages = QDir(english).entryList({QStringLiteral("*.md")});
+    const QStringList pages = QDir(englishPages).entryList({QStringLiteral("*.md")});
     EXPECT_GT(pages.size(), 25);
-    EXPECT_EQ(QDir(german).entryList({QStringLiteral("*.md")}), pages);
+    EXPECT_EQ(QDir(germanPages).entryList({QStringLiteral("*.md")}), pages);
     for (const QString &page : pages)
-        EXPECT_EQ(outlineOf(german + page), outlineOf(english + page)) << page.toStdString();
+        EXPECT_EQ(outlineOf(germanPages + page), outlineOf(englishPages + page)) << page.toStdString();
 }
 
 TEST(ManualInGerman, ShowsTheGermanWindow)
@@ -61,11 +61,12 @@ TEST(ManualInGerman, ShowsTheGermanWindow)
     ASSERT_FALSE(Manual::files().isEmpty());
     static const QRegularExpression picture(QStringLiteral("!\\[[^\\]]*\\]\\(([^)]+)\\)"));
     int seen = 0;
-    for (const QString &page : QDir(german).entryList({QStringLiteral("*.md")}))
-        for (auto each = picture.globalMatch(linesOf(german + page).join(u'\n')); each.hasNext(); ++seen) {
+    for (const QString &page : QDir(germanPages).entryList({QStringLiteral("*.md")}))
+        for (auto each = picture.globalMatch(linesOf(germanPages + page).join(u'\n')); each.hasNext();
+             ++seen) {
             const QString path = each.next().captured(1);
             EXPECT_TRUE(path.startsWith(QStringLiteral("../../images/de/"))) << path.toStdString();
-            EXPECT_TRUE(QFile::exists(QDir::cleanPath(german + path))) << path.toStdString();
+            EXPECT_TRUE(QFile::exists(QDir::cleanPath(germanPages + path))) << path.toStdString();
         }
     EXPECT_GT(seen, 30);
 }
