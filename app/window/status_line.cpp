@@ -19,7 +19,6 @@ namespace codewheel {
 namespace {
 
 constexpr int narrowest = 320;
-constexpr int leastOfHint = 8; // letters
 
 QLabel *makeLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
 {
@@ -63,14 +62,11 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setObjectName(QStringLiteral("hint"));
     m_hint->setIndent(grid::margin);
+    m_hint->installEventFilter(this);
     bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);
     allowEliding(*m_hint);
-    connect(&bar, &QStatusBar::messageChanged, this, [this](const QString &hint) {
-        const int room = m_hint->width() - 2 * grid::margin;
-        const bool holdsSome = room > leastOfHint * m_hint->fontMetrics().averageCharWidth();
-        m_hint->setText(holdsSome ? m_hint->fontMetrics().elidedText(hint, Qt::ElideRight, room) : hint);
-    });
+    connect(&bar, &QStatusBar::messageChanged, this, &StatusLine::showHint);
     setState(Role::inactive, tr("not connected"));
 }
 
@@ -149,7 +145,16 @@ bool StatusLine::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == &m_bar && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
         fit();
+    if (watched == m_hint && event->type() == QEvent::Resize)
+        showHint();
     return QObject::eventFilter(watched, event);
+}
+
+// As far as there is room for it.
+void StatusLine::showHint()
+{
+    const int room = m_hint->contentsRect().width() - 2 * grid::margin - grid::unit;
+    m_hint->setText(m_hint->fontMetrics().elidedText(m_bar.currentMessage(), Qt::ElideRight, room));
 }
 
 // Leaves out as many as necessary, starting with those that matter least during work.

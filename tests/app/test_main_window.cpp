@@ -216,6 +216,7 @@ TEST_F(MainWindowTest, TheStateStaysInSightWhileTheStatusLineTellsOfSomethingEls
                 return true;
         return false;
     };
+    resizeTo({1920, 1080}); // with room for it
     window().statusBar()->showMessage(QStringLiteral("a bit"));
     EXPECT_TRUE(inStatusLine(QStringLiteral("RUN")));
     EXPECT_TRUE(inStatusLine(QStringLiteral("a bit")));
