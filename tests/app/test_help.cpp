@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -263,9 +264,10 @@ TEST_F(HelpInGerman, F1OpensThePageInTheLanguageOfTheWindow)
     EXPECT_TRUE(editor.path().endsWith(QStringLiteral("/manual/de/project.md")));
     const Manual german;
     ASSERT_TRUE(german.has(editor)) << editor.toString().toStdString();
-    for (const ManualSection &section : german.find(editor)->sections)
-        if (section.anchor == editor.fragment(QUrl::FullyDecoded))
-            EXPECT_EQ(section.title, QStringLiteral("Busaufbau bearbeiten"));
+    const auto &sections = german.find(editor)->sections;
+    const auto its = std::ranges::find(sections, editor.fragment(QUrl::FullyDecoded), &ManualSection::anchor);
+    ASSERT_NE(its, sections.end());
+    EXPECT_EQ(its->title, QStringLiteral("Busaufbau bearbeiten"));
 }
 
 TEST_F(HelpInGerman, EveryPageAndPanelHasItsPlace)

@@ -8,6 +8,7 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "tests/app/window_test.h"
+#include "widgets/input/text_fields.h"
 #include "widgets/job/step_table.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/inline_message.h"
@@ -218,6 +219,13 @@ TEST_F(HalfTyped, IsTakenWithinThePanel)
     EXPECT_EQ(wanted(test::fraba), (ParameterValues{{Parameter::steps, 10}}));
 }
 
+// As Ctrl+S does before it saves.
+TEST_F(HalfTyped, IsTakenWithWhatIsSaved)
+{
+    takeFocusedField();
+    EXPECT_EQ(wanted(test::fraba), (ParameterValues{{Parameter::steps, 10}}));
+}
+
 class WizardFields : public test::WindowTest
 {
 protected:
@@ -259,6 +267,14 @@ TEST_F(WizardFields, CtrlZTakesBackWhatIsBeingTypedFirst)
     QTest::keyClick(&steps(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(steps().text(), QString());
     EXPECT_FALSE(isWanted());
+}
+
+TEST_F(WizardFields, WhatIsBeingTypedIsTakenWithWhatIsSaved)
+{
+    QTest::keyClicks(&steps(), QStringLiteral("25"));
+    takeFocusedField();
+    EXPECT_TRUE(isWanted());
+    EXPECT_TRUE(steps().hasFocus());
 }
 
 TEST_F(WizardFields, AHalfTypedValueIsNotTakenByChoosingAnotherDevice)

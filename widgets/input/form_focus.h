@@ -22,6 +22,8 @@ class FormFocus : public QObject
 public:
     FormFocus(QWidget &field, std::function<void()> left);
 
+    void take() { m_left(); } // what is being typed is wanted now
+
 private:
     QWidget &m_field;
     std::function<void()> m_left;

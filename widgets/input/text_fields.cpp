@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/input/text_fields.h"
 
+#include "widgets/input/form_focus.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QPointer>
@@ -73,6 +75,10 @@ void NoteField::focusOutEvent(QFocusEvent *event)
 void takeFocusedField()
 {
     const QPointer<QWidget> field = QApplication::focusWidget();
+    if (!field)
+        return;
+    for (FormFocus *waiting : field->findChildren<FormFocus *>(QString(), Qt::FindDirectChildrenOnly))
+        waiting->take();
     if (!field)
         return;
     field->clearFocus();
