@@ -12,6 +12,7 @@
 #include "widgets/job/step_table.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/traffic_model.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
