@@ -38,13 +38,13 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
         connect(number, &QLineEdit::textChanged, this, [this] {
             Q_EMIT typed();
             if (!std::exchange(m_isTyped, false))
-                takeText();
+                takeTyped();
         });
         connect(number, &QLineEdit::returnPressed, this, [this] {
-            takeText();
+            takeTyped();
             Q_EMIT entered();
         });
-        new FormFocus(*number, [this] { takeText(); });
+        new FormFocus(*number, [this] { takeTyped(); });
     } else {
         connect(static_cast<QComboBox *>(m_input), &QComboBox::currentIndexChanged, this,
                 &ValueField::edited);
@@ -78,9 +78,11 @@ bool ValueField::eventFilter(QObject *input, QEvent *event)
     return true;
 }
 
-void ValueField::takeText()
+void ValueField::takeTyped()
 {
-    auto *number = static_cast<NumberInput *>(m_input);
+    auto *number = qobject_cast<NumberInput *>(m_input);
+    if (number == nullptr)
+        return;
     const QString text = number->text();
     if (!value() || signalsBlocked() || text == m_taken)
         return;

@@ -23,6 +23,7 @@ public:
 
     void setValue(std::optional<std::int64_t> value);
     bool isBeingTyped() const; // and not taken yet
+    void takeTyped();          // as if the field were left
     // Nothing: empty. Refused: not a number, or out of the parameter's range.
     Result<std::optional<std::int64_t>> value() const;
 
@@ -38,8 +39,6 @@ protected:
     bool eventFilter(QObject *input, QEvent *event) override;
 
 private:
-    void takeText();
-
     QWidget *m_input;
     QString m_taken;        // the text when a value was last taken
     bool m_isTyped = false; // the cause of the present change

@@ -71,6 +71,15 @@ void ValuesPage::enter()
     takeFields();
 }
 
+void ValuesPage::leave()
+{
+    for (const auto &[parameter, row] : m_rows)
+        row.field->takeTyped();
+    if (m_position != nullptr)
+        m_position->takeTyped();
+    takeFields();
+}
+
 // Either the programmed preset, or a position given with the command.
 void ValuesPage::showSetting()
 {

@@ -26,7 +26,7 @@ public:
     explicit ValuesPage(Setup &setup, QWidget *parent = nullptr);
 
     void enter() override;
-    void leave() override { takeFields(); }
+    void leave() override;
     bool mayGoOn() const override { return m_inputIsGood && m_hasAny; }
     void showLatest() override;
     void showKnown() override;
