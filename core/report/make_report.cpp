@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/make_report.h"
 
+#include "encoder/local_time.h"
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
 #include "report/bus_sections.h"
@@ -25,19 +26,6 @@ void addLinks(ReportFacts &facts, const Project &project)
                                                           ? link
                                                           : QStringLiteral("%1: %2").arg(bus.name, link)});
         }
-}
-
-// "UTC+01:00"
-QString zoneText(const QDateTime &now)
-{
-    constexpr int secondsPerMinute = 60;
-    constexpr int minutesPerHour = 60;
-    const int minutes = now.offsetFromUtc() / secondsPerMinute;
-    const int size = std::abs(minutes);
-    return QStringLiteral("UTC%1%2:%3")
-        .arg(minutes < 0 ? QLatin1Char('-') : QLatin1Char('+'))
-        .arg(size / minutesPerHour, 2, 10, QLatin1Char('0'))
-        .arg(size % minutesPerHour, 2, 10, QLatin1Char('0'));
 }
 
 QString busText(const ReportInput &input, const Catalog &catalog)
@@ -71,7 +59,7 @@ ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
     if (!input.file.isEmpty())
         add(ReportTexts::tr("File"), input.file);
     add(ReportTexts::tr("Date"),
-        QStringLiteral("%1 (%2)").arg(report_words::time(input.now, input.now), zoneText(input.now)));
+        QStringLiteral("%1 (UTC%2)").arg(report_words::time(input.now, input.now), offsetText(input.now)));
     add(ReportTexts::tr("Program"), program);
     addLinks(facts, input.project);
     add(ReportTexts::tr("Devices"),
