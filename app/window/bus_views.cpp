@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/bus_views.h"
 
+#include "app/window/afresh.h"
+#include "app/window/described_action.h"
+#include "widgets/training/training_area.h"
+
 #include <QWidget>
 
 #include <algorithm>
@@ -34,6 +38,16 @@ void BusViews::setCalled(const QString &called, bool isDoubtful)
     m_isDoubtful = isDoubtful;
     if (m_isCurrent) // the others have nothing to show
         showCurrent();
+}
+
+void BusViews::showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot)
+{
+    const QString tip = Afresh::tip(whyNot);
+    panel.offerAfresh(whyNot.isEmpty(), tip);
+    if (!m_isCurrent)
+        return;
+    described(action, action->shortcut(), tip);
+    action->setEnabled(isMeant() && whyNot.isEmpty());
 }
 
 void BusViews::tellTraining(Place place, const QString &what, MessageId id)

@@ -25,6 +25,7 @@ struct ProgramSettings;
 class Leaving;
 class StatusLine;
 class StructureEditor;
+class TrainingArea;
 class WindowActions;
 class WindowSettings;
 
@@ -114,6 +115,8 @@ protected:
         m_own.push_back(widget);
         return widget;
     }
+    // Whether its simulated bus can begin anew: in its training panel and, if it is meant, by the action.
+    void showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot);
     // A place without a node is the bus itself.
     void tellTraining(Place place, const QString &what, MessageId id = MessageId::training);
 

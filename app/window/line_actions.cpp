@@ -34,6 +34,8 @@ LineActions::LineActions(WindowActions &window)
     menu->addSeparator();
     training =
         add(Icon::training, tr("T&raining line"), {}, tr("Three simulated encoders, in place of a port"));
+    afresh =
+        foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
     disconnectLine = add(Icon::cancel, tr("&Disconnect the line"), Qt::CTRL | Qt::SHIFT | Qt::Key_F6,
                          tr("Closes the serial line"));
     swapWarningBytes = checkable(new QAction(tr("&Swap warning bytes")));
@@ -46,7 +48,7 @@ LineActions::LineActions(WindowActions &window)
 
 void LineActions::tellBus(const QString &bus)
 {
-    for (QAction *action : {settings, search, terminal, figures, training, disconnectLine})
+    for (QAction *action : {settings, search, terminal, figures, training, afresh, disconnectLine})
         codewheel::tellBus(action, bus);
 }
 

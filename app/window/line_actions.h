@@ -35,6 +35,7 @@ public:
     QAction *terminal;
     QAction *figures;
     QAction *training;
+    QAction *afresh; // the training line; described by Afresh
     QAction *disconnectLine;
     // For the chosen encoder
     QAction *swapWarningBytes; // checkable

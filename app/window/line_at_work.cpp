@@ -100,6 +100,16 @@ void LineAtWork::replace(std::unique_ptr<LineSession> session, std::shared_ptr<S
 
 void LineAtWork::openTraining()
 {
+    openTraining(LineSession::Start::operating);
+}
+
+void LineAtWork::startAfresh()
+{
+    openTraining(m_session->isOperating() ? LineSession::Start::operating : LineSession::Start::watching);
+}
+
+void LineAtWork::openTraining(LineSession::Start start)
+{
     forgetKnown();
     auto line = std::make_shared<SimulatedLine>();
     const bool isVirtual = !surroundings().byThread;
@@ -107,8 +117,7 @@ void LineAtWork::openTraining()
                                                                     : SimulatedLineLink::Clock(steadyTime));
     auto session = makeSession(std::move(link), {});
     // a simulated link always opens
-    if (!session->open({}, {}, LineSession::Start::operating,
-                       isVirtual ? LineSession::Drive::byHand : LineSession::Drive::byThread))
+    if (!session->open({}, {}, start, isVirtual ? LineSession::Drive::byHand : LineSession::Drive::byThread))
         Q_UNREACHABLE();
     for (const LineAddress address : line->addresses())
         (void)session->add(address, trainingDevice);

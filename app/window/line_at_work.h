@@ -30,6 +30,8 @@ public:
 
     // Each closes the present line. The training line begins in Operate.
     void openTraining() override;
+    // The training line, which is connected, begins anew, in the mode it was in.
+    void startAfresh();
     // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
     // plugged in. Ends with portOpened() or openRefused(); refused like ByteLink::open(), in which case the
     // present line goes on, unless it is at the same port.
@@ -64,6 +66,7 @@ private:
     };
 
     void followProject();
+    void openTraining(LineSession::Start start);
     void tellByteOrder();
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineSettings &wish);
     void open(const LinePlan &line); // at m_wanted

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/line_views.h"
 
+#include "app/window/afresh.h"
 #include "app/window/leaving.h"
 #include "app/window/line_actions.h"
 #include "app/window/line_at_work.h"
@@ -120,6 +121,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     connect(&line.project(), &ProjectDocument::changed, this, &LineViews::showName);
     connect(m_training, &LineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
+    connect(m_training, &LineTrainingPanel::afreshWanted, this, &LineViews::startAfresh);
     connect(&line, &LineAtWork::portOpened, this, &LineViews::showOpened);
     connect(&line, &LineAtWork::openRefused, this, &LineViews::showRefused);
     connect(&line, &LineAtWork::openingChanged, this, [this] {
@@ -133,6 +135,7 @@ LineViews::LineViews(LineAtWork &line, const WindowParts &parts, QObject *parent
     onAction(m_actions.terminal, [this] { showTerminal(); });
     onAction(m_actions.figures, [this] { open(); });
     onAction(m_actions.training, [this] { connectTraining(); });
+    onAction(m_actions.afresh, [this] { startAfresh(); });
     onAction(m_actions.disconnectLine, [this] { disconnectLine(); });
     onAction(m_actions.remove, [this] { removeChosen(); });
     connect(m_actions.swapWarningBytes, &QAction::triggered, this, &LineViews::swapWarningBytes);
@@ -172,6 +175,7 @@ void LineViews::tellActions()
         m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu already says that it is the line
     m_actions.disconnectLine->setEnabled(isMeant() && (m_line.session() != nullptr || m_line.isOpening()));
     m_actions.training->setEnabled(isMeant() && m_line.training() == nullptr);
+    showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
     showChosen();
 }
 
@@ -199,6 +203,7 @@ void LineViews::setChosen(std::optional<Place> place)
 void LineViews::showFrame()
 {
     m_training->refresh();
+    showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
     showStatus();
 }
 
@@ -498,6 +503,15 @@ void LineViews::connectFound(const KindData &plan)
 void LineViews::connectTraining()
 {
     m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });
+}
+
+// It may have become impossible since the last frame.
+void LineViews::startAfresh()
+{
+    if (!Afresh::whyNot(m_session).isEmpty())
+        return;
+    m_line.startAfresh();
+    tellTraining(Place{m_line.id()}, Afresh::told());
 }
 
 void LineViews::disconnectLine()

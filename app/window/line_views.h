@@ -85,6 +85,7 @@ private:
     void showRefused(const Refusal &why);
     void keepPort(const LinePlan &line);
     void showState();
+    void startAfresh();
     void disconnectLine();
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
     void askForOtherAdapter(const Refusal &which);

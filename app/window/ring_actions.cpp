@@ -33,6 +33,9 @@ RingActions::RingActions(WindowActions &window)
     offer = action(Icon::training, tr("&Offer to others…"));
     endOffer = described(action(Icon::stop, tr("&Stop offering")), {},
                          tr("The ring is no longer offered to others: all clients are disconnected"));
+    afresh =
+        foundBy(described(action(Icon::refresh, tr("Start a&fresh")), Qt::ALT | Qt::SHIFT | Qt::Key_A, {}),
+                tr("reset, factory settings, no faults"));
     showSegment(false, false);
     showRegisters(false);
     showOffer({}, false);
@@ -46,24 +49,25 @@ void RingActions::makeTrainingMenu(WindowActions &window)
 {
     auto *menu = new QMenu(tr("Tr&aining"), window.menuParent());
     menu->setToolTipsVisible(true);
-    menu->addActions({offer, endOffer});
+    menu->addActions({offer, endOffer, afresh});
     offer->setParent(menu);
     endOffer->setParent(menu);
+    afresh->setParent(menu);
     window.insert(WindowActions::Section::connections, {menu->menuAction()});
 }
 
 void RingActions::disable()
 {
-    for (QAction *action :
-         {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics, offer, endOffer})
+    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics,
+                            offer, endOffer, afresh})
         action->setEnabled(false);
     showSegment(false, false);
 }
 
 void RingActions::tellBus(const QString &bus)
 {
-    for (QAction *action :
-         {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics, offer, endOffer})
+    for (QAction *action : {connection, registers, connectBus, disconnectBus, readIn, confirmDiagnostics,
+                            offer, endOffer, afresh})
         codewheel::tellBus(action, bus);
 }
 

@@ -36,6 +36,7 @@ public:
     QAction *switchSegment; // of the chosen device
     QAction *offer;         // its page
     QAction *endOffer;
+    QAction *afresh; // described by Afresh
 
 private:
     void makeTrainingMenu(WindowActions &window);

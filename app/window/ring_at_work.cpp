@@ -12,6 +12,8 @@
 #include "simulator/planned_ring.h"
 #include "widgets/project/project_document.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 
 namespace codewheel {
@@ -79,7 +81,25 @@ Result<void> RingAtWork::open()
         useGateway(**gateway);
     else
         useTraining();
-    return openLink();
+    return openLink(gateway ? RingSession::Start::watching : RingSession::Start::operating);
+}
+
+// Others that use the ring go on with the new one, whose words are in the same registers.
+void RingAtWork::startAfresh()
+{
+    const auto start = bus()->isOperating() ? RingSession::Start::operating : RingSession::Start::watching;
+    TrainingBus anew = trainingRing(surroundings());
+    const auto structure = anew.link->open(); // a simulated link always opens
+    anew.link->close();
+    m_offer->goOnWith(*structure);
+    const QScopedValueRollback startsAfresh(m_isStartingAfresh, true);
+    m_training.controls = std::move(anew.controls);
+    m_planIsTold = false;
+    use(std::move(anew.link));
+    forgetKnown();
+    m_trainingLink.reset(); // of the ring before
+    if (!openLink(start))
+        Q_UNREACHABLE();
 }
 
 // Of writes, those to real encoders are kept.
@@ -119,15 +139,13 @@ void RingAtWork::useGateway(const GatewaySettings &settings)
 }
 
 // A gateway is asked as fast as its link and its settings allow.
-Result<void> RingAtWork::openLink()
+Result<void> RingAtWork::openLink(RingSession::Start start)
 {
     bus()->setTime(surroundings().clock());
     const auto pacing = [this](std::chrono::nanoseconds period) {
         return surroundings().byThread ? std::optional(Pacing{.period = period}) : std::nullopt;
     };
-    if (m_gateway)
-        return bus()->open(RingSession::Start::watching, pacing({}));
-    return bus()->open(RingSession::Start::operating, pacing(busPeriod));
+    return bus()->open(start, pacing(m_gateway ? std::chrono::nanoseconds{} : busPeriod));
 }
 
 void RingAtWork::openTraining()

@@ -27,6 +27,7 @@ public:
     QString kind() const override;
     RingSession *bus() const override { return m_training.bus.get(); }
     TrainingControls &controls() const { return *m_training.controls; }
+    std::shared_ptr<TrainingControls> sharedControls() const { return m_training.controls; }
     // The gateway it is connected to, or was last; empty: it is a training ring.
     const std::optional<GatewaySettings> &gateway() const { return m_gateway; }
 
@@ -34,6 +35,9 @@ public:
     // ends is reported by the bus. Refused (linkSettingWrong): the plan is not understood.
     Result<void> open();
     void openTraining() override; // and plans it as it is: nothing differs at first
+    // The simulated ring, which is connected, begins anew: a new one takes its place, in the mode it was in.
+    void startAfresh();
+    bool isStartingAfresh() const { return m_isStartingAfresh; } // the old one is leaving, the new one comes
     std::optional<Place> turning() const override;
     void start() override;
     RingOffer &offer() { return *m_offer; } // to others
@@ -47,7 +51,7 @@ public:
     }
 
 Q_SIGNALS:
-    void linkChanged(); // to or from a training ring, or another gateway
+    void linkChanged(); // to or from a training ring, to a new one, or another gateway
 
 private:
     void followProject();
@@ -56,13 +60,14 @@ private:
     void useGateway(const GatewaySettings &settings);
     void use(std::unique_ptr<ProcessDataLink> link);
     void keepAccountOfLink();
-    Result<void> openLink();
+    Result<void> openLink(RingSession::Start start);
 
     TrainingSession m_training;
     std::unique_ptr<ProcessDataLink> m_trainingLink; // while a gateway is in use
     std::optional<GatewaySettings> m_gateway;
     MakePort m_makePort;
     bool m_planIsTold = false;
+    bool m_isStartingAfresh = false;
     std::unique_ptr<RingOffer> m_offer; // nobody uses the ring any more when it goes
 };
 

@@ -85,6 +85,12 @@ void RingConnection::disconnectRing()
     });
 }
 
+void RingConnection::startAfresh()
+{
+    m_isConnecting = true;
+    m_ring.startAfresh();
+}
+
 bool RingConnection::mayChangeRing()
 {
     const auto allowed = codewheel::mayChangeRing(m_bus.latest());

@@ -29,6 +29,7 @@ public:
     void disconnectRing();     // first asks about running handshakes and OUT words that are not 0
     void readIn();             // likewise, as the data cycles stop meanwhile; needs Operate
     void confirmDiagnostics(); // needs Operate
+    void startAfresh();        // a simulated ring that is connected; nothing told of its encoders stays
     // Says whether the ring matches its configuration.
     void tellComparison();
 

@@ -55,8 +55,14 @@ RingOffer::~RingOffer()
 
 void RingOffer::followBus()
 {
-    if (offersWindowsRing() && m_ring.bus()->state() == BusState::closed)
+    if (offersWindowsRing() && !m_ring.isStartingAfresh() && m_ring.bus()->state() == BusState::closed)
         endAs(MessageId::offerEndedWithRing);
+}
+
+void RingOffer::goOnWith(const RingStructure &afresh)
+{
+    if (offersWindowsRing() && servedTable(afresh) != servedTable(m_ring.bus()->structure()))
+        endAs(MessageId::offerEndedWithStructure);
 }
 
 std::optional<Refusal> RingOffer::whyNot() const

@@ -44,6 +44,8 @@ public:
     std::vector<Seat> seats() const;
     std::vector<ServedDevice> devices() const; // of one of the rings: they are alike
     void restart(int unit);                    // the ring of a seat
+    // The ring of the window starts afresh. It stays offered, unless its words are in other registers then.
+    void goOnWith(const RingStructure &afresh);
 
     // With each frame of the window: what has happened since the last one.
     void takeFrame();

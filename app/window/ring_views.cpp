@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/ring_views.h"
 
+#include "app/window/afresh.h"
 #include "app/window/leaving.h"
 #include "app/window/offer_views.h"
 #include "app/window/ring_actions.h"
@@ -63,7 +64,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_master(new MasterPanel(*ring.bus(), &parts.pages))
     , m_gateway(new GatewayPanel(*ring.bus(), &parts.pages))
     , m_masterOrGateway(own(eitherOf(m_master, m_gateway, &parts.pages)))
-    , m_training(new TrainingPanel(ring.controls(), ring.id(), &parts.pages))
+    , m_training(new TrainingPanel(ring.sharedControls(), ring.id(), &parts.pages))
     , m_trainingOrNone(own(eitherOf(m_training, noTraining(&parts.pages), &parts.pages)))
     , m_connect(own(new ConnectPage(&parts.pages)))
     , m_registers(own(new RegistersPage(&parts.pages)))
@@ -110,10 +111,12 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this,
             [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
+    connect(m_training, &TrainingPanel::afreshWanted, this, &RingViews::startAfresh);
     onAction(m_actions.connection, [this] { showConnection(); });
     onAction(m_actions.registers, [this] { showRegisters(); });
     onAction(m_actions.offer, [this] { showOffer(); });
     onAction(m_actions.endOffer, [this] { m_offer->end(); });
+    onAction(m_actions.afresh, [this] { startAfresh(); });
     onAction(m_actions.connectBus, [this] { connectBus(); });
     onAction(m_actions.disconnectBus, [this] { m_connection->disconnectRing(); });
     onAction(m_actions.readIn, [this] { m_connection->readIn(); });
@@ -170,6 +173,7 @@ void RingViews::showRefused(const Refusal &why)
 
 void RingViews::showLink()
 {
+    m_training->setControls(m_ring.sharedControls());
     const auto &gateway = m_ring.gateway();
     m_masterOrGateway->setCurrentIndex(gateway ? 1 : 0);
     if (gateway)
@@ -233,6 +237,7 @@ void RingViews::showFrame()
         m_links->showRegisters();
     m_offer->showFrame();
     m_training->refresh();
+    showAfresh(*m_training, m_actions.afresh, whyNotAfresh());
     showStatus();
 }
 
@@ -331,6 +336,20 @@ void RingViews::showTraining()
     m_trainingOrNone->setCurrentIndex(isReal ? 1 : 0);
 }
 
+QString RingViews::whyNotAfresh() const
+{
+    return m_ring.bus()->isReadingIn() ? tr("The ring is being read in.") : Afresh::whyNot(m_ring.bus());
+}
+
+// It may have become impossible since the last frame.
+void RingViews::startAfresh()
+{
+    if (!whyNotAfresh().isEmpty())
+        return;
+    m_connection->startAfresh();
+    tellTraining(Place{m_ring.id()}, Afresh::told());
+}
+
 void RingViews::showState()
 {
     showTraining();
@@ -340,6 +359,7 @@ void RingViews::showState()
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
     m_actions.tellBus(called());
+    showAfresh(*m_training, m_actions.afresh, whyNotAfresh());
     m_actions.connection->setEnabled(isMeant());
     m_actions.showRegisters(isMeant() && (m_ring.gateway() || m_links->plansGateway()));
     m_actions.showOffer(m_offer->whyNot(), m_offer->isOn());

@@ -58,6 +58,8 @@ private:
     std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
     void showTraining();
+    QString whyNotAfresh() const;
+    void startAfresh();
     void showStatus();
     void showLink();
     void showRefused(const Refusal &why);

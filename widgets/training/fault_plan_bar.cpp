@@ -17,7 +17,7 @@
 
 namespace codewheel {
 
-FaultPlanBar::FaultPlanBar(TrainingControls &controls, QWidget *parent)
+FaultPlanBar::FaultPlanBar(const SharedControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
     , m_load(addButton(tr("Fault plan…"), tr("Loads a file of faults with their times and places")))
@@ -39,7 +39,7 @@ FaultPlanBar::FaultPlanBar(TrainingControls &controls, QWidget *parent)
     column->addWidget(m_next);
     connect(m_load, &QPushButton::clicked, this, &FaultPlanBar::chooseFile);
     connect(m_start, &QPushButton::clicked, this, &FaultPlanBar::start);
-    connect(m_stop, &QPushButton::clicked, this, [this] { m_controls.stopFaultPlan(); });
+    connect(m_stop, &QPushButton::clicked, this, [this] { m_controls->stopFaultPlan(); });
     refresh();
 }
 
@@ -61,13 +61,13 @@ void FaultPlanBar::chooseFile()
 
 bool FaultPlanBar::load(const QString &path)
 {
-    auto plan = loadFaultPlan(path, m_controls.places());
+    auto plan = loadFaultPlan(path, m_controls->places());
     if (!plan) {
         m_message->showMessage(Role::attention, refusalText(plan.error()));
         return false;
     }
     m_message->withdraw();
-    m_controls.stopFaultPlan();
+    m_controls->stopFaultPlan();
     m_file = path;
     m_loaded = *std::move(plan);
     refresh();
@@ -77,21 +77,15 @@ bool FaultPlanBar::load(const QString &path)
 void FaultPlanBar::start()
 {
     if (m_loaded)
-        m_controls.startFaultPlan(*m_loaded);
+        m_controls->startFaultPlan(*m_loaded);
     refresh();
 }
 
 void FaultPlanBar::refresh()
 {
-    const TrainingControls::PlanProgress progress = m_controls.planProgress();
-    if (progress.plan != m_told) {
-        m_told = progress.plan;
-        m_toldSteps = 0;
-    }
-    for (; m_told && m_toldSteps < progress.next; ++m_toldSteps) {
-        const FaultStep &step = m_told->steps[m_toldSteps];
+    const TrainingControls::PlanProgress progress = m_controls->planProgress();
+    for (const FaultStep &step : m_news.take(progress))
         Q_EMIT carriedOut(step.place, trainingFaultText(step.fault, step.place, step.value));
-    }
     m_start->setEnabled(m_loaded.has_value());
     m_stop->setEnabled(progress.isRunning);
     show(progress);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
+#include "simulator/fault_plan_news.h"
+#include "widgets/training/shared_controls.h"
 
 #include <QWidget>
 
@@ -20,8 +21,7 @@ class FaultPlanBar : public QWidget
     Q_OBJECT
 
 public:
-    // The controls outlive it.
-    explicit FaultPlanBar(TrainingControls &controls, QWidget *parent = nullptr);
+    explicit FaultPlanBar(const SharedControls &controls, QWidget *parent = nullptr);
 
     // Reports on the spot what is wrong with it.
     bool load(const QString &path);
@@ -37,10 +37,9 @@ private:
     void start();
     void show(const TrainingControls::PlanProgress &progress);
 
-    TrainingControls &m_controls;
+    const SharedControls &m_controls;
     std::optional<FaultPlan> m_loaded;
-    std::shared_ptr<const FaultPlan> m_told; // whose steps were reported
-    std::size_t m_toldSteps = 0;
+    FaultPlanNews m_news;
     QString m_file;
     QPushButton *m_load;
     QPushButton *m_start;

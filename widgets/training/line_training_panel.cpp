@@ -17,7 +17,7 @@ LineTrainingPanel::LineTrainingPanel(BusId bus, QWidget *parent)
 {
     column()->addWidget(m_faults);
     column()->addWidget(m_encoder);
-    column()->addStretch(1);
+    endColumn();
     connect(m_faults, &LineFaultsBox::acted, this, &LineTrainingPanel::act);
     connect(m_encoder, &LineEncoderBox::acted, this, &LineTrainingPanel::act);
     setLine(nullptr);
@@ -25,7 +25,6 @@ LineTrainingPanel::LineTrainingPanel(BusId bus, QWidget *parent)
 
 void LineTrainingPanel::setLine(SimulatedLine *line)
 {
-    const auto before = chosen();
     m_line = line;
     std::vector<Place> devices;
     if (m_line != nullptr) {
@@ -34,8 +33,6 @@ void LineTrainingPanel::setLine(SimulatedLine *line)
             devices.push_back({m_bus, address.node()});
     }
     setDevices(std::move(devices), tr("Serial line"));
-    if (before)
-        setDevice(*before);
 }
 
 void LineTrainingPanel::refresh()

@@ -28,7 +28,7 @@ std::optional<int> valueOf(const TrainingPlace &place, TrainingFault fault)
 
 } // namespace
 
-RingFaults::RingFaults(TrainingControls &controls, QWidget *parent)
+RingFaults::RingFaults(const SharedControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
 {
@@ -73,7 +73,7 @@ void RingFaults::addRate(QVBoxLayout *column)
 
 void RingFaults::set(TrainingFault fault, int value)
 {
-    m_controls.setFault(fault, m_shown->number, value);
+    m_controls->setFault(fault, m_shown->number, value);
     Q_EMIT acted(trainingFaultText(fault, m_shown->number, value));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
+#include "widgets/training/shared_controls.h"
 
 #include <QWidget>
 
@@ -21,10 +21,11 @@ class RingFaults : public QWidget
     Q_OBJECT
 
 public:
-    // The controls outlive it.
-    explicit RingFaults(TrainingControls &controls, QWidget *parent = nullptr);
+    explicit RingFaults(const SharedControls &controls, QWidget *parent = nullptr);
 
     void showPlace(const TrainingPlace &place);
+    // The panel turns to another device, or to another ring.
+    void leave() { m_shown.reset(); }
 
 Q_SIGNALS:
     void acted(const QString &what);
@@ -34,7 +35,7 @@ private:
     void addRate(QVBoxLayout *column);
     void set(TrainingFault fault, int value);
 
-    TrainingControls &m_controls;
+    const SharedControls &m_controls;
     std::map<TrainingFault, QCheckBox *> m_boxes;
     QWidget *m_rateRow = nullptr;
     QSpinBox *m_rate = nullptr; // of 1000 cycles

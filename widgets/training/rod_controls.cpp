@@ -34,7 +34,7 @@ QString placeNumber(double millimetres)
 
 } // namespace
 
-RodControls::RodControls(TrainingControls &controls, QWidget *parent)
+RodControls::RodControls(const SharedControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
     , m_track(describe(new QSlider(Qt::Horizontal, this), tr("Magnet on the rod"),
@@ -123,7 +123,7 @@ void RodControls::leave()
 
 void RodControls::slide(int place)
 {
-    m_controls.moveMagnetTo(m_shown->number, static_cast<double>(place) / tenths);
+    m_controls->moveMagnetTo(m_shown->number, static_cast<double>(place) / tenths);
     m_leftAlone.moved();
 }
 
@@ -131,14 +131,14 @@ void RodControls::moveTo()
 {
     if (!m_target->takeTyped().isEmpty())
         return; // the field says why
-    m_controls.moveMagnetTo(m_shown->number, m_target->value());
+    m_controls->moveMagnetTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
     Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(placeNumber(m_target->value())));
 }
 
 void RodControls::setSpeed(double millimetresPerSecond)
 {
-    m_controls.setMagnetSpeed(m_shown->number, millimetresPerSecond);
+    m_controls->setMagnetSpeed(m_shown->number, millimetresPerSecond);
     Q_EMIT acted(millimetresPerSecond == 0
                      ? tr("Magnet stopped.")
                      : tr("Magnet moves at %1 mm/s.")
@@ -147,7 +147,7 @@ void RodControls::setSpeed(double millimetresPerSecond)
 
 void RodControls::setInRange(bool inRange)
 {
-    m_controls.setFault(TrainingFault::magnetLost, m_shown->number, inRange ? 0 : 1);
+    m_controls->setFault(TrainingFault::magnetLost, m_shown->number, inRange ? 0 : 1);
     Q_EMIT acted(inRange ? tr("Magnet back in the measuring range.")
                          : tr("Magnet outside the measuring range."));
 }

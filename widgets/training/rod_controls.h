@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/training/left_alone.h"
+#include "widgets/training/shared_controls.h"
 
 #include <QWidget>
 
@@ -23,12 +23,12 @@ class RodControls : public QWidget
     Q_OBJECT
 
 public:
-    explicit RodControls(TrainingControls &controls, QWidget *parent = nullptr);
+    explicit RodControls(const SharedControls &controls, QWidget *parent = nullptr);
 
     // With each frame. A field changes only when the rod has changed, so as not to undo what the user has
     // just typed before the bus has taken it.
     void showRod(const TrainingControls::Rod &rod);
-    // The panel turns to another device.
+    // The panel turns to another device, or to another ring.
     void leave();
 
 Q_SIGNALS:
@@ -44,7 +44,7 @@ private:
     void setInRange(bool inRange);
     void tellOfMoving();
 
-    TrainingControls &m_controls;
+    const SharedControls &m_controls;
     std::optional<TrainingControls::Rod> m_shown;
     LeftAlone m_leftAlone;
     QSlider *m_track; // in tenths of mm

@@ -23,7 +23,7 @@ namespace codewheel {
 
 using namespace training_fields;
 
-ShaftControls::ShaftControls(TrainingControls &controls, QWidget *parent)
+ShaftControls::ShaftControls(const SharedControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
     , m_wheel(new HandWheel(this))
@@ -102,7 +102,7 @@ void ShaftControls::leave()
 
 void ShaftControls::turnBy(qint64 steps)
 {
-    m_controls.turnBy(m_shown->number, steps);
+    m_controls->turnBy(m_shown->number, steps);
     m_leftAlone.moved();
 }
 
@@ -110,14 +110,14 @@ void ShaftControls::turnTo()
 {
     if (!m_target->takeTyped().isEmpty())
         return; // the field says why
-    m_controls.turnTo(m_shown->number, m_target->value());
+    m_controls->turnTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
     Q_EMIT acted(tr("Shaft turned to raw position %1.").arg(QLocale().toString(m_target->value())));
 }
 
 void ShaftControls::setSpeed(double rpm)
 {
-    m_controls.setSpeed(m_shown->number, rpm);
+    m_controls->setSpeed(m_shown->number, rpm);
     Q_EMIT acted(rpm == 0
                      ? tr("Shaft stopped.")
                      : tr("Shaft turns at %1 rpm.").arg(QLocale().toString(rpm, 'f', m_speed->decimals())));

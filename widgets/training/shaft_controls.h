@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/training/left_alone.h"
+#include "widgets/training/shared_controls.h"
 
 #include <QWidget>
 
@@ -23,12 +23,12 @@ class ShaftControls : public QWidget
     Q_OBJECT
 
 public:
-    explicit ShaftControls(TrainingControls &controls, QWidget *parent = nullptr);
+    explicit ShaftControls(const SharedControls &controls, QWidget *parent = nullptr);
 
     // With each frame. A field changes only when the shaft has changed, so as not to undo what the user has
     // just typed before the bus has taken it.
     void showShaft(const TrainingControls::Shaft &shaft);
-    // The panel turns to another device.
+    // The panel turns to another device, or to another ring.
     void leave();
 
 Q_SIGNALS:
@@ -42,7 +42,7 @@ private:
     void setSpeed(double rpm);
     void tellOfTurning();
 
-    TrainingControls &m_controls;
+    const SharedControls &m_controls;
     std::optional<TrainingControls::Shaft> m_shown;
     LeftAlone m_leftAlone;
     HandWheel *m_wheel;

@@ -3,11 +3,13 @@
 
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
 #include "widgets/training/training_fields.h"
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,6 +25,7 @@ TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
     : ScrolledPanel(tr("Training"), areaHeight, parent)
     , m_device(describe(new QComboBox(content()), tr("Device to train with"), toolTip))
     , m_column(layOut<QVBoxLayout>(content(), grid::unit, grid::unit))
+    , m_afresh(named(new QPushButton(lineIcon(Icon::refresh), tr("Start afresh"), content()), "startAfresh"))
 {
     auto *device = new QGridLayout;
     device->setHorizontalSpacing(grid::groupGap);
@@ -31,6 +34,22 @@ TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
     device->addWidget(m_device, 0, 1);
     m_column->addLayout(device);
     connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingArea::choose);
+    m_afresh->setAutoDefault(false);
+    m_afresh->hide();
+    connect(m_afresh, &QPushButton::clicked, this, &TrainingArea::afreshWanted);
+}
+
+void TrainingArea::endColumn()
+{
+    m_column->addWidget(m_afresh);
+    m_column->addStretch(1);
+}
+
+void TrainingArea::offerAfresh(bool canBegin, const QString &toolTip)
+{
+    m_afresh->show();
+    m_afresh->setEnabled(canBegin);
+    m_afresh->setToolTip(toolTip);
 }
 
 void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
@@ -40,6 +59,8 @@ void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
     m_device->clear();
     for (const Place place : m_devices)
         m_device->addItem(place.isEmpty() ? bus : place.toString());
+    if (m_lastChosen)
+        setDevice(*m_lastChosen);
     content()->setEnabled(!m_devices.empty());
     choose();
 }
@@ -50,6 +71,8 @@ void TrainingArea::choose()
         leave();
     const int index = m_device->currentIndex();
     m_chosen = index < 0 ? std::nullopt : std::optional(m_devices[static_cast<std::size_t>(index)]);
+    if (m_chosen)
+        m_lastChosen = m_chosen;
     refresh();
 }
 

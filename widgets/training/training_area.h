@@ -8,6 +8,7 @@
 #include <vector>
 
 class QComboBox;
+class QPushButton;
 class QVBoxLayout;
 
 namespace codewheel {
@@ -23,15 +24,19 @@ public:
     void setDevice(Place place);
     // Shows the present state; called by the window with each frame.
     virtual void refresh() = 0;
+    // Whether the whole bus can begin anew. Without a call there is no button for it.
+    void offerAfresh(bool canBegin, const QString &toolTip);
 
 Q_SIGNALS:
+    void afreshWanted();
     void acted(codewheel::Place place, const QString &what);
 
 protected:
     TrainingArea(const QString &toolTip, QWidget *parent);
 
     QVBoxLayout *column() const { return m_column; }
-    // A place without a node is the bus itself, listed under its name.
+    void endColumn(); // below everything else
+    // A place without a node is the bus itself, listed under its name. The one that was chosen stays.
     void setDevices(std::vector<Place> devices, const QString &bus = {});
     std::optional<Place> chosen() const { return m_chosen; }
     void act(const QString &what);
@@ -42,8 +47,10 @@ private:
 
     std::vector<Place> m_devices; // by index of the field
     std::optional<Place> m_chosen;
+    std::optional<Place> m_lastChosen; // also while there are none
     QComboBox *m_device;
     QVBoxLayout *m_column;
+    QPushButton *m_afresh;
 };
 
 } // namespace codewheel

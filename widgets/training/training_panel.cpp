@@ -22,14 +22,14 @@ namespace codewheel {
 
 using namespace training_fields;
 
-TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *parent)
+TrainingPanel::TrainingPanel(SharedControls controls, BusId ring, QWidget *parent)
     : TrainingArea(tr("The simulated device that is moved, switched and disturbed here"), parent)
-    , m_controls(controls)
+    , m_controls(std::move(controls))
     , m_ring(ring)
-    , m_shaft(new ShaftControls(controls, content()))
-    , m_rod(new RodControls(controls, content()))
-    , m_ringFaults(new RingFaults(controls, content()))
-    , m_plan(new FaultPlanBar(controls, content()))
+    , m_shaft(new ShaftControls(m_controls, content()))
+    , m_rod(new RodControls(m_controls, content()))
+    , m_ringFaults(new RingFaults(m_controls, content()))
+    , m_plan(new FaultPlanBar(m_controls, content()))
     , m_writesCaption(new QLabel(tr("EEPROM writes"), content()))
     , m_writes(numberLabel(tr("EEPROM writes"), content()))
 {
@@ -37,7 +37,7 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *pa
     makeTroubles(column());
     column()->addWidget(m_ringFaults);
     column()->addWidget(m_plan);
-    column()->addStretch(1);
+    endColumn();
 
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
@@ -45,9 +45,23 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *pa
     connect(m_plan, &FaultPlanBar::carriedOut, this, [this](NodeId node, const QString &what) {
         Q_EMIT planned({m_ring, node}, what);
     });
+    listDevices();
+}
+
+void TrainingPanel::setControls(SharedControls controls)
+{
+    if (m_controls == controls)
+        return;
+    leave();
+    m_controls = std::move(controls);
+    listDevices();
+}
+
+void TrainingPanel::listDevices()
+{
     std::vector<Place> devices;
-    for (const TrainingPlace &place : controls.places())
-        devices.push_back({ring, place.number});
+    for (const TrainingPlace &place : m_controls->places())
+        devices.push_back({m_ring, place.number});
     setDevices(std::move(devices));
 }
 
@@ -113,7 +127,7 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
                  faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
     });
     connect(m_cycle, &QPushButton::clicked, this, [this] {
-        m_controls.powerCycle(chosen()->node);
+        m_controls->powerCycle(chosen()->node);
         act(tr("Power off and on."));
     });
     connect(m_lose, &QPushButton::clicked, this,
@@ -124,6 +138,7 @@ void TrainingPanel::leave()
 {
     m_shaft->leave();
     m_rod->leave();
+    m_ringFaults->leave();
     m_shown.reset();
 }
 
@@ -131,7 +146,7 @@ void TrainingPanel::refresh()
 {
     if (!chosen())
         return;
-    const std::vector<TrainingControls::Shaft> shafts = m_controls.shafts();
+    const std::vector<TrainingControls::Shaft> shafts = m_controls->shafts();
     const auto shaft = std::ranges::find(shafts, chosen()->node, &TrainingControls::Shaft::number);
     m_shaft->setVisible(shaft != shafts.end());
     if (shaft != shafts.end()) {
@@ -140,7 +155,7 @@ void TrainingPanel::refresh()
                     shaft->eepromWornOut, shaft->codeDiscFaulty});
         m_shaft->showShaft(*shaft);
     }
-    const std::vector<TrainingControls::Rod> rods = m_controls.rods();
+    const std::vector<TrainingControls::Rod> rods = m_controls->rods();
     const auto rod = std::ranges::find(rods, chosen()->node, &TrainingControls::Rod::number);
     m_rod->setVisible(rod != rods.end());
     if (rod != rods.end()) {
@@ -149,7 +164,7 @@ void TrainingPanel::refresh()
     }
     if (shaft == shafts.end() && rod == rods.end())
         hideCommon();
-    const std::vector<TrainingPlace> places = m_controls.places();
+    const std::vector<TrainingPlace> places = m_controls->places();
     if (const auto place = std::ranges::find(places, chosen()->node, &TrainingPlace::number);
         place != places.end())
         m_ringFaults->showPlace(*place);
@@ -201,7 +216,7 @@ void TrainingPanel::hideCommon()
 
 void TrainingPanel::setFault(TrainingFault fault, bool on, const QString &what)
 {
-    m_controls.setFault(fault, chosen()->node, on ? 1 : 0);
+    m_controls->setFault(fault, chosen()->node, on ? 1 : 0);
     act(what);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
 #include "widgets/look/icons.h"
+#include "widgets/training/shared_controls.h"
 #include "widgets/training/training_area.h"
 
 class QCheckBox;
@@ -24,9 +24,10 @@ class TrainingPanel final : public TrainingArea
     Q_OBJECT
 
 public:
-    // The controls outlive the panel.
-    explicit TrainingPanel(TrainingControls &controls, BusId ring = firstRing, QWidget *parent = nullptr);
+    explicit TrainingPanel(SharedControls controls, BusId ring = firstRing, QWidget *parent = nullptr);
 
+    // Another ring from now on: the device stays chosen, and a loaded fault plan stays loaded.
+    void setControls(SharedControls controls);
     void refresh() override;
     void loadFaultPlan(const QString &path); // the panel says what is wrong with it
 
@@ -49,6 +50,7 @@ private:
         bool codeDiscFaulty = false;
     };
 
+    void listDevices();
     void makeTop(QVBoxLayout *column);
     void makeTroubles(QVBoxLayout *column);
     QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
@@ -57,7 +59,7 @@ private:
     void hideCommon();
     void setFault(TrainingFault fault, bool on, const QString &what);
 
-    TrainingControls &m_controls;
+    SharedControls m_controls;
     const BusId m_ring;
     std::optional<Common> m_shown; // shown by the fields
 

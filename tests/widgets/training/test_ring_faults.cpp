@@ -69,7 +69,7 @@ protected:
 
     QTemporaryDir folder;
     test::TrainingBusSession ring;
-    TrainingPanel panel{*ring.controls};
+    TrainingPanel panel{ring.controls};
     QStringList acts;
     QStringList steps;
 };

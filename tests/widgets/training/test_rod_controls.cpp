@@ -91,7 +91,7 @@ protected:
             panel.refresh();
     }
 
-    RodRing ring;
+    std::shared_ptr<RodRing> ring = std::make_shared<RodRing>();
     TrainingPanel panel{ring};
     QStringList acts;
 };
@@ -118,7 +118,7 @@ TEST_F(RodControlsTest, TheTrackMovesTheMagnetAndTellsOnceWhenItIsLeftAlone)
     track.setFocus();
     QTest::keyClick(&track, Qt::Key_Right);
     QTest::keyClick(&track, Qt::Key_PageUp);
-    EXPECT_NEAR(ring.rod.millimetres, 125.0 + 0.1 + 10, 1e-9);
+    EXPECT_NEAR(ring->rod.millimetres, 125.0 + 0.1 + 10, 1e-9);
     EXPECT_TRUE(acts.empty());
     rest();
     EXPECT_EQ(find<QLabel>("Place of the magnet in mm").text(), QLocale().toString(135.1, 'f', 2));
@@ -134,17 +134,17 @@ TEST_F(RodControlsTest, TypedPlaceAndSpeedHoldAtEnter)
     place.setFocus();
     place.selectAll();
     QTest::keyClicks(&place, QLocale().toString(250.25, 'f', 2));
-    EXPECT_EQ(ring.rod.millimetres, 125);
+    EXPECT_EQ(ring->rod.millimetres, 125);
     QTest::keyClick(&place, Qt::Key_Return);
-    EXPECT_EQ(ring.rod.millimetres, 250.25);
+    EXPECT_EQ(ring->rod.millimetres, 250.25);
     auto &speed = find<QDoubleSpinBox>("Speed in mm per second");
     speed.setFocus();
     speed.selectAll();
     QTest::keyClicks(&speed, QStringLiteral("-20"));
     QTest::keyClick(&speed, Qt::Key_Return);
-    EXPECT_EQ(ring.rod.millimetresPerSecond, -20);
+    EXPECT_EQ(ring->rod.millimetresPerSecond, -20);
     QTest::mouseClick(&find<QToolButton>("Stop the magnet"), Qt::LeftButton);
-    EXPECT_EQ(ring.rod.millimetresPerSecond, 0);
+    EXPECT_EQ(ring->rod.millimetresPerSecond, 0);
 }
 
 TEST_F(RodControlsTest, TakesTheMagnetOutOfItsRange)
@@ -152,14 +152,14 @@ TEST_F(RodControlsTest, TakesTheMagnetOutOfItsRange)
     auto &inRange = button<QCheckBox>("Magnet in range");
     EXPECT_TRUE(inRange.isChecked());
     QTest::mouseClick(&inRange, Qt::LeftButton, {}, QPoint(8, inRange.height() / 2));
-    EXPECT_FALSE(ring.rod.magnetInRange);
+    EXPECT_FALSE(ring->rod.magnetInRange);
     EXPECT_EQ(acts, QStringList(QStringLiteral("Magnet outside the measuring range.")));
-    ring.rod.magnetInRange = true; // by the command line
+    ring->rod.magnetInRange = true; // by the command line
     panel.refresh();
     EXPECT_FALSE(inRange.isChecked()) << "what was ticked is not undone before the bus has come round";
-    ring.rod.magnetInRange = false;
+    ring->rod.magnetInRange = false;
     panel.refresh();
-    ring.rod.magnetInRange = true;
+    ring->rod.magnetInRange = true;
     panel.refresh();
     EXPECT_TRUE(inRange.isChecked());
 }

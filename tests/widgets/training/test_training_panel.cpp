@@ -84,7 +84,7 @@ protected:
     QString lastAct() const { return acts.empty() ? QString() : acts.back().what; }
 
     test::TrainingBusSession ring;
-    TrainingPanel panel{*ring.controls};
+    TrainingPanel panel{ring.controls};
     std::vector<Act> acts;
 };
 
