@@ -2,11 +2,17 @@
 #include "app/screenshots/offer_picture.h"
 
 #include "app/screenshots/scene.h"
+#include "app/window/plant.h"
 #include "app/window/ring_actions.h"
+#include "app/window/ring_at_work.h"
 #include "app/window/ring_offer.h"
+#include "simulator/fault_plan.h"
 #include "widgets/offer/offer_page.h"
+#include "widgets/offer/seat_panel.h"
+#include "widgets/offer/seats_view.h"
 
 #include <QAction>
+#include <QTableView>
 #include <QTabWidget>
 
 namespace codewheel {
@@ -47,12 +53,24 @@ std::vector<Seat> seatsWith(const std::vector<ServedClient> &clients)
 {
     std::vector<Seat> seats;
     for (int unit = 1; unit <= seatsOfClass; ++unit)
-        seats.push_back({.unit = unit, .role = Role::running, .state = QStringLiteral("RUN")});
+        seats.push_back({.unit = unit,
+                         .role = Role::running,
+                         .state = QStringLiteral("RUN"),
+                         .in = 0x0000'3039,
+                         .out = 0});
     for (const ServedClient &one : clients) {
         Seat &seat = seats[static_cast<std::size_t>(*one.unit - 1)];
         seat.clients = 1;
         seat.written = one.written;
+        if (one.written)
+            seat.in = 0xC200'00FF, seat.out = one.written->word.word;
     }
+    Seat &disturbed = seats[2];
+    disturbed.role = Role::fault;
+    disturbed.state = QStringLiteral("BUS FAIL");
+    disturbed.in.reset();
+    disturbed.out.reset();
+    disturbed.faults = trainingFaultText(TrainingFault::wireBreak, fraba.node, 1);
     return seats;
 }
 
@@ -61,6 +79,14 @@ OfferPage *pageOf(TrainingWindow &shown)
     shown.window().findChild<RingActions *>()->offer->trigger();
     shown.advance(whileMilliseconds);
     return shown.window().findChild<OfferPage *>();
+}
+
+// What a trainer does to a seat, as in the panel Training.
+void treatSeat(TrainingWindow &shown, OfferPage &page)
+{
+    page.findChild<QTableView *>(QStringLiteral("seatTable"))->selectRow(2);
+    const RingAtWork &ring = *shown.plant().first<RingAtWork>();
+    page.offered().seats().panel().showSeat(3, ring.id(), ring.sharedControls());
 }
 
 OfferPage *offeredIn(TrainingWindow &shown, const char *table)
@@ -74,9 +100,10 @@ OfferPage *offeredIn(TrainingWindow &shown, const char *table)
     const auto clients = clientsOfClass();
     page->offered().setDevices(servedDevices(shown.bus().structure(), shown.bus().catalog()));
     page->offered().showClients(clients, {.came = 6, .left = 2, .refused = 1});
-    page->offered().showSeats(seatsWith(clients));
+    page->offered().seats().show(seatsWith(clients));
     auto *tables = page->findChild<QTabWidget *>(QStringLiteral("offeredTables"));
     tables->setCurrentWidget(page->findChild<QWidget *>(QLatin1String(table)));
+    treatSeat(shown, *page);
     shown.advance(whileMilliseconds);
     return page;
 }

@@ -14,6 +14,8 @@
 #include "widgets/offer/offer_form.h"
 #include "widgets/offer/offer_page.h"
 #include "widgets/offer/offered_view.h"
+#include "widgets/offer/seat_panel.h"
+#include "widgets/offer/seats_view.h"
 #include "widgets/project/project_document.h"
 
 namespace codewheel {
@@ -32,7 +34,13 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
     m_status->setToolTip(tr("A simulated ring is offered to others (Bus > Training > Offer to others)"));
     connect(&page, &OfferPage::offerWanted, this, &OfferViews::begin);
     connect(&page, &OfferPage::endWanted, this, &OfferViews::end);
-    connect(&page.offered(), &OfferedView::restartWanted, &m_offer, &RingOffer::restart);
+    connect(&seats(), &SeatsView::restartWanted, &m_offer, &RingOffer::restart);
+    connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::showSeats); // without the ring before
+    connect(&seats(), &SeatsView::choiceChanged, this, &OfferViews::showSeats);
+    connect(&seats().panel(), &SeatPanel::acted, this, [this](int unit, Place place, const QString &what) {
+        if (m_offer.isOn())
+            m_offer.tellOfSeat(unit, place.node, what);
+    });
     connect(&m_offer, &RingOffer::changed, this, &OfferViews::showPlace);
     connect(&ring.project(), &ProjectDocument::changed, this, &OfferViews::showName);
     page.form().show(settings.offer());
@@ -87,6 +95,7 @@ void OfferViews::showPlace()
     if (m_offer.isOn())
         m_page.offered().setDevices(m_offer.devices());
     m_status->setVisible(m_offer.isOn());
+    showSeats();
     showFrame();
     Q_EMIT changed();
 }
@@ -100,8 +109,24 @@ void OfferViews::showFrame()
     showStatus();
     if (m_page.isVisible()) {
         m_page.offered().showClients(m_offer.clients(), m_offer.counts());
-        m_page.offered().showSeats(m_offer.seats());
+        showSeats();
     }
+}
+
+SeatsView &OfferViews::seats() const
+{
+    return m_page.offered().seats();
+}
+
+void OfferViews::showSeats()
+{
+    const auto chosen = m_offer.isOn() ? seats().chosen() : std::nullopt;
+    if (const auto controls = chosen ? m_offer.controls(*chosen) : nullptr)
+        seats().panel().showSeat(*chosen, m_ring.id(), controls);
+    else
+        seats().panel().leave();
+    if (m_offer.isOn())
+        seats().show(m_offer.seats(seats().device()));
 }
 
 void OfferViews::showStatus()

@@ -11,6 +11,7 @@ struct OfferWish;
 class RingAtWork;
 class RingOffer;
 class RoleLabel;
+class SeatsView;
 class StatusLine;
 class WindowSettings;
 
@@ -39,6 +40,8 @@ private:
     void begin(const OfferWish &wish);
     void showPlace();
     void showStatus();
+    SeatsView &seats() const;
+    void showSeats();
     void showName();
 
     RingOffer &m_offer;

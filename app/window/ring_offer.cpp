@@ -2,8 +2,11 @@
 #include "app/window/ring_offer.h"
 
 #include "app/window/ring_at_work.h"
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
+#include "encoder/sentence.h"
 #include "project/bus_kind.h"
+#include "simulator/standing_faults.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -14,6 +17,16 @@ namespace {
 Instant sinceStart()
 {
     return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+void showWords(const WordChannel &words, Seat &seat)
+{
+    if (!words.freshness().isLive())
+        return;
+    if (words.inWords() > 0)
+        seat.in = words.in();
+    if (words.outWords() > 0)
+        seat.out = words.out();
 }
 
 } // namespace
@@ -98,6 +111,7 @@ Result<void> RingOffer::begin(const OfferWish &wish)
     m_server = *std::move(server);
     m_wish = wish;
     m_news = {};
+    m_plans.assign(m_seats.rings().size(), {});
     m_seats.start();
     if (!wish.hasSeats)
         m_ring.bus()->offerTo(m_guests);
@@ -144,29 +158,52 @@ OfferedPlace RingOffer::place() const
             .seats = m_wish.hasSeats ? m_wish.seats : 0};
 }
 
-std::vector<Seat> RingOffer::seats() const
+std::vector<Seat> RingOffer::seats(std::optional<NodeId> device) const
 {
     const auto written = m_server->clients().writtenTo();
     const auto present = clients();
     std::vector<Seat> seats;
     for (const OfferedRings::Ring &ring : m_seats.rings()) {
         const int unit = static_cast<int>(seats.size()) + 1;
-        const StateWord state = ring.training.bus->outline().state();
+        RingSession &bus = *ring.training.bus;
+        const StateWord state = bus.outline().state();
         const auto last = written.find(unit);
         seats.push_back({.unit = unit,
                          .clients = static_cast<int>(std::ranges::count(present, unit, &ServedClient::unit)),
                          .role = state.role,
                          .state = state.word,
-                         .written = last == written.end() ? std::nullopt : std::optional(last->second)});
+                         .written = last == written.end() ? std::nullopt : std::optional(last->second),
+                         .faults = standingFaultsText(ring.training.controls->places())});
+        if (const WordChannel *words = device ? bus.channel(*device) : nullptr)
+            showWords(*words, seats.back());
     }
     return seats;
 }
 
+RingSession &RingOffer::offeredRing() const
+{
+    return m_wish.hasSeats ? *m_seats.rings().front().training.bus : *m_ring.bus();
+}
+
 std::vector<ServedDevice> RingOffer::devices() const
 {
-    return servedDevices(m_wish.hasSeats ? m_seats.rings().front().training.bus->structure()
-                                         : m_ring.bus()->structure(),
-                         m_ring.catalog());
+    return servedDevices(offeredRing().structure(), m_ring.catalog());
+}
+
+std::shared_ptr<TrainingControls> RingOffer::controls(int unit) const
+{
+    const bool isSeat = isOn() && unit >= 1 && static_cast<std::size_t>(unit) <= m_seats.rings().size();
+    return isSeat ? m_seats.rings()[static_cast<std::size_t>(unit - 1)].training.controls : nullptr;
+}
+
+// What happens at a place of the ring names it already.
+void RingOffer::tellOfSeat(int unit, NodeId node, const QString &what, MessageId id)
+{
+    const QString seat = QString::number(unit);
+    const bool isNamed = node.isEmpty() || what.startsWith(node.toString() + u':');
+    tell({.id = id,
+          .arguments = {isNamed ? sentence(tr("Seat %1: %2"), {seat, what})
+                                : sentence(tr("Seat %1, %2: %3"), {seat, node.toString(), what})}});
 }
 
 void RingOffer::restart(int unit)
@@ -180,8 +217,17 @@ void RingOffer::takeFrame()
     if (!isOn())
         return;
     m_seats.pump();
+    takePlans();
     for (const Message &message : m_news.take(m_server->clients(), sinceStart()))
         tell(message);
+}
+
+void RingOffer::takePlans()
+{
+    for (std::size_t i = 0; i < m_seats.rings().size(); ++i)
+        for (const FaultStep &step : m_plans[i].take(m_seats.rings()[i].training.controls->planProgress()))
+            tellOfSeat(static_cast<int>(i) + 1, {}, trainingFaultText(step.fault, step.place, step.value),
+                       MessageId::faultPlan);
 }
 
 void RingOffer::tell(Message message)

@@ -4,8 +4,10 @@
 #include "app/offered_rings.h"
 #include "links/modbus_tcp_server.h"
 #include "modbus/served_news.h"
+#include "simulator/fault_plan_news.h"
 #include "widgets/offer/offer_wish.h"
 #include "widgets/offer/offered_view.h"
+#include "widgets/offer/seats_model.h"
 
 #include <QObject>
 
@@ -41,9 +43,13 @@ public:
     OfferedPlace place() const;
     std::vector<ServedClient> clients() const { return m_server->clients().clients(); }
     ClientCounts counts() const { return m_server->clients().counts(); }
-    std::vector<Seat> seats() const;
-    std::vector<ServedDevice> devices() const; // of one of the rings: they are alike
-    void restart(int unit);                    // the ring of a seat
+    std::vector<Seat> seats(std::optional<NodeId> device) const; // with the words of this device
+    std::vector<ServedDevice> devices() const;                   // of one of the rings: they are alike
+    void restart(int unit);                                      // the ring of a seat
+    // What a trainer can do to the ring of a seat; another one after restart(). Null: there is no such seat.
+    std::shared_ptr<TrainingControls> controls(int unit) const;
+    // What was done to the ring of a seat, for the messages.
+    void tellOfSeat(int unit, NodeId node, const QString &what, MessageId id = MessageId::training);
     // The ring of the window starts afresh. It stays offered, unless its words are in other registers then.
     void goOnWith(const RingStructure &afresh);
 
@@ -56,6 +62,8 @@ Q_SIGNALS:
 
 private:
     bool offersWindowsRing() const { return isOn() && !m_wish.hasSeats; }
+    RingSession &offeredRing() const; // one of them: they are alike
+    void takePlans();
     void endAs(MessageId why);
     void stop();
     void tell(Message message);
@@ -65,6 +73,7 @@ private:
     OfferWish m_wish;
     std::shared_ptr<RingGuests> m_guests; // of the window's ring
     OfferedRings m_seats;
+    std::vector<FaultPlanNews> m_plans; // of the seats
     ServedNews m_news;
     std::unique_ptr<ModbusTcpServer> m_server; // ends first
 };

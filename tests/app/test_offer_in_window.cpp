@@ -116,7 +116,7 @@ TEST_F(OfferInWindow, EachSeatHasARingOfItsOwn)
     partOf<QTabWidget>(offerPage(), "offeredTables")
         .setCurrentWidget(&partOf<QWidget>(offerPage(), "seatPage"));
     EXPECT_TRUE(
-        waitFor([&] { return inTable("seatTable", 1, 3).startsWith(QStringLiteral("2.0  00000007")); }));
+        waitFor([&] { return inTable("seatTable", 1, 6).startsWith(QStringLiteral("2.0  00000007")); }));
     EXPECT_EQ(inTable("seatTable", 0, 1), QStringLiteral("1"));
 
     auto &table = partOf<QTableView>(offerPage(), "seatTable");

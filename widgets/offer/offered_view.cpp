@@ -4,14 +4,14 @@
 #include "encoder/sentence.h"
 #include "modbus/served_ring.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/fonts.h"
+#include "widgets/look/fixed_columns.h"
 #include "widgets/look/grid.h"
-#include "widgets/look/heading_width.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/role_label.h"
 #include "widgets/look/wrapped_label.h"
+#include "widgets/offer/seats_view.h"
 #include "widgets/offer/served_clients_model.h"
 #include "widgets/offer/served_text.h"
 
@@ -22,22 +22,6 @@
 
 namespace codewheel {
 namespace {
-
-const QString widestWritten = QStringLiteral("10.0  00000000  00:00:00");
-
-// As wide as their widest text from the start, so that nothing moves while it is shown; the last one has the
-// rest.
-void fixColumns(QTableView &table, const QStringList &widest)
-{
-    QHeaderView &header = *table.horizontalHeader();
-    const QFontMetrics letters(numberFont());
-    for (int column = 0; column < widest.size(); ++column) {
-        header.setSectionResizeMode(column, QHeaderView::Interactive);
-        header.resizeSection(column, std::max(headingWidth(header, column),
-                                              letters.horizontalAdvance(widest[column]) + 4 * grid::unit));
-    }
-    header.setStretchLastSection(true);
-}
 
 QString howText(const OfferedPlace &place)
 {
@@ -59,7 +43,6 @@ QString howText(const OfferedPlace &place)
 OfferedView::OfferedView(QWidget *parent)
     : QWidget(parent)
     , m_clients(new ServedClientsModel(this))
-    , m_seats(new SeatsModel(this))
     , m_registers(new ServedRegistersModel(this))
     , m_address(named(new RoleLabel(this), "offeredAddress"))
     , m_copy(describe(new QPushButton(lineIcon(Icon::copy), tr("Cop&y"), this), "copyAddress",
@@ -67,14 +50,15 @@ OfferedView::OfferedView(QWidget *parent)
     , m_how(wrappedLabel(this, "offeredHow"))
     , m_counts(wrappedLabel(this, "clientCounts"))
     , m_tables(named(new QTabWidget(this), "offeredTables"))
-    , m_seatPage(makeSeats())
+    , m_seats(named(new SeatsView(this), "seatPage"))
 {
-    m_tables->addTab(addTable(*m_clients, "servedClients", tr("Clients"),
-                              {QStringLiteral("192.168.100.100:50000"), QStringLiteral("255"), widestWritten,
-                               ServedText::count(1'000'000), ServedText::count(100'000),
-                               ServedText::count(10'000), QStringLiteral("00:00:00")}),
-                     tr("Clients"));
-    m_tables->addTab(m_seatPage, tr("Seats"));
+    m_tables->addTab(
+        addTable(*m_clients, "servedClients", tr("Clients"),
+                 {QStringLiteral("192.168.100.100:50000"), QStringLiteral("255"), ServedText::widestWritten(),
+                  ServedText::count(1'000'000), ServedText::count(100'000), ServedText::count(10'000),
+                  QStringLiteral("00:00:00")}),
+        tr("Clients"));
+    m_tables->addTab(m_seats, tr("Seats"));
     m_tables->addTab(makeRegisters(), tr("Registers"));
     m_copy->setAutoDefault(false);
     connect(m_copy, &QPushButton::clicked, this, &OfferedView::copy);
@@ -96,27 +80,6 @@ QTableView *OfferedView::addTable(QAbstractItemModel &model, const char *id, con
     setUpQuietTable(*table, model, name);
     fixColumns(*table, widest);
     return table;
-}
-
-QWidget *OfferedView::makeSeats()
-{
-    auto *page = named(new QWidget(this), "seatPage");
-    m_seatTable =
-        addTable(*m_seats, "seatTable", tr("Seats"),
-                 {QStringLiteral("64"), QStringLiteral("64"), QString(grid::smallIcon, u'n'), widestWritten});
-    m_restart =
-        describe(new QPushButton(lineIcon(Icon::refresh), tr("Sta&rt seat afresh"), page), "restartSeat",
-                 tr("Gives the chosen seat a new ring, with factory settings and without what was "
-                    "written to it (Alt+R)"));
-    m_restart->setAutoDefault(false);
-    connect(m_restart, &QPushButton::clicked, this, &OfferedView::restart);
-    connect(m_seatTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &OfferedView::showButtons);
-    connect(m_seats, &QAbstractItemModel::modelReset, this, &OfferedView::showButtons);
-    layOutColumn(page, {{m_seatTable, 1}, layOutRow({Stretch{1}, m_restart})},
-                 {.spacing = grid::margin, .margins = QMargins()});
-    showButtons();
-    return page;
 }
 
 QWidget *OfferedView::makeRegisters()
@@ -141,11 +104,12 @@ void OfferedView::setPlace(const OfferedPlace &place)
     m_address->setState(place.reachesOthers ? Role::attention : Role::running,
                         sentence(tr("Offered at %1"), {place.address}));
     m_how->setText(howText(place));
-    m_tables->setTabVisible(m_tables->indexOf(m_seatPage), place.seats > 0);
+    m_tables->setTabVisible(m_tables->indexOf(m_seats), place.seats > 0);
 }
 
 void OfferedView::setDevices(std::vector<ServedDevice> devices)
 {
+    m_seats->setDevices(devices);
     m_registers->show(std::move(devices));
 }
 
@@ -157,26 +121,9 @@ void OfferedView::showClients(const std::vector<ServedClient> &clients, const Cl
         m_counts->setText(text);
 }
 
-void OfferedView::showSeats(const std::vector<Seat> &seats)
-{
-    m_seats->show(seats);
-}
-
 void OfferedView::copy()
 {
     QApplication::clipboard()->setText(m_place.address);
-}
-
-// The current row may be one that nobody has chosen.
-void OfferedView::showButtons()
-{
-    m_restart->setEnabled(m_seatTable->selectionModel()->hasSelection());
-}
-
-void OfferedView::restart()
-{
-    for (const QModelIndex &chosen : m_seatTable->selectionModel()->selectedRows())
-        Q_EMIT restartWanted(m_seats->rowAt(chosen.row()).unit);
 }
 
 } // namespace codewheel

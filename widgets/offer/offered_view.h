@@ -2,7 +2,6 @@
 #pragma once
 
 #include "modbus/served_clients.h"
-#include "widgets/offer/seats_model.h"
 #include "widgets/offer/served_registers_model.h"
 
 #include <QWidget>
@@ -15,6 +14,7 @@ class QTabWidget;
 namespace codewheel {
 
 class RoleLabel;
+class SeatsView;
 class ServedClientsModel;
 
 // Where a ring is offered, and how.
@@ -41,32 +41,23 @@ public:
     void setDevices(std::vector<ServedDevice> devices);
     // Frame by frame.
     void showClients(const std::vector<ServedClient> &clients, const ClientCounts &counts);
-    void showSeats(const std::vector<Seat> &seats);
-
-Q_SIGNALS:
-    void restartWanted(int unit);
+    SeatsView &seats() { return *m_seats; }
 
 private:
     QTableView *addTable(QAbstractItemModel &model, const char *id, const QString &name,
                          const QStringList &widest);
-    QWidget *makeSeats();
     QWidget *makeRegisters();
     void copy();
-    void restart();
-    void showButtons();
 
     OfferedPlace m_place;
     ServedClientsModel *m_clients;
-    SeatsModel *m_seats;
     ServedRegistersModel *m_registers;
     RoleLabel *m_address;
     QPushButton *m_copy;
     QLabel *m_how;
     QLabel *m_counts;
     QTabWidget *m_tables;
-    QTableView *m_seatTable = nullptr;
-    QWidget *m_seatPage;
-    QPushButton *m_restart;
+    SeatsView *m_seats;
 };
 
 } // namespace codewheel

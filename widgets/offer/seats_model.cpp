@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/offer/seats_model.h"
 
+#include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
@@ -8,6 +9,11 @@
 
 namespace codewheel {
 namespace {
+
+QString wordText(std::optional<Word> word)
+{
+    return word ? hexWord(*word) : QStringLiteral("\u2013");
+}
 
 QString seatText(const Seat &seat, int column)
 {
@@ -18,6 +24,12 @@ QString seatText(const Seat &seat, int column)
         return QString::number(seat.clients);
     case SeatsModel::ring:
         return seat.state;
+    case SeatsModel::in:
+        return wordText(seat.in);
+    case SeatsModel::out:
+        return wordText(seat.out);
+    case SeatsModel::faults:
+        return seat.faults;
     default:
         return ServedText::written(seat.written);
     }
@@ -38,11 +50,16 @@ void SeatsModel::show(const std::vector<Seat> &seats)
 
 QVariant SeatsModel::headerCell(int column, int role) const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Seat"), QT_TR_NOOP("Clients"), QT_TR_NOOP("Ring"),
-                                             QT_TR_NOOP("Written last")};
+    static constexpr const char *titles[] = {
+        QT_TR_NOOP("Seat"), QT_TR_NOOP("Clients"), QT_TR_NOOP("Ring"),        QT_TR_NOOP("IN"),
+        QT_TR_NOOP("OUT"),  QT_TR_NOOP("Faults"),  QT_TR_NOOP("Written last")};
     static constexpr const char *tips[] = {
-        QT_TR_NOOP("Its number is the Modbus unit"), QT_TR_NOOP("How many clients asked this unit last"),
+        QT_TR_NOOP("Its number is the Modbus unit"),
+        QT_TR_NOOP("How many clients asked this unit last"),
         QT_TR_NOOP("State of its ring"),
+        QT_TR_NOOP("IN word of the device that is chosen above"),
+        QT_TR_NOOP("OUT word of the device that is chosen above"),
+        QT_TR_NOOP("What the trainer or a fault plan has caused in its ring, and is not over"),
         QT_TR_NOOP("Device, OUT word, and when it was on the bus, whoever wrote it")};
     if (role == Qt::TextAlignmentRole)
         return QVariant((column <= clients ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -62,7 +79,7 @@ QVariant SeatsModel::cell(const Seat &seat, int column, int role) const
     case Qt::TextAlignmentRole:
         return headerCell(column, role);
     case Qt::FontRole:
-        return column == ring ? QVariant() : QVariant(numberFont());
+        return column == ring || column == faults ? QVariant() : QVariant(numberFont());
     default:
         return {};
     }

@@ -15,6 +15,10 @@ struct Seat
     Role role{};     // of the state of its ring
     QString state;
     std::optional<ServedClient::Written> written{}; // last, by whomever
+    // Words of the device that is looked at; empty: it has none, or they are not of now.
+    std::optional<Word> in{};
+    std::optional<Word> out{};
+    QString faults{}; // that a trainer or a fault plan has caused, and that stand
 
     friend bool operator==(const Seat &, const Seat &) = default;
 };
@@ -25,7 +29,7 @@ class SeatsModel : public TableModelBase<Seat>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { unit, clients, ring, written, columnCount_ };
+    enum Column : std::uint8_t { unit, clients, ring, in, out, faults, written, columnCount_ };
 
     using TableModelBase::TableModelBase;
 

@@ -4,6 +4,7 @@
 #include "widgets/offer/offer_form.h"
 #include "widgets/offer/offer_page.h"
 #include "widgets/offer/offered_view.h"
+#include "widgets/offer/seats_view.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -163,11 +164,11 @@ TEST_F(OfferPageTest, TheChosenSeatIsStartedAfresh)
     EXPECT_FALSE(tables.isTabVisible(tables.indexOf(seats))) << "one ring has no seats";
     page.setPlace(OfferedPlace{.address = QStringLiteral("127.0.0.1:1502"), .seats = 2});
     ASSERT_TRUE(tables.isTabVisible(tables.indexOf(seats)));
-    page.offered().showSeats({{.unit = 1, .state = {}}, {.unit = 2, .state = {}}});
+    page.offered().seats().show({{.unit = 1, .state = {}}, {.unit = 2, .state = {}}});
     tables.setCurrentWidget(seats);
     EXPECT_FALSE(part<QPushButton>("restartSeat").isEnabled()) << "none is chosen";
     std::vector<int> restarted;
-    QObject::connect(&page.offered(), &OfferedView::restartWanted, &page,
+    QObject::connect(&page.offered().seats(), &SeatsView::restartWanted, &page,
                      [&](int unit) { restarted.push_back(unit); });
     auto &table = part<QTableView>("seatTable");
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
