@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/offer_views.h"
 
+#include "app/window/offer_files.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_offer.h"
 #include "app/window/status_line.h"
@@ -18,6 +19,8 @@
 #include "widgets/offer/seats_view.h"
 #include "widgets/project/project_document.h"
 
+#include <QFileInfo>
+
 namespace codewheel {
 
 OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settings, StatusLine &status,
@@ -34,6 +37,7 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
     m_status->setToolTip(tr("A simulated ring is offered to others (Bus > Training > Offer to others)"));
     connect(&page, &OfferPage::offerWanted, this, &OfferViews::begin);
     connect(&page, &OfferPage::endWanted, this, &OfferViews::end);
+    connect(&page, &OfferPage::filesWanted, this, &OfferViews::saveFiles);
     connect(&seats(), &SeatsView::restartWanted, &m_offer, &RingOffer::restart);
     connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::showSeats); // without the ring before
     connect(&seats(), &SeatsView::choiceChanged, this, &OfferViews::showSeats);
@@ -127,6 +131,16 @@ void OfferViews::showSeats()
         seats().panel().leave();
     if (m_offer.isOn())
         seats().show(m_offer.seats(seats().device()));
+}
+
+void OfferViews::saveFiles()
+{
+    const QFileInfo project(m_ring.project().file());
+    const auto saved =
+        OfferFiles(m_offer, ownAddresses(), project.exists() ? project.path() : QString(), m_page).save();
+    if (!saved)
+        return;
+    m_page.tell(saved->role, saved->sentence);
 }
 
 void OfferViews::showStatus()

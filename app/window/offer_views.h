@@ -42,6 +42,7 @@ private:
     void showStatus();
     SeatsView &seats() const;
     void showSeats();
+    void saveFiles();
     void showName();
 
     RingOffer &m_offer;

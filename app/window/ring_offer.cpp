@@ -6,6 +6,7 @@
 #include "catalog/catalog.h"
 #include "encoder/sentence.h"
 #include "project/bus_kind.h"
+#include "project/gateway_project.h"
 #include "simulator/standing_faults.h"
 #include "widgets/project/project_document.h"
 
@@ -188,6 +189,18 @@ RingSession &RingOffer::offeredRing() const
 std::vector<ServedDevice> RingOffer::devices() const
 {
     return servedDevices(offeredRing().structure(), m_ring.catalog());
+}
+
+Project RingOffer::clientProject(int unit, const QString &host) const
+{
+    GatewaySettings gateway{.host = host, .tcpPort = m_server->place().port, .unit = unit};
+    const Project &planned = m_ring.project().project();
+    const PlannedBus *bus = findBus(planned, m_ring.id());
+    const QString ring = bus != nullptr ? bus->name : m_ring.nameOfNew();
+    return gatewayProject(
+        planned, m_ring.id(), offeredRing().structure(), servedSettings(gateway),
+        m_wish.hasSeats ? sentence(tr("%1, seat %2", "the ring of a seat"), {ring, QString::number(unit)})
+                        : ring);
 }
 
 std::shared_ptr<TrainingControls> RingOffer::controls(int unit) const

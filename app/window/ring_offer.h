@@ -17,6 +17,7 @@ namespace codewheel {
 
 class Catalog;
 class RingAtWork;
+struct Project;
 
 // The devices of a ring, with their names and registers.
 std::vector<ServedDevice> servedDevices(const RingStructure &ring, const Catalog &catalog);
@@ -41,6 +42,7 @@ public:
 
     // While it is on.
     OfferedPlace place() const;
+    ServerPlace server() const { return m_server->place(); }
     std::vector<ServedClient> clients() const { return m_server->clients().clients(); }
     ClientCounts counts() const { return m_server->clients().counts(); }
     std::vector<Seat> seats(std::optional<NodeId> device) const; // with the words of this device
@@ -50,6 +52,9 @@ public:
     std::shared_ptr<TrainingControls> controls(int unit) const;
     // What was done to the ring of a seat, for the messages.
     void tellOfSeat(int unit, NodeId node, const QString &what, MessageId id = MessageId::training);
+    // For a client of the seat, or of the one ring (unit 1): this ring behind a gateway that is reached at
+    // `host`.
+    Project clientProject(int unit, const QString &host) const;
     // The ring of the window starts afresh. It stays offered, unless its words are in other registers then.
     void goOnWith(const RingStructure &afresh);
 

@@ -37,4 +37,13 @@ QString askSaveFile(QWidget *parent, const QString &title, const QString &propos
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString askFolder(QWidget *parent, const QString &title, const QString &proposed, const char *helpTopic)
+{
+    QFileDialog dialog(parent, title, proposed);
+    setHelpTopic(dialog, helpTopic);
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 } // namespace codewheel

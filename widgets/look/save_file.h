@@ -16,4 +16,7 @@ void setSaveFilters(QFileDialog &dialog, const QStringList &filters);
 QString askSaveFile(QWidget *parent, const QString &title, const QString &proposed,
                     const QStringList &filters, const char *helpTopic = nullptr);
 
+// Asks for a folder in which to save; `proposed`: where to begin. Empty: cancelled.
+QString askFolder(QWidget *parent, const QString &title, const QString &proposed, const char *helpTopic);
+
 } // namespace codewheel

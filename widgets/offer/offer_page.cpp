@@ -31,6 +31,8 @@ OfferPage::OfferPage(QWidget *parent)
     , m_offer(describe(new QPushButton(lineIcon(Icon::start), tr("&Offer"), this), "offer", QString()))
     , m_end(describe(new QPushButton(lineIcon(Icon::stop), tr("&Stop offering"), this), "stopOffering",
                      tr("Disconnects all clients (Alt+S)")))
+    , m_files(describe(new QPushButton(lineIcon(Icon::save), QString(), this), "clientFiles",
+                       tr("Projects with which a Codewheel at another seat connects to its ring (Alt+I)")))
 {
     setAccessibleName(title());
     auto *narrow = new QWidget(this);
@@ -38,12 +40,13 @@ OfferPage::OfferPage(QWidget *parent)
     layOutColumn(narrow, {m_form, Stretch{1}}, {.margins = QMargins()});
     m_parts->addWidget(narrow);
     m_parts->addWidget(m_offered);
-    for (QPushButton *button : {m_offer, m_end})
+    for (QPushButton *button : {m_offer, m_end, m_files})
         button->setAutoDefault(false);
     connect(m_form, &OfferForm::edited, m_problem, &InlineMessage::withdraw);
     connect(m_offer, &QPushButton::clicked, this, &OfferPage::offer);
     connect(m_end, &QPushButton::clicked, this, &OfferPage::endWanted);
-    layOutColumn(this, {{m_parts, 1}, m_problem, layOutRow({Stretch{1}, m_offer, m_end})},
+    connect(m_files, &QPushButton::clicked, this, &OfferPage::filesWanted);
+    layOutColumn(this, {{m_parts, 1}, m_problem, layOutRow({m_files, Stretch{1}, m_offer, m_end})},
                  {.spacing = grid::margin, .margins = allAround(grid::margin)});
     showButtons();
 }
@@ -62,8 +65,11 @@ void OfferPage::setAbout(const QString &bus)
 void OfferPage::setPlace(const std::optional<OfferedPlace> &place)
 {
     m_isOffered = place.has_value();
-    if (place)
+    if (place) {
         m_offered->setPlace(*place);
+        m_files->setText(place->seats > 0 ? tr("Save f&iles for the seats…")
+                                          : tr("Save a f&ile for clients…"));
+    }
     m_parts->setCurrentIndex(m_isOffered ? 1 : 0);
     m_problem->withdraw();
     showButtons();
@@ -72,6 +78,11 @@ void OfferPage::setPlace(const std::optional<OfferedPlace> &place)
 void OfferPage::setProblem(const Trouble &trouble)
 {
     m_problem->showTrouble(Role::fault, trouble);
+}
+
+void OfferPage::tell(Role role, const QString &sentence)
+{
+    m_problem->showMessage(role, sentence);
 }
 
 void OfferPage::setWhyNot(const QString &sentence)
@@ -84,6 +95,7 @@ void OfferPage::showButtons()
 {
     m_offer->setVisible(!m_isOffered);
     m_end->setVisible(m_isOffered);
+    m_files->setVisible(m_isOffered);
     m_offer->setEnabled(m_whyNot.isEmpty());
     m_offer->setToolTip(m_whyNot.isEmpty() ? tr("Other programs can use the ring from then on (Alt+O)")
                                            : m_whyNot);

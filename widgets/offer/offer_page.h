@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/role.h"
 #include "widgets/look/page.h"
 #include "widgets/look/trouble.h"
 #include "widgets/offer/offer_wish.h"
@@ -35,12 +36,14 @@ public:
     OfferedView &offered() { return *m_offered; }
     void setPlace(const std::optional<OfferedPlace> &place); // empty: it is not offered
     void setProblem(const Trouble &trouble);                 // empty: none
+    void tell(Role role, const QString &sentence);           // what came of what was wanted
     // Why it cannot be offered; empty: it can.
     void setWhyNot(const QString &sentence);
 
 Q_SIGNALS:
     void offerWanted(const codewheel::OfferWish &wish);
     void endWanted();
+    void filesWanted(); // for those who use it
 
 private:
     void offer();
@@ -54,6 +57,7 @@ private:
     InlineMessage *m_problem;
     QPushButton *m_offer;
     QPushButton *m_end;
+    QPushButton *m_files;
     bool m_isOffered = false;
 };
 
