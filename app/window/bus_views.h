@@ -11,6 +11,7 @@
 #include <QObject>
 
 #include <any>
+#include <functional>
 #include <vector>
 
 class QMenu;
@@ -76,6 +77,8 @@ public:
     // Whether a fault plan can be loaded now; loads it, and shows it or what is wrong with it.
     virtual bool takesFaultPlans() const { return false; }
     virtual void loadFaultPlan(const QString &) {}
+    // Calls `then` once it may go to Operate; not at all if the user stays in Watch.
+    virtual void askToOperate(std::function<void()> then) { then(); }
     // What its pages have collected, for those in another language; its own are about to go.
     virtual std::any takeWork() { return {}; }
     virtual void goOn(const std::any &) {}

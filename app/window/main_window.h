@@ -180,6 +180,7 @@ private:
     void openDropped(FileKind kind, const QString &path);
     WordChannel *chosenWords() const; // null: no device is chosen, or it has no words
     void showWordActions();
+    void operate(EncoderBus &bus);
     void alarmStop();
     std::optional<Place> currentNumber() const;
 

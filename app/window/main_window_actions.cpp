@@ -39,7 +39,7 @@ void MainWindow::connectActions()
         });
     };
     onChosen(m_actions.watch, [](EncoderBus &bus) { bus.setOperate(false); });
-    onChosen(m_actions.operate, [](EncoderBus &bus) { bus.setOperate(true); });
+    onChosen(m_actions.operate, [this](EncoderBus &bus) { operate(bus); });
     onChosen(m_actions.start, [](EncoderBus &bus) { bus.setRunning(true); });
     onChosen(m_actions.stop, [this](EncoderBus &bus) {
         m_leaving->ask(Leaving::Why::stop, {&bus}, [&bus] { bus.setRunning(false); });
@@ -75,6 +75,16 @@ void MainWindow::connectActions()
     });
     connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
     connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
+}
+
+// Until it is so, Watch stays the one that is chosen.
+void MainWindow::operate(EncoderBus &bus)
+{
+    if (BusViews *views = viewsOf(bus.id()))
+        views->askToOperate([&bus] { bus.setOperate(true); });
+    else
+        bus.setOperate(true);
+    showBusState();
 }
 
 void MainWindow::alarmStop()

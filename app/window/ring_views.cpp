@@ -4,6 +4,7 @@
 #include "app/window/afresh.h"
 #include "app/window/leaving.h"
 #include "app/window/offer_views.h"
+#include "app/window/operate_question.h"
 #include "app/window/ring_actions.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
@@ -25,6 +26,7 @@
 #include "widgets/offer/offer_page.h"
 #include "widgets/project/device_names.h"
 #include "widgets/project/project_document.h"
+#include "widgets/structure/bus_branch.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/training/training_panel.h"
 
@@ -61,6 +63,13 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_actions(parts.actions.ofKind<RingActions>())
     , m_status(parts.status)
     , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
+    , m_operateQuestion(new OperateQuestion(
+          *ring.bus(),
+          [&project = ring.project()](Place place, const QString &name) {
+              return QStringLiteral("%1  %2").arg(place.shown(),
+                                                  calledText(project.device(place).station, name));
+          },
+          *parts.pages.window(), this))
     , m_master(new MasterPanel(*ring.bus(), &parts.pages))
     , m_gateway(new GatewayPanel(*ring.bus(), &parts.pages))
     , m_masterOrGateway(own(eitherOf(m_master, m_gateway, &parts.pages)))
@@ -241,6 +250,11 @@ void RingViews::showFrame()
     showStatus();
 }
 
+void RingViews::askToOperate(std::function<void()> then)
+{
+    m_operateQuestion->ask(std::move(then));
+}
+
 void RingViews::compare()
 {
     if (m_ring.isOpen())
@@ -294,7 +308,7 @@ void RingViews::act(const Fault &fault, FaultAction action)
     else if (action == FaultAction::run)
         m_ring.bus()->sendRun(m_ring.bus()->placeOf(fault.node));
     else if (action == FaultAction::bringBack)
-        m_ring.bus()->bringBack(m_ring.bus()->placeOf(fault.node));
+        askToOperate([this, place = m_ring.bus()->placeOf(fault.node)] { m_ring.bus()->bringBack(place); });
     else
         m_master->toggleSegment(DeviceNumber::of(fault.cutOff).segment);
 }

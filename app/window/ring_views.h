@@ -15,6 +15,7 @@ class LedRow;
 class MasterPanel;
 class OfferPage;
 class OfferViews;
+class OperateQuestion;
 class RingActions;
 class RingAtWork;
 class RingComparison;
@@ -46,6 +47,7 @@ public:
     void connectTraining() override { connectBus(); } // offered only for one that is planned as such
     bool takesFaultPlans() const override;
     void loadFaultPlan(const QString &path) override;
+    void askToOperate(std::function<void()> then) override;
     void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
@@ -73,6 +75,7 @@ private:
     RingActions &m_actions;
     RingStatus m_status;
     RingConnection *m_connection;
+    OperateQuestion *m_operateQuestion;
     MasterPanel *m_master;
     GatewayPanel *m_gateway;
     QStackedWidget *m_masterOrGateway; // in one dock
