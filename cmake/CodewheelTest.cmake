@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Tests need no screen, run in one language, and stop at the first finding of a sanitizer.
+# Tests need no screen, disturb no desktop, run in one language, and stop at the first finding of a sanitizer.
 set(codewheel_test_environment
     "QT_QPA_PLATFORM=offscreen"
+    "DBUS_SESSION_BUS_ADDRESS="
     "LC_ALL=C.UTF-8"
     "ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1"
     "LSAN_OPTIONS=print_suppressions=0:suppressions='${PROJECT_SOURCE_DIR}/tests/support/lsan.supp'"

@@ -9,6 +9,7 @@
 #include "app/window/recording_in_window.h"
 #include "app/window/start.h"
 #include "app/window/start_probe.h"
+#include "app/window/unseen_faults.h"
 #include "app/window/work_in_window.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/messages/message_model.h"
@@ -96,6 +97,7 @@ void Program::startBus()
             return QDateTime::currentDateTime();
         }});
     connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
+    watchFaults();
     const bool isFirst = m_file.isEmpty() && m_settings.isFirstStart();
     m_settings.noteStart();
     if (isFirst)
@@ -116,6 +118,15 @@ void Program::startBus()
             reportMemory();
             QCoreApplication::exit();
         });
+}
+
+void Program::watchFaults()
+{
+    m_unseenFaults = std::make_unique<UnseenFaults>();
+    connect(m_messages.get(), &MessageModel::added, m_unseenFaults.get(), &UnseenFaults::take);
+    connect(m_unseenFaults.get(), &UnseenFaults::told, this, [this] { QApplication::alert(m_window.get()); });
+    connect(m_unseenFaults.get(), &UnseenFaults::beepWanted, this, &QApplication::beep);
+    connect(m_unseenFaults.get(), &UnseenFaults::windowWanted, this, &Program::raiseWindow);
 }
 
 // For the next start to offer, even after a crash.
@@ -149,6 +160,8 @@ void Program::useSettings()
 {
     const ProgramSettings &now = m_choices.now();
     m_frames.setRate(now.framesPerSecond);
+    if (m_unseenFaults)
+        m_unseenFaults->setWishes(now.notifiesOfFaults, now.notifiesWithSound);
     askFromEepromShare(now.eepromQuestionFrom);
     if (m_recovery)
         m_recovery->setPeriod(std::chrono::seconds(now.secondsBetweenKeeping));
@@ -186,6 +199,14 @@ void Program::makeWindowAnew()
     if (showsRecording)
         m_window->recording().openDetails();
     m_choices.goOnIn(*m_window);
+}
+
+void Program::raiseWindow()
+{
+    m_window->setWindowState((m_window->windowState() & ~Qt::WindowMinimized) | Qt::WindowActive);
+    m_window->show();
+    m_window->raise();
+    m_window->activateWindow();
 }
 
 } // namespace codewheel

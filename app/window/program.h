@@ -21,6 +21,7 @@ class MessageModel;
 class MessageStore;
 class Plant;
 class ProjectRecovery;
+class UnseenFaults;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
 // the buses, each with its own thread once connected. The language can be changed at any time: the window is
@@ -45,6 +46,7 @@ public:
 
 private:
     void startBus();
+    void watchFaults();
     void keepLastFile();
     void openProject();
     void attach();
@@ -52,6 +54,7 @@ private:
     void useSettings();
     void useLanguage();
     void makeWindowAnew();
+    void raiseWindow();
 
     QApplication &m_application;
     const QString m_dataFolder;     // of messages and EEPROM counts
@@ -62,6 +65,7 @@ private:
     std::unique_ptr<Catalog> m_catalog;
     std::unique_ptr<MessageStore> m_store;
     std::unique_ptr<MessageModel> m_messages;
+    std::unique_ptr<UnseenFaults> m_unseenFaults;
     ProjectDocument m_project;
     std::unique_ptr<Plant> m_plant;
     std::unique_ptr<ProjectRecovery> m_recovery;

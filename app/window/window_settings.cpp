@@ -69,6 +69,8 @@ const QString offerSeatsKey = QStringLiteral("offer/seats");
 const QString offerReadOnlyKey = QStringLiteral("offer/readOnly");
 const QString recordingKey = QStringLiteral("window/recording");
 const QString keepingKey = QStringLiteral("recovery/seconds");
+const QString noticesKey = QStringLiteral("notices/faults");
+const QString noticeSoundKey = QStringLiteral("notices/sound");
 
 } // namespace
 
@@ -102,6 +104,8 @@ ProgramSettings WindowSettings::choices() const
         .traceRows = number(traceRowsKey, usual.traceRows, traceRowsRange),
         .trendMemory = number(trendMemoryKey, usual.trendMemory, trendMemoryRange),
         .secondsBetweenKeeping = number(keepingKey, usual.secondsBetweenKeeping, keepingRange),
+        .notifiesOfFaults = m_settings->value(noticesKey, usual.notifiesOfFaults).toBool(),
+        .notifiesWithSound = m_settings->value(noticeSoundKey, usual.notifiesWithSound).toBool(),
     };
 }
 
@@ -119,6 +123,8 @@ void WindowSettings::setChoices(const ProgramSettings &choices)
     m_settings->setValue(traceRowsKey, choices.traceRows);
     m_settings->setValue(trendMemoryKey, choices.trendMemory);
     m_settings->setValue(keepingKey, choices.secondsBetweenKeeping);
+    m_settings->setValue(noticesKey, choices.notifiesOfFaults);
+    m_settings->setValue(noticeSoundKey, choices.notifiesWithSound);
 }
 
 QStringList WindowSettings::usedCommands() const

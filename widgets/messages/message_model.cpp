@@ -61,6 +61,7 @@ void MessageModel::setClock(EncoderBus &bus)
 void MessageModel::add(const Message &message, const QDateTime &at)
 {
     m_store.add(message, at);
+    Q_EMIT added(message);
     if (message.severity == Severity::information)
         return;
     ++m_unseen;

@@ -92,6 +92,7 @@ public:
 Q_SIGNALS:
     void searchChanged(); // it began, made progress or ended
     void unseenChanged();
+    void added(const codewheel::Message &message); // by whoever tells it, while the program runs
 
 private:
     bool openTable();

@@ -22,6 +22,8 @@ struct ProgramSettings
     int traceRows = 20'000;         // of one encoder, or of the terminal of a line
     int trendMemory = 256;          // MB, for all encoders together
     int secondsBetweenKeeping = 30; // of unsaved changes, for recovery after a crash
+    bool notifiesOfFaults = true;   // on the desktop, while no window of the program is in front
+    bool notifiesWithSound = false;
 
     friend bool operator==(const ProgramSettings &, const ProgramSettings &) = default;
 };

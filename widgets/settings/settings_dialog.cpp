@@ -51,6 +51,7 @@ SettingsDialog::SettingsDialog(const ProgramSettings &settings, const std::vecto
     makeLook();
     makeWarnings();
     makeKept(folders);
+    makeNotices();
     layOutColumn(this, {{m_pages, 1}}, {.spacing = grid::margin, .margins = allAround(grid::margin)});
     makeButtons();
     resize(minimumSizeHint().expandedTo(
@@ -176,6 +177,18 @@ void SettingsDialog::makeKept(const std::vector<KeptFolder> &folders)
                  form.parentWidget()));
 }
 
+void SettingsDialog::makeNotices()
+{
+    QFormLayout &form = *addPage(tr("Faults"));
+    m_notices = addSwitch(form, "settingsNotices", tr("&Notify of faults while another program is in front"),
+                          tr("A notice on the desktop says what has failed and where. Several in a short "
+                             "time are put together."));
+    m_noticeSound = addSwitch(form, "settingsNoticeSound", tr("With a &sound"),
+                              tr("The desktop plays its sound for errors; where it has none, the program "
+                                 "beeps."));
+    connect(m_notices, &QCheckBox::toggled, m_noticeSound, &QWidget::setEnabled);
+}
+
 void SettingsDialog::makeButtons()
 {
     auto *buttons = new QDialogButtonBox(
@@ -233,6 +246,9 @@ void SettingsDialog::showValues(const ProgramSettings &settings)
     m_traceRows->setValue(settings.traceRows);
     m_trendMemory->setValue(settings.trendMemory);
     m_keeping->setValue(settings.secondsBetweenKeeping);
+    m_notices->setChecked(settings.notifiesOfFaults);
+    m_noticeSound->setChecked(settings.notifiesWithSound);
+    m_noticeSound->setEnabled(settings.notifiesOfFaults);
 }
 
 void SettingsDialog::take()
@@ -251,6 +267,8 @@ void SettingsDialog::take()
         .traceRows = m_traceRows->value(),
         .trendMemory = m_trendMemory->value(),
         .secondsBetweenKeeping = m_keeping->value(),
+        .notifiesOfFaults = m_notices->isChecked(),
+        .notifiesWithSound = m_noticeSound->isChecked(),
     };
     if (taken == m_settings)
         return;

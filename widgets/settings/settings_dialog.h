@@ -43,6 +43,7 @@ private:
     void makeLook();
     void makeWarnings();
     void makeKept(const std::vector<KeptFolder> &folders);
+    void makeNotices();
     void makeButtons();
     void showValues(const ProgramSettings &settings);
     void take();
@@ -61,6 +62,8 @@ private:
     QSpinBox *m_traceRows = nullptr;
     QSpinBox *m_trendMemory = nullptr;
     QSpinBox *m_keeping = nullptr;
+    QCheckBox *m_notices = nullptr;
+    QCheckBox *m_noticeSound = nullptr;
 };
 
 } // namespace codewheel
