@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_preset_proof.h"
 
-#include "drivers/position_scale.h"
 #include "drivers/word_answer.h"
 #include "encoder/circle.h"
 
@@ -118,18 +117,8 @@ std::optional<K3PresetProof::Target> presetTarget(const DeviceDescription &devic
                                                   const K3Knowledge &knowledge)
 {
     const auto valueOf = [&](Parameter parameter) { return knowledge.value(parameter); };
-    const auto preset = valueOf(Parameter::preset);
-    const bool mayHaveOffset = device.find(Parameter::offset) != nullptr || device.isGeneric();
-    const auto offset = mayHaveOffset ? valueOf(Parameter::offset) : std::optional<std::int64_t>(0);
     const bool isInPositionMode = !device.mayHaveModes() || knowledge.mode() == Mode::position;
-    const auto coding = knowledge.coding();
-    if (!preset || !offset || !coding || !isInPositionMode)
-        return std::nullopt;
-    const std::int64_t position = *preset + *offset;
-    if (const auto scale = scaleOf(device, valueOf))
-        return K3PresetProof::Target{scale->shown(position), scale->total()};
-    const bool isWithinAnyRange = *offset == 0 && coding != PositionCoding::signedBinary;
-    return isWithinAnyRange ? std::optional(K3PresetProof::Target{position}) : std::nullopt;
+    return isInPositionMode ? presetPosition(device, valueOf, knowledge.coding()) : std::nullopt;
 }
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "drivers/k3_knowledge.h"
 #include "drivers/k3_step.h"
+#include "drivers/preset_position.h"
 
 namespace codewheel {
 
@@ -15,12 +16,7 @@ class K3PresetProof
 public:
     enum class Said : std::uint8_t { nothing, done, notDone };
 
-    // Where the position goes (spec k3.md, arithmetic).
-    struct Target
-    {
-        std::int64_t position = 0;
-        std::optional<std::int64_t> total{}; // range of the position in steps; empty: not known
-    };
+    using Target = PresetPosition;
 
     // A position, or IN shows none. Once per cycle.
     void see(std::optional<std::int64_t> position, Instant now);

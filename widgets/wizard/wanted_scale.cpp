@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/wanted_scale.h"
 
+#include "drivers/preset_position.h"
 #include "drivers/value_notes.h"
 
 #include <algorithm>
@@ -26,9 +27,12 @@ std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)
         return std::nullopt;
     if (setup.wish.setPositionTo)
         return ForetoldPosition{*setup.wish.setPositionTo, true};
-    if (setup.wish.initialisePreset)
-        return then->preset ? std::optional(ForetoldPosition{then->shown(*then->preset + then->offset), true})
-                            : std::nullopt;
+    if (setup.wish.initialisePreset) {
+        const auto preset =
+            presetPosition(setup.encoder->device(), [&](Parameter its) { return setup.valueAfter(its); },
+                           setup.encoder->latest().coding);
+        return preset ? std::optional(ForetoldPosition{preset->position, true}) : std::nullopt;
+    }
     const auto now = scaleNow(setup);
     const auto position = setup.encoder->latest().position;
     if (setup.encoder->freshness().isOld()) // it may have moved since
