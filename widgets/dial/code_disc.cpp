@@ -2,6 +2,7 @@
 #include "widgets/dial/code_disc.h"
 
 #include "widgets/dial/dial_note.h"
+#include "widgets/dial/then_mark.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -23,8 +24,9 @@ constexpr int scaleWidth = 10;  // between arc and disc
 constexpr double arcHalf = 150; // degrees to each side of the top
 constexpr int usualSide = 232;  // of the dial
 constexpr int smallestSide = 144;
-constexpr int largestSide = 320;    // anything larger costs more and shows no more
-constexpr int pointerPlaces = 2880; // of a turn: anything finer cannot be seen
+constexpr int smallestWithThen = 64; // it stands among other things
+constexpr int largestSide = 320;     // anything larger costs more and shows no more
+constexpr int pointerPlaces = 2880;  // of a turn: anything finer cannot be seen
 
 int heightOf(const QFont &font)
 {
@@ -78,14 +80,18 @@ void CodeDisc::setState(const DialState &state)
     const DialState before = std::exchange(m_state, state);
     if (before.note != state.note || before.position.has_value() != state.position.has_value() ||
         before.role != state.role || before.isLastKnown != state.isLastKnown ||
-        before.turnFraction.has_value() != state.turnFraction.has_value()) {
+        before.turnFraction.has_value() != state.turnFraction.has_value() ||
+        before.then.has_value() != state.then.has_value()) {
         arrange();
+        updateGeometry();
         update();
         return;
     }
     const bool isStillOther = arcOf(before.rpm) != arcOf(state.rpm) || before.turn != state.turn;
     if (isStillOther)
         m_still = {};
+    if (before.then != state.then || before.age != state.age)
+        update(m_dial | m_number | m_speed);
     if (isStillOther || placeOf(before.turnFraction) != placeOf(state.turnFraction) ||
         isBlur(before) != isBlur(state))
         update(m_dial);
@@ -102,25 +108,34 @@ QSize CodeDisc::sizeHint() const
 
 QSize CodeDisc::minimumSizeHint() const
 {
-    return {smallestSide, smallestSide + textHeight(2)};
+    if (!m_state.then)
+        return {smallestSide, smallestSide + textHeight(2)};
+    return {smallestSide, (m_state.turnFraction ? smallestWithThen : 0) + textHeight(linesOfNote())};
 }
 
 // The texts below the dial: position, speed, the note.
 int CodeDisc::textHeight(int noteLines) const
 {
-    const int number = heightOf(numberFont(TextSize::large));
+    const int number = heightOf(m_state.then ? numberFont() : numberFont(TextSize::large));
     return number + (1 + noteLines) * heightOf(font()) + 3 * grid::unit;
+}
+
+// Beside a question nobody waits for a note.
+int CodeDisc::linesOfNote() const
+{
+    return m_state.then && note().isEmpty() ? 0 : dial_note::lines(fontMetrics(), width(), note());
 }
 
 void CodeDisc::arrange()
 {
     const int line = heightOf(font());
-    const int noteLines = dial_note::lines(fontMetrics(), width(), note());
+    const int noteLines = linesOfNote();
     const int side = std::clamp(std::min(width(), height() - textHeight(noteLines)), 0, largestSide);
     const int above = std::max(0, (height() - side - textHeight(noteLines)) / 2);
     m_dial = QRect((width() - side) / 2, above, side, side);
     m_still = {};
-    m_number = QRect(0, m_dial.bottom() + 1 + grid::unit, width(), heightOf(numberFont(TextSize::large)));
+    m_number = QRect(0, m_dial.bottom() + 1 + grid::unit, width(),
+                     heightOf(m_state.then ? numberFont() : numberFont(TextSize::large)));
     m_speed = QRect(0, m_number.bottom() + 1, width(), line);
     m_note = QRect(0, m_speed.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
 }
@@ -129,6 +144,8 @@ void CodeDisc::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     arrange();
+    if (m_state.then && event->size().width() != event->oldSize().width())
+        updateGeometry(); // its note wraps at other places
 }
 
 void CodeDisc::changeEvent(QEvent *event)
@@ -156,6 +173,7 @@ void CodeDisc::paintEvent(QPaintEvent *event)
         painter.setClipRect(m_dial); // Qt rotates a pixmap faster within a single clip rectangle
         painter.translate(QRectF(m_dial).center());
         drawDisc(painter);
+        drawThen(painter);
         drawStill(painter);
         painter.restore();
     }
@@ -225,9 +243,14 @@ void CodeDisc::drawScale(QPainter &painter) const
     }
 }
 
+double CodeDisc::discRadius() const
+{
+    return m_dial.width() / 2.0 - arcWidth - scaleWidth;
+}
+
 void CodeDisc::drawDisc(QPainter &painter)
 {
-    const double radius = m_dial.width() / 2.0 - arcWidth - scaleWidth;
+    const double radius = discRadius();
     if (radius <= 0)
         return;
     painter.save();
@@ -254,12 +277,16 @@ void CodeDisc::drawFace(QPainter &painter, int diameter)
                            .picture(diameter, devicePixelRatioF() * (isFine ? 2 : 1), palette()));
 }
 
+QColor CodeDisc::pointerColor() const
+{
+    if (m_state.role == Role::inactive && !m_state.isLastKnown)
+        return palette().color(QPalette::WindowText);
+    return roleColor(m_state.isLastKnown ? Role::inactive : m_state.role, palette());
+}
+
 void CodeDisc::drawPointer(QPainter &painter, double radius) const
 {
-    const bool isPlain = m_state.role == Role::inactive && !m_state.isLastKnown;
-    const QColor color = isPlain               ? palette().color(QPalette::WindowText)
-                         : m_state.isLastKnown ? roleColor(Role::inactive, palette())
-                                               : roleColor(m_state.role, palette());
+    const QColor color = pointerColor();
     const std::array head{QPointF(0, -radius - 5), QPointF(-5, -radius + 5), QPointF(5, -radius + 5)};
     painter.setPen(m_state.isLastKnown ? QPen(color, 1.5) : QPen(Qt::NoPen));
     painter.setBrush(m_state.isLastKnown ? palette().brush(QPalette::Window) : QBrush(color));
@@ -268,9 +295,23 @@ void CodeDisc::drawPointer(QPainter &painter, double radius) const
     painter.drawLine(QPointF(0, -radius), QPointF(0, -radius * DiscFace::hubShare));
 }
 
+void CodeDisc::drawThen(QPainter &painter) const
+{
+    if (!m_state.then || !m_state.then->turnFraction)
+        return;
+    const double radius = discRadius();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.rotate(360.0 * *m_state.then->turnFraction);
+    painter.setPen(then_mark::pen(palette()));
+    painter.drawLine(QPointF(0, -radius), QPointF(0, -radius * DiscFace::hubShare));
+    then_mark::paint(painter, palette(), QPointF(0, -radius));
+    painter.restore();
+}
+
 void CodeDisc::drawHub(QPainter &painter) const
 {
-    const double radius = (m_dial.width() / 2.0 - arcWidth - scaleWidth) * DiscFace::hubShare - 3;
+    const double radius = discRadius() * DiscFace::hubShare - 3;
     if (radius < 12)
         return;
     painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
@@ -293,11 +334,27 @@ void CodeDisc::drawHub(QPainter &painter) const
 
 void CodeDisc::drawNumbers(QPainter &painter) const
 {
+    if (m_state.then) {
+        drawNowAndThen(painter);
+        return;
+    }
     painter.setPen(numberColor());
     painter.setFont(numberFont(TextSize::large));
     painter.drawText(m_number, Qt::AlignCenter, numberText());
     painter.setFont(m_state.isLastKnown ? font() : numberFont());
     painter.drawText(m_speed, Qt::AlignCenter, speedText(m_state));
+}
+
+void CodeDisc::drawNowAndThen(QPainter &painter) const
+{
+    const auto text = [this](const std::optional<qint64> &position) {
+        return position ? locale().toString(*position) : QString();
+    };
+    then_mark::paintLegend(
+        painter, palette(), numberFont(),
+        {m_number, then_mark::nowText(text(m_state.position), m_state.age), pointerColor()});
+    then_mark::paintLegend(painter, palette(), numberFont(),
+                           {m_speed, then_mark::thenText(text(m_state.then->position)), {}});
 }
 
 QColor CodeDisc::numberColor() const
@@ -371,6 +428,9 @@ QString CodeDisc::valueText() const
         parts.append(tr("%1 degrees").arg(locale().toString(*m_state.turnFraction * 360, 'f', 0)));
     if (m_state.rpm)
         parts.append(speedText(m_state));
+    if (m_state.then)
+        parts.append(then_mark::thenText(m_state.then->position ? locale().toString(*m_state.then->position)
+                                                                : QString()));
     if (!m_state.age.isEmpty())
         parts.append(m_state.age);
     if (!note().isEmpty())

@@ -47,12 +47,17 @@ private:
     void drawScale(QPainter &painter) const;
     void drawDisc(QPainter &painter);
     void drawPointer(QPainter &painter, double radius) const;
+    void drawThen(QPainter &painter) const;
+    void drawNowAndThen(QPainter &painter) const;
+    double discRadius() const;
+    QColor pointerColor() const;
     void drawHub(QPainter &painter) const;
     void drawNumbers(QPainter &painter) const;
     QColor numberColor() const;
     QString numberText() const;
     QString speedText(const DialState &state) const;
     QString note() const;
+    int linesOfNote() const;
     int textHeight(int noteLines) const;
 
     DialState m_state;

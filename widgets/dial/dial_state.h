@@ -23,6 +23,16 @@ struct DialState
     QString note = {};                       // a sentence: what is wrong or missing, and how to get it
     Role role = Role::inactive;              // of the note, and of the pointer
 
+    // Before the position is changed: what will be shown behind that, by a second pointer.
+    struct Then
+    {
+        std::optional<qint64> position = {}; // empty: it is not known
+        std::optional<double> turnFraction = {};
+
+        friend bool operator==(const Then &, const Then &) = default;
+    };
+    std::optional<Then> then = {};
+
     friend bool operator==(const DialState &, const DialState &) = default;
 };
 

@@ -16,6 +16,23 @@
 
 namespace codewheel {
 
+std::vector<Parameter> missingOf(const EncoderSession &encoder, std::span<const Parameter> needed)
+{
+    std::vector<Parameter> missing;
+    for (const Parameter parameter : needed)
+        if (encoder.device().find(parameter) != nullptr && !encoder.known(parameter))
+            missing.push_back(parameter);
+    return missing;
+}
+
+QString namesOf(const std::vector<Parameter> &parameters)
+{
+    QStringList names;
+    for (const Parameter parameter : parameters)
+        names.append(parameterName(parameter));
+    return names.join(QStringLiteral(", "));
+}
+
 MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     : QWidget(parent)
     , m_needed(std::move(needed))
@@ -64,10 +81,7 @@ void MissingValues::setEncoder(EncoderSession *encoder)
 
 void MissingValues::find()
 {
-    m_missing.clear();
-    for (const Parameter parameter : m_needed)
-        if (m_encoder->device().find(parameter) != nullptr && !m_encoder->known(parameter))
-            m_missing.push_back(parameter);
+    m_missing = missingOf(*m_encoder, m_needed);
     m_read->setVisible(!m_missing.empty() && m_encoder->can().reads);
     Q_EMIT changed();
 }
@@ -91,14 +105,6 @@ void MissingValues::tellMode()
             tr("Its mode cannot be read: position, velocity or cam. It is known once you say it, "
                "or switch it from here."),
             tr("It is in &position mode"));
-}
-
-QString MissingValues::names() const
-{
-    QStringList names;
-    for (const Parameter parameter : m_missing)
-        names.append(parameterName(parameter));
-    return names.join(QStringLiteral(", "));
 }
 
 } // namespace codewheel

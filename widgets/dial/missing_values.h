@@ -6,12 +6,19 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <span>
+#include <vector>
+
 class QPushButton;
 
 namespace codewheel {
 
 class InlineMessage;
 class KnownBeforeBar;
+
+// Those that this encoder has, and of which the value is not known; and their names: "Steps, Direction".
+std::vector<Parameter> missingOf(const EncoderSession &encoder, std::span<const Parameter> needed);
+QString namesOf(const std::vector<Parameter> &parameters);
 
 // Below a dial: what it needs to know of its encoder but does not, and a button that reads it where it can be
 // read.
@@ -24,7 +31,7 @@ public:
 
     void setEncoder(EncoderSession *encoder);
     bool isEmpty() const { return m_missing.empty(); }
-    QString names() const; // "Steps, Direction"
+    QString names() const { return namesOf(m_missing); }
     // Reads these now; a refusal is shown here.
     void read(const std::vector<Parameter> &parameters);
 

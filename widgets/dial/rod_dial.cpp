@@ -4,13 +4,12 @@
 #include "catalog/value_text.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/printed_dial.h"
+#include "widgets/dial/rod_reading.h"
 #include "widgets/dial/rod_view.h"
-#include "widgets/dial/state_note.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
-#include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
 #include "widgets/parameters/value_field.h"
 
@@ -19,20 +18,11 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <array>
-
 namespace codewheel {
 
 namespace {
 
-constexpr std::array rodValues{Parameter::direction, Parameter::measuringLength};
 constexpr int widthOnPaper = 2 * RodPicture::usualWidth;
-
-std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter parameter)
-{
-    const auto known = encoder.known(parameter);
-    return known ? std::optional(known->value) : std::nullopt;
-}
 
 } // namespace
 
@@ -119,13 +109,7 @@ void RodDial::tellLength()
 
 void RodDial::knownChanged()
 {
-    m_known = {};
-    m_known.length = valueKnown(*m_encoder, Parameter::measuringLength);
-    m_known.scale = rodScale(*m_encoder);
-    const ParameterDescription *direction = m_encoder->device().find(Parameter::direction);
-    if (const auto value = valueKnown(*m_encoder, Parameter::direction); value && direction != nullptr)
-        if (const Choice *choice = direction->findChoice(*value))
-            m_known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
+    m_known = knownOfRod(*m_encoder);
     m_tellRow->setVisible(m_lengthField != nullptr && !m_encoder->known(Parameter::rodLength));
     draw();
 }
@@ -137,49 +121,7 @@ void RodDial::draw()
     const Reading &reading = m_encoder->latest();
     m_readStatus->setVisible(reading.state == EncoderState::error && m_encoder->can().reads);
     m_age->follow(*m_encoder);
-    RodState state = stateOf(reading);
-    if (m_encoder->freshness().isOfRecording() || m_encoder->freshness().isOld())
-        makeOld(state);
-    m_rod->setState(state);
-}
-
-void RodDial::makeOld(RodState &state) const
-{
-    const bool isRecorded = m_encoder->freshness().isOfRecording();
-    const StateNote note =
-        isRecorded ? noteOfRecording(*m_encoder, {state.note, state.role}) : noteOfAge(*m_encoder);
-    if (!isRecorded)
-        state.stepsPerSecond.reset();
-    state.isLastKnown = true;
-    state.age = ageText(*m_encoder);
-    state.note = note.sentence;
-    state.role = note.role;
-}
-
-RodState RodDial::stateOf(const Reading &reading) const
-{
-    RodState state = m_known;
-    state.position = reading.position;
-    if (reading.state == EncoderState::operation) {
-        state.stepsPerSecond = reading.stepsPerSecond;
-        state.note = noteOfKnown();
-        state.role = state.note.isEmpty() ? Role::running : Role::attention;
-        if (state.note.isEmpty() && !magnetPlace(state))
-            state.note = tr("The position was set by a preset: where the magnet is on the rod is not known.");
-        return state;
-    }
-    const StateNote note = noteOfState(m_encoder->device(), reading);
-    state.isLastKnown = true;
-    state.note = note.sentence;
-    state.role = note.role;
-    return state;
-}
-
-QString RodDial::noteOfKnown() const
-{
-    if (!m_missing->isEmpty())
-        return tr("Not known: %1.").arg(m_missing->names());
-    return m_known.scale ? QString() : tr("mm unknown: set the rod length from its label.");
+    m_rod->setState(rodReading(*m_encoder, m_known, m_missing->names()));
 }
 
 } // namespace codewheel

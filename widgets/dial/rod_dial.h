@@ -34,9 +34,6 @@ private:
     void showTellRow();
     void tellLength();
     void draw();
-    RodState stateOf(const Reading &reading) const;
-    void makeOld(RodState &state) const;
-    QString noteOfKnown() const;
 
     QPointer<EncoderSession> m_encoder;
     RodState m_known; // length, scale, direction

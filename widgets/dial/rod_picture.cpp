@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/rod_picture.h"
 
+#include "widgets/dial/then_mark.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -46,14 +47,28 @@ QString scaleNumber(const RodState &state, double share)
 
 } // namespace
 
-std::optional<double> magnetPlace(const RodState &state)
+namespace {
+
+std::optional<double> placeOn(const RodState &state, std::optional<qint64> position)
 {
-    if (!state.position || !state.length || *state.length < 1 || !state.countsUpToTheEnd)
+    if (!position || !state.length || *state.length < 1 || !state.countsUpToTheEnd)
         return {};
-    const double share = static_cast<double>(*state.position) / static_cast<double>(*state.length);
+    const double share = static_cast<double>(*position) / static_cast<double>(*state.length);
     if (share < 0 || share > 1)
         return {};
     return *state.countsUpToTheEnd ? share : 1 - share;
+}
+
+} // namespace
+
+std::optional<double> magnetPlace(const RodState &state)
+{
+    return placeOn(state, state.position);
+}
+
+std::optional<double> magnetPlaceThen(const RodState &state)
+{
+    return placeOn(state, state.then ? state.then->position : std::nullopt);
 }
 
 int RodPicture::height()
@@ -77,6 +92,7 @@ void RodPicture::paint(QPainter &painter, const QPalette &palette, const RodStat
     drawRod(painter, palette);
     drawScale(painter, palette, state);
     drawMagnet(painter, palette, state);
+    drawThen(painter, palette, state);
     painter.restore();
 }
 
@@ -160,6 +176,21 @@ void RodPicture::drawMagnet(QPainter &painter, const QPalette &palette, const Ro
     painter.drawRoundedRect(magnet, 2, 2);
     const double tip = magnetAt(0).y() + headHeight / 2.0;
     painter.drawLine(QPointF(at.x(), magnet.bottom()), QPointF(at.x(), tip));
+}
+
+// A frame with a mark of its own, so that both can be told apart in one place.
+void RodPicture::drawThen(QPainter &painter, const QPalette &palette, const RodState &state) const
+{
+    const auto place = magnetPlaceThen(state);
+    if (!place)
+        return;
+    const QPointF at = magnetAt(*place);
+    const QRectF frame(at.x() - magnetWidth / 2.0 - 2, at.y() - magnetHeight / 2.0 - 2, magnetWidth + 4,
+                       magnetHeight + 4);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(then_mark::pen(palette));
+    painter.drawRoundedRect(frame, 2, 2);
+    then_mark::paint(painter, palette, at);
 }
 
 } // namespace codewheel

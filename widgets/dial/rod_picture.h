@@ -31,6 +31,7 @@ private:
     void drawScale(QPainter &painter, const QPalette &palette, const RodState &state) const;
     void drawDirection(QPainter &painter, const QPalette &palette, const RodState &state) const;
     void drawMagnet(QPainter &painter, const QPalette &palette, const RodState &state) const;
+    void drawThen(QPainter &painter, const QPalette &palette, const RodState &state) const;
 
     QRect m_space;
 };

@@ -23,11 +23,21 @@ struct RodState
     QString note = {};                         // a sentence: what is wrong or missing, and what to do
     Role role = Role::inactive;                // of the note, and of the magnet
 
+    // Before the position is changed: what will be shown behind that, by a second magnet.
+    struct Then
+    {
+        std::optional<qint64> position = {}; // empty: it is not known
+
+        friend bool operator==(const Then &, const Then &) = default;
+    };
+    std::optional<Then> then = {};
+
     friend bool operator==(const RodState &, const RodState &) = default;
 };
 
 // The magnet's place, 0 at the head to 1 at the end of the rod; nothing if the position lies outside the
 // measuring length, or not everything is known.
 std::optional<double> magnetPlace(const RodState &state);
+std::optional<double> magnetPlaceThen(const RodState &state);
 
 } // namespace codewheel

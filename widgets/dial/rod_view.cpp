@@ -3,6 +3,7 @@
 
 #include "widgets/dial/dial_note.h"
 #include "widgets/dial/resolution.h"
+#include "widgets/dial/then_mark.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -44,8 +45,9 @@ void RodView::setState(const RodState &state)
     const RodState before = std::exchange(m_state, state);
     if (before == state)
         return;
-    if (before.note != state.note) {
+    if (before.note != state.note || before.then.has_value() != state.then.has_value()) {
         arrange();
+        updateGeometry();
         update();
         return;
     }
@@ -59,32 +61,45 @@ QSize RodView::sizeHint() const
 
 QSize RodView::minimumSizeHint() const
 {
-    return {smallestWidth, sizeHint().height()};
+    return {smallestWidth,
+            m_state.then ? RodPicture::height() + textHeight(linesOfNote()) : sizeHint().height()};
 }
 
 // The texts below the rod: position, millimetres, speed, resolution, the note.
 int RodView::textHeight(int noteLines) const
 {
+    if (m_state.then)
+        return (2 + noteLines) * fontMetrics().height() + 3 * grid::unit;
     return largeLine() + (3 + noteLines) * fontMetrics().height() + 3 * grid::unit;
+}
+
+// Beside a question nobody waits for a note.
+int RodView::linesOfNote() const
+{
+    return m_state.then && note().isEmpty() ? 0 : dial_note::lines(fontMetrics(), width(), note());
 }
 
 void RodView::arrange()
 {
     const int line = fontMetrics().height();
-    const int noteLines = dial_note::lines(fontMetrics(), width(), note());
+    const int noteLines = linesOfNote();
     const int above = std::max(0, (height() - RodPicture::height() - textHeight(noteLines)) / 2);
     m_picture.setSpace(QRect(0, above, width(), RodPicture::height()));
-    m_number = QRect(0, m_picture.space().bottom() + 1 + grid::unit, width(), largeLine());
+    m_number =
+        QRect(0, m_picture.space().bottom() + 1 + grid::unit, width(), m_state.then ? line : largeLine());
     m_millimetres = QRect(0, m_number.bottom() + 1, width(), line);
     m_speed = m_millimetres.translated(0, line);
     m_resolution = m_speed.translated(0, line);
-    m_note = QRect(0, m_resolution.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
+    const QRect &last = m_state.then ? m_millimetres : m_resolution;
+    m_note = QRect(0, last.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
 }
 
 void RodView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     arrange();
+    if (m_state.then && event->size().width() != event->oldSize().width())
+        updateGeometry(); // its note wraps at other places
 }
 
 void RodView::changeEvent(QEvent *event)
@@ -107,6 +122,14 @@ void RodView::paintEvent(QPaintEvent *event)
 
 void RodView::drawNumbers(QPainter &painter) const
 {
+    if (m_state.then)
+        drawNowAndThen(painter);
+    else
+        drawNumbersOfNow(painter);
+}
+
+void RodView::drawNumbersOfNow(QPainter &painter) const
+{
     painter.setPen(palette().color(m_state.isLastKnown ? QPalette::PlaceholderText : QPalette::WindowText));
     painter.setFont(numberFont(TextSize::large));
     painter.drawText(m_number, Qt::AlignCenter, m_state.position ? shownPosition() : QString(QChar(0x2013)));
@@ -116,6 +139,28 @@ void RodView::drawNumbers(QPainter &painter) const
     painter.setPen(palette().color(QPalette::WindowText));
     painter.setFont(font());
     painter.drawText(m_resolution, Qt::AlignCenter, resolutionText());
+}
+
+void RodView::drawNowAndThen(QPainter &painter) const
+{
+    const QColor now = roleColor(m_state.isLastKnown ? Role::inactive : m_state.role, palette());
+    then_mark::paintLegend(painter, palette(), numberFont(),
+                           {m_number, then_mark::nowText(inBoth(m_state.position), m_state.age), now});
+    then_mark::paintLegend(painter, palette(), numberFont(), {m_millimetres, thenText(), {}});
+}
+
+// "12 500 (125.0 mm)"
+QString RodView::inBoth(std::optional<qint64> position) const
+{
+    if (!position)
+        return {};
+    const QString steps = locale().toString(*position);
+    return m_state.scale ? QStringLiteral("%1 (%2)").arg(steps, m_state.scale->text(*position)) : steps;
+}
+
+QString RodView::thenText() const
+{
+    return then_mark::thenText(inBoth(m_state.then->position));
 }
 
 QString RodView::positionText() const
@@ -187,6 +232,8 @@ QString RodView::valueText() const
                                          : tr("Position %1").arg(positionText()));
         parts.append(millimetreText());
     }
+    if (m_state.then)
+        parts.append(thenText());
     if (m_state.length)
         parts.append(tr("measuring length %1 steps").arg(locale().toString(*m_state.length)));
     for (const QString &text : {speedText(), m_state.age, resolutionText(), note()})

@@ -36,12 +36,17 @@ protected:
 private:
     void arrange();
     void drawNumbers(QPainter &painter) const;
+    void drawNumbersOfNow(QPainter &painter) const;
+    void drawNowAndThen(QPainter &painter) const;
+    QString inBoth(std::optional<qint64> position) const;
+    QString thenText() const;
     QString positionText() const;
     QString shownPosition() const;
     QString millimetreText() const;
     QString speedText() const;
     QString resolutionText() const;
     QString note() const;
+    int linesOfNote() const;
     int textHeight(int noteLines) const;
 
     RodState m_state;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "encoder/encoder_session.h"
-#include "widgets/dial/dial_state.h"
+#include "widgets/dial/shaft_state.h"
 #include "widgets/look/printed_view.h"
 
 #include <QPointer>
@@ -27,25 +27,11 @@ public:
     std::optional<PrintedView> printedView() const;
 
 private:
-    // What must be known for the disc to turn.
-    struct Scale
-    {
-        double stepsPerTurn = 0;
-        bool clockwise = true;
-        bool countsTurns = true;
-    };
-
     void knownChanged();
     void draw();
-    std::optional<Scale> scale() const;
-    std::optional<Scale> physicalScale() const;
-    DialState stateOf(const Reading &reading) const;
-    DialState running(const Reading &reading) const;
-    DialState turning(std::int64_t velocity) const;
-    QString note(const Reading &reading) const;
 
     QPointer<EncoderSession> m_encoder;
-    std::optional<Scale> m_scale;
+    std::optional<ShaftScale> m_scale;
     AgeTimer *m_age;
     CodeDisc *m_disc;
     MissingValues *m_missing;

@@ -3,11 +3,14 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "journal/eeprom_cost.h"
+#include "widgets/dial/now_and_then.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
@@ -15,13 +18,16 @@
 namespace codewheel {
 namespace {
 
+constexpr int pictureWidth = 190;
+
 struct Functions
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
 };
 
+// `picture`: beside the text; may be null.
 bool confirm(QWidget *window, const char *topic, const QString &question, const QStringList &paragraphs,
-             const QString &doIt, const QString &toolTip)
+             const QString &doIt, const QString &toolTip, QWidget *picture = nullptr)
 {
     QMessageBox box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
     setHelpTopic(box, topic);
@@ -30,8 +36,29 @@ bool confirm(QWidget *window, const char *topic, const QString &question, const 
     QPushButton *yes = box.addButton(doIt, QMessageBox::AcceptRole);
     yes->setToolTip(toolTip);
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    if (auto *cells = qobject_cast<QGridLayout *>(box.layout()); cells != nullptr && picture != nullptr) {
+        cells->addWidget(picture, 0, cells->columnCount(), 2, 1, Qt::AlignTop);
+        cells->setRowStretch(1, 1); // the question stays above its explanation
+    }
     box.exec();
     return box.clickedButton() == yes;
+}
+
+// Follows what becomes known meanwhile.
+NowAndThen *pictureOfPreset(EncoderSession &encoder)
+{
+    auto *picture = new NowAndThen;
+    picture->setFixedWidth(pictureWidth);
+    picture->setEncoder(encoder);
+    const auto show = [&encoder, picture] {
+        picture->setThenByPreset([&encoder](Parameter parameter) {
+            const auto known = encoder.known(parameter);
+            return known ? std::optional(known->value) : std::nullopt;
+        });
+    };
+    QObject::connect(&encoder, &EncoderSession::knownChanged, picture, show);
+    show();
+    return picture;
 }
 
 QString eepromWriteText(const EncoderSession &encoder)
@@ -85,7 +112,7 @@ bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder)
                    Functions::tr("&Leave cam mode"), Functions::tr("Sends 20800000, then goes on"));
 }
 
-bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
+bool askForFrabaPreset(QWidget *window, EncoderSession &encoder)
 {
     const auto preset = encoder.known(Parameter::preset);
     const QString value = preset ? valueWithUnit(encoder.device(), {Parameter::preset, preset->value})
@@ -98,7 +125,8 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
              "60000000 is sent for one bus cycle. It can be repeated, at one EEPROM write each time.")
              .arg(value),
          positionNowTexts(encoder).join(u' '), eepromWriteText(encoder)},
-        Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
+        Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"),
+        pictureOfPreset(encoder));
 }
 
 bool askForReset(QWidget *window, const EncoderSession &encoder)

@@ -14,7 +14,7 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out);
 
 // Says what it does and what it costs; true: do it.
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder);
-bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder);
+bool askForFrabaPreset(QWidget *window, EncoderSession &encoder);
 bool askForReset(QWidget *window, const EncoderSession &encoder);
 
 } // namespace codewheel

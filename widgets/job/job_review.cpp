@@ -4,6 +4,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -79,6 +80,13 @@ JobReview::JobReview(const char *id, QWidget *parent)
 void JobReview::addTitle(QWidget *title)
 {
     static_cast<QBoxLayout *>(layout())->insertWidget(0, title);
+}
+
+void JobReview::showInstead(QWidget *picture)
+{
+    auto *rows = static_cast<QBoxLayout *>(layout());
+    rows->insertWidget(rows->indexOf(m_table), new ContentScrollArea(picture, this), 1);
+    m_table->hide();
 }
 
 void JobReview::addOption(QWidget *option)

@@ -50,6 +50,7 @@ protected:
     void showContents();
 
     void addTitle(QWidget *title);
+    void showInstead(QWidget *picture); // of the table: it says the same of one value
     void addOption(QWidget *option);
     void offerToWriteAll(bool on);
     QTableView &table() { return *m_table; }

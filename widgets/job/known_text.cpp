@@ -100,16 +100,21 @@ QString restoredText(const std::optional<Evidence> &restored)
                : KnownText::tr("It has confirmed its earlier values and runs with them; it cannot be read.");
 }
 
+QStringList movementTexts(const EncoderSession &encoder)
+{
+    if (!encoder.showsPosition() || std::abs(encoder.latest().stepsPerSecond.value_or(0)) < 1)
+        return {};
+    return {
+        KnownText::tr("The encoder moves: the place that gets the new position is where it stands when the "
+                      "command arrives.")};
+}
+
 QStringList positionNowTexts(const EncoderSession &encoder)
 {
     if (!encoder.showsPosition())
         return {KnownText::tr("Which position it shows now is not known.")};
-    QStringList texts{KnownText::tr("It shows %1 now.").arg(numberText(*encoder.latest().position))};
-    if (std::abs(encoder.latest().stepsPerSecond.value_or(0)) >= 1)
-        texts << KnownText::tr(
-            "The encoder moves: the place that gets the new position is where it stands when the "
-            "command arrives.");
-    return texts;
+    return QStringList(KnownText::tr("It shows %1 now.").arg(numberText(*encoder.latest().position)))
+           << movementTexts(encoder);
 }
 
 QString modeName(std::optional<Mode> mode)

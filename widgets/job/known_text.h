@@ -27,7 +27,8 @@ QString knownText(const DeviceDescription &device, const std::optional<Known> &k
 // That the previous values are in the encoder again, and how that is known; empty if they are not.
 QString restoredText(const std::optional<Evidence> &restored);
 
-// Before a position is set: what the encoder shows now, and that it moves.
+// Before a position is set: that the encoder moves; and before that, what it shows now.
+QStringList movementTexts(const EncoderSession &encoder);
 QStringList positionNowTexts(const EncoderSession &encoder);
 
 // "position", "velocity", "cam", "not known".

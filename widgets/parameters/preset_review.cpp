@@ -2,11 +2,11 @@
 #include "widgets/parameters/preset_review.h"
 
 #include "encoder/sentence.h"
+#include "widgets/dial/now_and_then.h"
 #include "widgets/job/known_text.h"
 #include "widgets/parameters/position_to_set.h"
 
-#include <QHeaderView>
-#include <QTableView>
+#include <QHideEvent>
 
 namespace codewheel {
 namespace {
@@ -20,7 +20,10 @@ QString shownText(const EncoderSession &encoder)
 
 PresetReview::PresetReview(QWidget *parent)
     : JobReview("confirmPreset", parent)
+    , m_picture(new NowAndThen(this))
 {
+    m_picture->hide();
+    showInstead(m_picture);
     offerToWriteAll(false);
 }
 
@@ -28,9 +31,24 @@ void PresetReview::review(EncoderSession &encoder, std::int64_t position)
 {
     using Kind = ReviewColumn::Kind;
     m_position = position;
+    m_picture->setEncoder(encoder);
+    m_picture->setThen(position);
     begin(encoder, {{{}}, {tr("Old"), Kind::value}, {tr("New"), Kind::value}},
           tr("Sets the position, where the encoder stands now"));
-    table().horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+}
+
+// A hidden page of the panel claims its height, too.
+void PresetReview::showEvent(QShowEvent *event)
+{
+    m_picture->show();
+    JobReview::showEvent(event);
+}
+
+void PresetReview::hideEvent(QHideEvent *event)
+{
+    JobReview::hideEvent(event);
+    if (!event->spontaneous())
+        m_picture->hide();
 }
 
 JobReview::Contents PresetReview::contents(const EncoderSession &encoder, bool) const
@@ -38,7 +56,7 @@ JobReview::Contents PresetReview::contents(const EncoderSession &encoder, bool) 
     return {.job = SetPreset{.value = m_position},
             .rows = {{.cells = {tr("Position of %1").arg(encoder.place().shown()), shownText(encoder),
                                 numberText(m_position)}}},
-            .notes = positionNowTexts(encoder) << positionToSetText(encoder),
+            .notes = movementTexts(encoder) << positionToSetText(encoder),
             .write = tr("&Set this position")};
 }
 

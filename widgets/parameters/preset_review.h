@@ -5,6 +5,8 @@
 
 namespace codewheel {
 
+class NowAndThen;
+
 // The review before a position is set by a command that carries it: what the encoder shows, and what it will
 // show.
 class PresetReview final : public JobReview
@@ -16,9 +18,14 @@ public:
 
     void review(EncoderSession &encoder, std::int64_t position); // in steps
 
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
 private:
     Contents contents(const EncoderSession &encoder, bool writesAll) const override;
 
+    NowAndThen *m_picture;
     std::int64_t m_position = 0;
 };
 

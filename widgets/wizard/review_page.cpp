@@ -6,6 +6,7 @@
 #include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "widgets/dial/now_and_then.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
@@ -17,6 +18,7 @@
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/models/age_text.h"
+#include "widgets/wizard/wanted_scale.h"
 
 #include <QCheckBox>
 #include <QRadioButton>
@@ -25,6 +27,7 @@ namespace codewheel {
 namespace {
 
 constexpr int actionColumn = 3;
+constexpr int pictureWidth = 190;
 constexpr int leastSteps = 4; // in sight, whatever else the page has to say
 
 // With its age, if it is not up to date.
@@ -42,6 +45,7 @@ QString positionNow(const EncoderSession &encoder)
 ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Review"), parent)
     , m_changesView(named(new QTableView(this), "changes"))
+    , m_picture(new NowAndThen(this))
     , m_words(new QLabel(this))
     , m_stepsView(named(new QTableView(this), "plannedWords"))
     , m_writeAll(new QCheckBox(tr("&Write all, including what is already there"), this))
@@ -67,12 +71,12 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
 
+    m_picture->setFixedWidth(pictureWidth);
+    m_picture->hide();
+    QBoxLayout *sent = layOutColumn({m_changesView, m_writeAll, m_problem, m_words, {m_stepsView, 1}},
+                                    {.spacing = grid::margin});
     layOutColumn(this,
-                 {m_changesView,
-                  m_writeAll,
-                  m_problem,
-                  m_words,
-                  {m_stepsView, 1},
+                 {{layOutRow({{sent, 1}, {m_picture, 0, Qt::AlignTop}}, {.spacing = grid::margin}), 1},
                   m_writes,
                   m_gate,
                   m_note,
@@ -109,6 +113,7 @@ void ReviewPage::plan()
                              row.isThere                ? tr("already there, not written")
                              : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
                                                         : tr("written")}});
+    showPicture();
     if (const auto position = m_setup.wish.setPositionTo) {
         rows.push_back({{parameterName(Parameter::preset), positionNow(encoder), numberText(*position),
                          tr("the position is set to it")}});
@@ -153,6 +158,20 @@ void ReviewPage::plan()
     }
     m_note->setText(verificationNote());
     Q_EMIT changed();
+}
+
+// Only where the position is set.
+void ReviewPage::showPicture()
+{
+    const WriteWish &wish = m_setup.wish;
+    m_picture->setVisible(wish.initialisePreset || wish.setPositionTo);
+    m_picture->setEncoder(*m_setup.encoder);
+    const auto then = scaleAfter(m_setup);
+    const auto scale = then ? std::optional(ShaftScale{then->resolution(), then->clockwise}) : std::nullopt;
+    if (wish.setPositionTo)
+        m_picture->setThen(wish.setPositionTo, {}, scale);
+    else
+        m_picture->setThenByPreset([this](Parameter its) { return m_setup.valueAfter(its); }, scale);
 }
 
 bool ReviewPage::mayGoOn() const

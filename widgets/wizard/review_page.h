@@ -14,6 +14,7 @@ namespace codewheel {
 
 class EepromGate;
 class InlineMessage;
+class NowAndThen;
 
 // What is about to be sent: old and new values, the exact words, EEPROM writes.
 class ReviewPage final : public WizardPage
@@ -30,11 +31,13 @@ public:
 
 private:
     void plan();
+    void showPicture();
     QString verificationNote() const;
 
     ReviewTable m_changes;
     StepTable m_steps{StepTable::Stage::planned};
     QTableView *m_changesView;
+    NowAndThen *m_picture;
     QLabel *m_words; // describes the steps
     QTableView *m_stepsView;
     QCheckBox *m_writeAll;

@@ -2,6 +2,7 @@
 // Modes, FRABA preset and reset through the parameter panel's menu, with the mouse.
 #include "tests/app/question.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/dial/code_disc.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -167,6 +168,37 @@ TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
     EXPECT_EQ(encoder().latest().position, 0);
     EXPECT_EQ(encoder().eepromWrites(), 1);
     EXPECT_TRUE(message().contains(QStringLiteral("Position: 0."))) << message().toStdString();
+}
+
+// Also while the shaft turns; nothing is sent before the answer.
+TEST_F(EncoderFunctionsTest, TheQuestionBeforeThePresetShowsNowAndThen)
+{
+    isInPositionMode();
+    for (const auto &[parameter, value] :
+         {std::pair(Parameter::steps, 8192), {Parameter::revolutions, 1}, {Parameter::direction, 3}})
+        encoder().tell(parameter, value);
+    std::vector<DialState> seen;
+    {
+        const Question question([&](QWidget &box) {
+            const auto *disc = box.findChild<CodeDisc *>();
+            ASSERT_NE(disc, nullptr);
+            EXPECT_TRUE(disc->isVisible());
+            seen.push_back(disc->state());
+            encoder().tell(Parameter::preset, 1024);
+            m_ring.controls->turnTo(fraba.node, 4096);
+            m_ring.bus.advance(66);
+            seen.push_back(disc->state());
+            QTest::keyClick(&box, Qt::Key_Escape);
+        });
+        click("frabaPreset");
+    }
+    ASSERT_EQ(seen.size(), 2u);
+    EXPECT_EQ(seen[0].position, 12345);
+    EXPECT_EQ(seen[0].then, DialState::Then()) << "its preset is not known";
+    EXPECT_TRUE(seen[0].note.contains(QStringLiteral("Preset"))) << seen[0].note.toStdString();
+    EXPECT_EQ(seen[1].position, 4096);
+    EXPECT_EQ(seen[1].then, (DialState::Then{1024, 0.125}));
+    EXPECT_TRUE(m_sent.empty());
 }
 
 TEST_F(EncoderFunctionsTest, AResetTellsWhatIsLostAndReadsBack)

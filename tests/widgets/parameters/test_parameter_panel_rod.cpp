@@ -3,6 +3,7 @@
 #include "encoder/sentence.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/rod_bus.h"
+#include "widgets/dial/rod_view.h"
 #include "widgets/job/review_table.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
@@ -169,6 +170,10 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
     const auto *shown = panel.findChild<PresetReview *>();
     const QAbstractItemModel &review = *shown->findChild<ReviewTable *>();
     EXPECT_TRUE(shown->isVisible());
+    const auto *picture = shown->findChild<RodView *>();
+    EXPECT_TRUE(picture->isVisible());
+    EXPECT_EQ(picture->state().position, before);
+    EXPECT_EQ(picture->state().then, RodState::Then{1000});
     EXPECT_EQ(review.index(0, 1).data().toString(), numberText(before.value_or(-1)));
     EXPECT_EQ(review.index(0, 2).data().toString(), numberText(1000));
     click(QStringLiteral("Set this position"));

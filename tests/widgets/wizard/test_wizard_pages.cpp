@@ -3,6 +3,8 @@
 #include "tests/support/old_file.h"
 #include "tests/support/places.h"
 #include "tests/widgets/wizard/wizard_test.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/now_and_then.h"
 #include "widgets/job/account_view.h"
 
 #include <QCheckBox>
@@ -19,6 +21,11 @@ class WizardPages : public test::WizardTest
 {
 protected:
     QString verdict() const { return find<QWidget>("verdict")->accessibleName(); }
+    const DialState &pictureOfReview() const
+    {
+        const auto discs = wizard.findChild<NowAndThen *>()->findChildren<CodeDisc *>();
+        return discs.front()->state();
+    }
 };
 
 TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
@@ -337,11 +344,40 @@ TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
     click("initialisePreset");
     next();
     EXPECT_EQ(sentence("reviewProblem"), QString());
+    EXPECT_EQ(pictureOfReview().position, 1'077);
+    EXPECT_EQ(pictureOfReview().then->position, 1'000);
+    controls->turnBy(NodeId("1.0"), 3);
+    bus.advance(66);
+    EXPECT_EQ(pictureOfReview().position, 1'080);
     click("byItself");
     next();
     bus.advance(2000);
     EXPECT_FALSE(wizard.isBusy());
     EXPECT_EQ(fraba().latest().position, 1'000);
+}
+
+// The offset of a Baumer encoder can neither be read nor guessed.
+TEST_F(WizardPages, WithoutTheOffsetTheReviewDrawsOnlyNow)
+{
+    baumer().tell(Parameter::steps, 8'192);
+    baumer().tell(Parameter::revolutions, 1);
+    baumer().tell(Parameter::coding, 3);
+    baumer().tell(Parameter::measuringRange, 4'096);
+    wizard.setEncoder(&baumer());
+    wanted.set("2.0"_ring, Parameter::preset, 500);
+    next();
+    next();
+    next();
+    click("initialisePreset");
+    next();
+    bus.advance(66);
+    EXPECT_TRUE(pictureOfReview().position);
+    EXPECT_EQ(pictureOfReview().then, DialState::Then());
+    EXPECT_TRUE(pictureOfReview().note.contains(QStringLiteral("Offset")))
+        << pictureOfReview().note.toStdString();
+    baumer().tell(Parameter::offset, 0);
+    bus.advance(66);
+    EXPECT_EQ(pictureOfReview().then->position, 500);
 }
 
 // It may be a FRABA in cam mode.

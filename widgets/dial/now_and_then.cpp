@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/now_and_then.h"
+
+#include "catalog/device_description.h"
+#include "drivers/preset_position.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/missing_values.h"
+#include "widgets/dial/rod_reading.h"
+#include "widgets/dial/rod_view.h"
+#include "widgets/look/layouts.h"
+#include "widgets/models/age_timer.h"
+
+namespace codewheel {
+namespace {
+
+bool hasRod(const EncoderSession &encoder)
+{
+    return encoder.device().profile == Profile::la66;
+}
+
+// Why the future is not known comes first: what the dial says of now stands in its panel, too.
+template <class State>
+void tellWhyNot(State &state, const QString &whyNot)
+{
+    if (whyNot.isEmpty())
+        return;
+    state.note = state.note.isEmpty() ? whyNot : whyNot + u' ' + state.note;
+    if (state.role == Role::running)
+        state.role = Role::attention;
+}
+
+} // namespace
+
+NowAndThen::NowAndThen(QWidget *parent)
+    : QWidget(parent)
+    , m_age(new AgeTimer(this))
+    , m_disc(new CodeDisc(this))
+    , m_rod(new RodView(this))
+{
+    m_rod->hide();
+    layOutColumn(this, {{m_disc, 1}, {m_rod, 1}}, {.margins = QMargins()});
+    connect(m_age, &QTimer::timeout, this, &NowAndThen::draw);
+}
+
+void NowAndThen::setEncoder(EncoderSession &encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    m_encoder = &encoder;
+    m_disc->setVisible(!hasRod(encoder));
+    m_rod->setVisible(hasRod(encoder));
+    m_disc->setPlace(encoder.place().shown());
+    m_rod->setPlace(encoder.place().shown());
+    connect(&encoder, &EncoderSession::latestChanged, this, &NowAndThen::draw);
+    connect(&encoder, &EncoderSession::freshnessChanged, this, &NowAndThen::draw);
+    connect(&encoder, &EncoderSession::knownChanged, this, &NowAndThen::knownChanged);
+    knownChanged();
+}
+
+void NowAndThen::setThen(std::optional<std::int64_t> position, const QString &whyNot,
+                         const std::optional<ShaftScale> &scale)
+{
+    m_then = position;
+    m_whyNot = position ? QString() : whyNot;
+    m_scaleThen = scale;
+    draw();
+}
+
+void NowAndThen::setThenByPreset(const ValueOf &valueOf, const std::optional<ShaftScale> &scale)
+{
+    if (!m_encoder)
+        return;
+    const DeviceDescription &device = m_encoder->device();
+    std::vector<Parameter> unknown;
+    for (const Parameter parameter : {Parameter::preset, Parameter::offset, Parameter::coding})
+        if (device.find(parameter) != nullptr && !valueOf(parameter))
+            unknown.push_back(parameter);
+    const auto then = presetPosition(device, valueOf, m_encoder->latest().coding);
+    setThen(then ? std::optional(then->position) : std::nullopt,
+            unknown.empty() ? tr("What it will show then is not known.")
+                            : tr("What it will show then is not known. Missing: %1.").arg(namesOf(unknown)),
+            scale);
+}
+
+void NowAndThen::knownChanged()
+{
+    if (hasRod(*m_encoder)) {
+        m_known = knownOfRod(*m_encoder);
+        m_missing = namesOf(missingOf(*m_encoder, rodValues));
+    } else {
+        m_scale = shaftScale(*m_encoder);
+        m_missing = namesOf(missingOf(*m_encoder, shaftValues));
+    }
+    draw();
+}
+
+void NowAndThen::draw()
+{
+    if (!m_encoder)
+        return;
+    m_age->follow(*m_encoder);
+    if (hasRod(*m_encoder))
+        drawRod();
+    else
+        drawShaft();
+}
+
+void NowAndThen::drawRod()
+{
+    RodState state = rodReading(*m_encoder, m_known, m_missing);
+    state.then = RodState::Then{m_then};
+    tellWhyNot(state, m_whyNot);
+    m_rod->setState(state);
+}
+
+void NowAndThen::drawShaft()
+{
+    DialState state = shaftState(*m_encoder, m_scale, m_missing);
+    const auto &scale = m_scaleThen ? m_scaleThen : m_scale;
+    state.then =
+        DialState::Then{m_then, m_then && scale ? std::optional(scale->turnFraction(*m_then)) : std::nullopt};
+    tellWhyNot(state, m_whyNot);
+    m_disc->setState(state);
+}
+
+} // namespace codewheel
