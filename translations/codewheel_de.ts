@@ -3800,6 +3800,25 @@
     </message>
 </context>
 <context>
+    <name>codewheel::Afresh</name>
+    <message>
+        <source>It is not connected. Connect it first.</source>
+        <translation>Es besteht keine Verbindung. Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>It is real: only what is simulated can start afresh.</source>
+        <translation>Er ist echt: Nur Simuliertes kann neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Everything simulated is as at the start: no faults, factory values, shafts where they were. What was known of the encoders is forgotten</source>
+        <translation>Alles Simulierte ist wie am Anfang: keine Störungen, Werkseinstellungen, Wellen wo sie waren. Was von den Gebern bekannt war, ist vergessen</translation>
+    </message>
+    <message>
+        <source>Started afresh: everything simulated is as at the start, with factory values and without faults.</source>
+        <translation>Neu begonnen: Alles Simulierte ist wie am Anfang, mit Werkseinstellungen und ohne Störungen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::BarView</name>
     <message>
         <source>%1 bar</source>
@@ -8622,6 +8641,13 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     </message>
 </context>
 <context>
+    <name>codewheel::DesktopNotice</name>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DeviceHtml</name>
     <message>
         <source>Manual: %1</source>
@@ -11643,6 +11669,14 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <source>serial port, adapter, baud rate</source>
         <translation>serieller Anschluss, Adapter, Baudrate</translation>
     </message>
+    <message>
+        <source>Start a&amp;fresh</source>
+        <translation>Neu b&amp;eginnen</translation>
+    </message>
+    <message>
+        <source>reset, factory settings, no faults</source>
+        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, Reset</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineCheck</name>
@@ -13891,6 +13925,17 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::NowAndThen</name>
+    <message>
+        <source>What it will show then is not known.</source>
+        <translation>Was er danach zeigt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>What it will show then is not known. Missing: %1.</source>
+        <translation>Was er danach zeigt, ist nicht bekannt. Es fehlt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::NumberField</name>
     <message>
         <source>Copy this number</source>
@@ -13974,6 +14019,80 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The number that %1 give when read as Gray code</source>
         <comment>D24..D0</comment>
         <translation>Die Zahl, die %1 als Gray-Code gelesen ergeben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OfferFiles</name>
+    <message>
+        <source>This computer has no address in a network: others cannot reach it, and no file can say how. Connect it to the network.</source>
+        <translation>Dieser Rechner hat keine Adresse in einem Netz: Andere erreichen ihn nicht, und keine Datei kann sagen, wie. Mit dem Netz verbinden.</translation>
+    </message>
+    <message>
+        <source>Save files</source>
+        <translation>Dateien speichern</translation>
+    </message>
+    <message>
+        <source>At which address do the others &amp;reach this computer?</source>
+        <translation>Unter welcher Adresse &amp;erreichen die anderen diesen Rechner?</translation>
+    </message>
+    <message>
+        <source>Save a file for clients</source>
+        <translation>Datei für Clients speichern</translation>
+    </message>
+    <message>
+        <source>offered-ring.codewheel</source>
+        <comment>name of a file</comment>
+        <translation>angebotener-ring.codewheel</translation>
+    </message>
+    <message>
+        <source>Codewheel projects (*.codewheel)</source>
+        <translation>Codewheel-Projekte (*.codewheel)</translation>
+    </message>
+    <message>
+        <source>Saved: %1. %2</source>
+        <translation>Gespeichert: %1. %2</translation>
+    </message>
+    <message>
+        <source>Save files for the seats</source>
+        <translation>Dateien für die Sitzplätze speichern</translation>
+    </message>
+    <message>
+        <source>Only the files of the seats before seat %1 were saved. %2</source>
+        <translation>Nur die Dateien der Sitzplätze vor Sitzplatz %1 wurden gespeichert. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files saved in %1. %2</source>
+        <translation>
+            <numerusform>%n Datei in %1 gespeichert. %2</numerusform>
+            <numerusform>%n Dateien in %1 gespeichert. %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there already.</source>
+        <translation>
+            <numerusform>%n Datei dieses Namens ist schon da.</numerusform>
+            <numerusform>%n Dateien dieser Namen sind schon da.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. What is in them is kept as %2.</source>
+        <translation>%1. Was darin ist, bleibt als %2 erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Saves the files of all seats, in place of what is there</source>
+        <translation>Speichert die Dateien aller Sitzplätze anstelle dessen, was da ist</translation>
+    </message>
+    <message>
+        <source>A Codewheel that opens such a file connects to %1: its computer must reach this one there.</source>
+        <translation>Ein Codewheel, das eine solche Datei öffnet, verbindet sich mit %1: Sein Rechner muss diesen dort erreichen.</translation>
+    </message>
+    <message>
+        <source>A Codewheel that opens such a file connects to %1: on this computer only, since it is offered to this computer only.</source>
+        <translation>Ein Codewheel, das eine solche Datei öffnet, verbindet sich mit %1: nur auf diesem Rechner, da nur ihm angeboten wird.</translation>
     </message>
 </context>
 <context>
@@ -14089,6 +14208,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Offer to others</source>
         <translation>Anderen anbieten</translation>
     </message>
+    <message>
+        <source>Projects with which a Codewheel at another seat connects to its ring (Alt+I)</source>
+        <translation>Projekte, mit denen sich ein Codewheel an einem anderen Platz mit seinem Ring verbindet (Alt+S)</translation>
+    </message>
+    <message>
+        <source>Save f&amp;iles for the seats…</source>
+        <translation>Dateien für Plätze &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save a f&amp;ile for clients…</source>
+        <translation>Datei für Clients &amp;speichern…</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::OfferViews</name>
@@ -14150,20 +14281,66 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Register</translation>
     </message>
     <message>
-        <source>Sta&amp;rt seat afresh</source>
-        <translation>Sitzplatz ne&amp;u starten</translation>
-    </message>
-    <message>
-        <source>Gives the chosen seat a new ring, with factory settings and without what was written to it (Alt+R)</source>
-        <translation>Gibt dem gewählten Sitzplatz einen neuen Ring, mit Werkseinstellungen und ohne das, was in ihn geschrieben wurde (Alt+U)</translation>
-    </message>
-    <message>
         <source>Offered at %1</source>
         <translation>Angeboten an %1</translation>
     </message>
     <message>
         <source>Registers are counted from 0, with the high word first. The status register is %1, the diagnostic parameter %2, as input and as holding registers.</source>
         <translation>Register werden ab 0 gezählt, mit dem oberen Wort zuerst. Das Statusregister ist %1, der Diagnoseparameter %2, als Input- und als Holding-Register.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OperateQuestion</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiteres</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>Bedienen</translation>
+    </message>
+    <message>
+        <source>This ring is real. Shall the program write to it?</source>
+        <translation>Dieser Ring ist echt. Soll das Programm auf ihn schreiben?</translation>
+    </message>
+    <message>
+        <source>%1 is a real ring. Shall the program write to it?</source>
+        <translation>%1 ist ein echter Ring. Soll das Programm auf ihn schreiben?</translation>
+    </message>
+    <message>
+        <source>&amp;Operate</source>
+        <translation>&amp;Bedienen</translation>
+    </message>
+    <message>
+        <source>Words can be sent from now on; none is changed by that. This is not asked again before the ring is connected anew</source>
+        <translation>Ab jetzt können Worte gesendet werden; dadurch ändert sich keines. Erst nach dem nächsten Verbinden wird wieder gefragt</translation>
+    </message>
+    <message>
+        <source>&amp;Stay in Watch</source>
+        <translation>B&amp;eobachten</translation>
+    </message>
+    <message>
+        <source>Nothing is sent (Esc)</source>
+        <translation>Nichts wird gesendet (Esc)</translation>
+    </message>
+    <message>
+        <source>In Operate, the OUT words that you send go to the devices of the ring. A preset or a parameter changes the position that the controller sees. Switching over changes no OUT word.</source>
+        <translation>Beim Bedienen gehen die OUT-Worte, die Sie senden, an die Geräte des Rings. Ein Preset oder ein Parameter ändert die Position, die die Steuerung sieht. Das Umschalten ändert kein OUT-Wort.</translation>
+    </message>
+    <message>
+        <source>All devices with OUT words are encoders.</source>
+        <translation>Alle Geräte mit OUT-Worten sind Geber.</translation>
+    </message>
+    <message>
+        <source>These devices have OUT words and are not known as encoders. What they drive can move:</source>
+        <translation>Diese Geräte haben OUT-Worte und sind nicht als Geber bekannt. Was sie steuern, kann sich bewegen:</translation>
+    </message>
+    <message>
+        <source>OUT cannot be read back of these. It stays as it is until something is sent there:</source>
+        <translation>Bei diesen kann OUT nicht zurückgelesen werden. Es bleibt, wie es ist, bis dorthin etwas gesendet wird:</translation>
     </message>
 </context>
 <context>
@@ -17041,6 +17218,14 @@ Zustand: %3 (%4)</translation>
         <source>word order, byte order, gateway</source>
         <translation>Wortreihenfolge, Bytereihenfolge, Gateway</translation>
     </message>
+    <message>
+        <source>Start a&amp;fresh</source>
+        <translation>Neu b&amp;eginnen</translation>
+    </message>
+    <message>
+        <source>reset, factory settings, no faults</source>
+        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, Reset</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingChecks</name>
@@ -17366,6 +17551,22 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>The fields are filled in.</source>
         <translation>Die Felder sind ausgefüllt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingOffer</name>
+    <message>
+        <source>%1, seat %2</source>
+        <comment>the ring of a seat</comment>
+        <translation>%1, Sitzplatz %2</translation>
+    </message>
+    <message>
+        <source>Seat %1: %2</source>
+        <translation>Sitzplatz %1: %2</translation>
+    </message>
+    <message>
+        <source>Seat %1, %2: %3</source>
+        <translation>Sitzplatz %1, %2: %3</translation>
     </message>
 </context>
 <context>
@@ -18162,6 +18363,13 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::SeatPanel</name>
+    <message>
+        <source>Seat %1</source>
+        <translation>Sitzplatz %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SeatsModel</name>
     <message>
         <source>Seat</source>
@@ -18194,6 +18402,57 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Device, OUT word, and when it was on the bus, whoever wrote it</source>
         <translation>Teilnehmer, OUT-Wort und wann es auf dem Bus war, wer immer es schrieb</translation>
+    </message>
+    <message>
+        <source>IN</source>
+        <translation>IN</translation>
+    </message>
+    <message>
+        <source>OUT</source>
+        <translation>OUT</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Störungen</translation>
+    </message>
+    <message>
+        <source>IN word of the device that is chosen above</source>
+        <translation>IN-Wort des Geräts, das oben gewählt ist</translation>
+    </message>
+    <message>
+        <source>OUT word of the device that is chosen above</source>
+        <translation>OUT-Wort des Geräts, das oben gewählt ist</translation>
+    </message>
+    <message>
+        <source>What the trainer or a fault plan has caused in its ring, and is not over</source>
+        <translation>Was der Ausbilder oder ein Störungsplan in seinem Ring bewirkt hat und nicht vorbei ist</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SeatsView</name>
+    <message>
+        <source>Words of</source>
+        <translation>Worte von</translation>
+    </message>
+    <message>
+        <source>The device of each ring whose words the table shows (Alt+W)</source>
+        <translation>Das Gerät jedes Rings, dessen Worte die Tabelle zeigt (Alt+W)</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt seat afresh</source>
+        <translation>Sitzplatz ne&amp;u starten</translation>
+    </message>
+    <message>
+        <source>Gives the chosen seat a new ring, with factory settings and without what was written to it (Alt+R)</source>
+        <translation>Gibt dem gewählten Sitzplatz einen neuen Ring, mit Werkseinstellungen und ohne das, was in ihn geschrieben wurde (Alt+U)</translation>
+    </message>
+    <message>
+        <source>Seats</source>
+        <translation>Sitzplätze</translation>
+    </message>
+    <message>
+        <source>&amp;Words of</source>
+        <translation>&amp;Worte von</translation>
     </message>
 </context>
 <context>
@@ -19145,6 +19404,26 @@ Worte: IN %3, OUT %4</translation>
         <source>Kept for each encoder, and in the terminal of each serial line, while the program runs; the oldest are dropped.</source>
         <translation>Je Geber, und im Terminal je serieller Leitung, solange das Programm läuft; die ältesten entfallen.</translation>
     </message>
+    <message>
+        <source>Faults</source>
+        <translation>Störungen</translation>
+    </message>
+    <message>
+        <source>&amp;Notify of faults while another program is in front</source>
+        <translation>Störungen &amp;melden, während ein anderes Programm vorn ist</translation>
+    </message>
+    <message>
+        <source>A notice on the desktop says what has failed and where. Several in a short time are put together.</source>
+        <translation>Eine Meldung des Desktops sagt, was gestört ist und wo. Mehrere in kurzer Zeit werden zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>With a &amp;sound</source>
+        <translation>Mit &amp;Ton</translation>
+    </message>
+    <message>
+        <source>The desktop plays its sound for errors; where it has none, the program beeps.</source>
+        <translation>Der Desktop spielt seinen Ton für Fehler; hat er keinen, gibt das Programm einen Signalton.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Setup</name>
@@ -19927,6 +20206,24 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ThenMark</name>
+    <message>
+        <source>now %1</source>
+        <comment>position</comment>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>then: not known</source>
+        <comment>position</comment>
+        <translation>danach: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>then %1</source>
+        <comment>position</comment>
+        <translation>danach %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TraceView</name>
     <message>
         <source>No encoder is selected</source>
@@ -20152,6 +20449,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Start afresh</source>
+        <translation>Neu beginnen</translation>
     </message>
 </context>
 <context>
@@ -21396,6 +21697,22 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Number</source>
         <translation>Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::UnseenFaults</name>
+    <message>
+        <source>Fault: %1</source>
+        <comment>place</comment>
+        <translation>Störung: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faults, the last: %1</source>
+        <comment>place</comment>
+        <translation>
+            <numerusform>%n Störung, zuletzt: %1</numerusform>
+            <numerusform>%n Störungen, zuletzt: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

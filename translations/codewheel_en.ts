@@ -209,6 +209,23 @@
     </message>
 </context>
 <context>
+    <name>codewheel::OfferFiles</name>
+    <message numerus="yes">
+        <source>%n files saved in %1. %2</source>
+        <translation>
+            <numerusform>%n file saved in %1. %2</numerusform>
+            <numerusform>%n files saved in %1. %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there already.</source>
+        <translation>
+            <numerusform>%n file of this name is there already.</numerusform>
+            <numerusform>%n files of these names are there already.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::OfferViews</name>
     <message numerus="yes">
         <source>%n clients</source>
@@ -225,6 +242,16 @@
         <translation>
             <numerusform>Unit %n is the only seat, with a ring of its own. The ring of this window is not offered.</numerusform>
             <numerusform>Units 1 to %n are the seats, each with a ring of its own. The ring of this window is not offered.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OperateQuestion</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>
@@ -385,6 +412,17 @@
         <translation>
             <numerusform>%1 is written: %n row; the file beside it says what it is.</numerusform>
             <numerusform>%1 is written: %n rows; the file beside it says what they are.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::UnseenFaults</name>
+    <message numerus="yes">
+        <source>%n faults, the last: %1</source>
+        <comment>place</comment>
+        <translation>
+            <numerusform>%n fault, the last: %1</numerusform>
+            <numerusform>%n faults, the last: %1</numerusform>
         </translation>
     </message>
 </context>

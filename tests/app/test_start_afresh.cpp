@@ -21,8 +21,8 @@ using test::fraba;
 using test::ModbusClient;
 using test::partOf;
 
-constexpr std::int64_t firstRaw = 12'345;    // as the plan of the training bus has it
-constexpr LineAddress standingEncoder{0x05}; // at 1235h, likewise
+constexpr std::int64_t firstRaw = 12'345;  // as the plan of the training bus has it
+constexpr LineAddress encoderAtRest{0x05}; // at 1235h, likewise
 
 QPushButton &afreshButton(const QWidget &panel)
 {
@@ -214,16 +214,16 @@ TEST_F(StartAfresh, ARingThatGetsOtherDevicesBackIsNoLongerOffered)
 
 TEST_F(StartAfresh, TheTrainingLineToo)
 {
-    const Place place{firstLine, standingEncoder.node()};
+    const Place place{firstLine, encoderAtRest.node()};
     const auto rawPosition = [&] {
         std::int64_t raw = -1;
         shown->line().training()->withEncoder(
-            standingEncoder, [&](const SimulatedEscEncoder &its) { raw = its.shaft().raw(); });
+            encoderAtRest, [&](const SimulatedEscEncoder &its) { raw = its.shaft().raw(); });
         return raw;
     };
     const std::int64_t atFirst = rawPosition();
     shown->line().training()->setFaults({.lost = 100});
-    shown->line().training()->withEncoder(standingEncoder,
+    shown->line().training()->withEncoder(encoderAtRest,
                                           [](SimulatedEscEncoder &its) { its.shaft().turnBy(500); });
     shown->line().session()->setOperate(false);
     advance(500);

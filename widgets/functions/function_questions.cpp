@@ -18,7 +18,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int pictureWidth = 190;
+constexpr int dialWidth = 190;
 
 struct Functions
 {
@@ -48,7 +48,7 @@ bool confirm(QWidget *window, const char *topic, const QString &question, const 
 NowAndThen *pictureOfPreset(EncoderSession &encoder)
 {
     auto *picture = new NowAndThen;
-    picture->setFixedWidth(pictureWidth);
+    picture->setFixedWidth(dialWidth);
     picture->setEncoder(encoder);
     const auto show = [&encoder, picture] {
         picture->setThenByPreset([&encoder](Parameter parameter) {

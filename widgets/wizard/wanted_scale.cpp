@@ -28,9 +28,9 @@ std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)
     if (setup.wish.setPositionTo)
         return ForetoldPosition{*setup.wish.setPositionTo, true};
     if (setup.wish.initialisePreset) {
-        const auto preset =
-            presetPosition(setup.encoder->device(), [&](Parameter its) { return setup.valueAfter(its); },
-                           setup.encoder->latest().coding);
+        const auto preset = presetPosition(
+            setup.encoder->device(), [&](Parameter its) { return setup.valueAfter(its); },
+            setup.encoder->latest().coding);
         return preset ? std::optional(ForetoldPosition{preset->position, true}) : std::nullopt;
     }
     const auto now = scaleNow(setup);
