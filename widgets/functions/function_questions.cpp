@@ -13,6 +13,7 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 
 namespace codewheel {
@@ -25,21 +26,50 @@ struct Functions
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
 };
 
-// `picture`: beside the text; may be null.
+// With a picture beside the text. Qt lays a message box out anew when the style changes, without it.
+class BoxWithPicture : public QMessageBox
+{
+public:
+    using QMessageBox::QMessageBox;
+
+    void setPicture(QWidget *picture) // may be null
+    {
+        m_picture = picture;
+        place();
+    }
+
+protected:
+    bool event(QEvent *event) override
+    {
+        const bool handled = QMessageBox::event(event);
+        place();
+        return handled;
+    }
+
+private:
+    void place()
+    {
+        auto *cells = qobject_cast<QGridLayout *>(layout());
+        if (m_picture == nullptr || cells == nullptr || cells->indexOf(m_picture) >= 0)
+            return;
+        cells->addWidget(m_picture, 0, cells->columnCount(), 2, 1, Qt::AlignTop);
+        cells->setRowStretch(1, 1); // the question stays above its explanation
+    }
+
+    QPointer<QWidget> m_picture;
+};
+
 bool confirm(QWidget *window, const char *topic, const QString &question, const QStringList &paragraphs,
              const QString &doIt, const QString &toolTip, QWidget *picture = nullptr)
 {
-    QMessageBox box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
+    BoxWithPicture box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
     setHelpTopic(box, topic);
     box.setWindowTitle(QGuiApplication::applicationDisplayName());
     box.setInformativeText(paragraphs.join(QStringLiteral("\n\n")));
     QPushButton *yes = box.addButton(doIt, QMessageBox::AcceptRole);
     yes->setToolTip(toolTip);
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));
-    if (auto *cells = qobject_cast<QGridLayout *>(box.layout()); cells != nullptr && picture != nullptr) {
-        cells->addWidget(picture, 0, cells->columnCount(), 2, 1, Qt::AlignTop);
-        cells->setRowStretch(1, 1); // the question stays above its explanation
-    }
+    box.setPicture(picture);
     box.exec();
     return box.clickedButton() == yes;
 }
