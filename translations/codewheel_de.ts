@@ -18425,7 +18425,7 @@ Worte: IN %3, OUT %4</translation>
     </message>
     <message>
         <source>What the trainer or a fault plan has caused in its ring, and is not over</source>
-        <translation>Was der Ausbilder oder ein Störungsplan in seinem Ring bewirkt hat und nicht vorbei ist</translation>
+        <translation>Was der Ausbilder oder ein Fehlerplan in seinem Ring bewirkt hat und nicht vorbei ist</translation>
     </message>
 </context>
 <context>
