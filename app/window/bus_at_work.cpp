@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/bus_at_work.h"
 
+#include "app/journal_files.h"
 #include "bus/data_check.h"
 #include "journal/ledger_keeper.h"
 #include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
+
+#include <QFileInfo>
 
 namespace codewheel {
 namespace {
@@ -33,6 +36,10 @@ BusAtWork::BusAtWork(BusId id, Surroundings surroundings, QObject *parent)
     , m_surroundings(std::move(surroundings))
 {
     connect(&m_surroundings.project, &ProjectDocument::replaced, &m_known, &KnownKeeper::forget);
+    const auto note = [this] { m_file = project().file(); };
+    connect(&m_surroundings.project, &ProjectDocument::changed, this, note);
+    connect(&m_surroundings.project, &ProjectDocument::fileChanged, this, &BusAtWork::carryAccount);
+    note();
 }
 
 BusAtWork::~BusAtWork() = default;
@@ -63,6 +70,20 @@ void BusAtWork::tellMessagesOf(EncoderBus &bus)
 {
     connect(&bus, &EncoderBus::messaged, this,
             [this, &bus](const Message &message) { Q_EMIT messaged(message, bus.dateTime(message.at)); });
+}
+
+// To the file that the project is in now. While a real bus is connected its LedgerKeeper does so.
+void BusAtWork::carryAccount()
+{
+    const QString from = std::exchange(m_file, project().file());
+    const QString file = ledgerFile(m_surroundings.dataFolder);
+    const bool isKept = m_ledger && !m_ledger->place().inMemory;
+    if (isKept || from == m_file || !QFileInfo::exists(file))
+        return;
+    SafeLedger ledger(DatabasePlace::file(file));
+    ledger.carryPlaces(ledgerProject(from), ledgerProject(m_file), m_id);
+    if (ledger.problem())
+        Q_EMIT messaged(*ledger.problem(), m_surroundings.clock());
 }
 
 void BusAtWork::keepAccount(std::unique_ptr<LedgerKeeper> ledger)

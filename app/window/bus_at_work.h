@@ -69,9 +69,12 @@ protected:
     void forgetKnown(); // it leads to other encoders from now on
 
 private:
+    void carryAccount();
+
     const BusId m_id;
     const Surroundings m_surroundings;
     std::unique_ptr<LedgerKeeper> m_ledger;
+    QString m_file; // of the project
     KnownKeeper m_known;
     std::optional<Refusal> m_whyRefused;
 };

@@ -6,8 +6,7 @@
 #include "journal/ledger_rows.h"
 #include "journal/waiting_entries.h"
 
-#include <QJsonDocument>
-#include <QJsonObject>
+#include <QFileInfo>
 #include <QSqlQuery>
 #include <QUuid>
 #include <QVariant>
@@ -33,7 +32,9 @@ const DatabaseSchema &ledgerSchema()
                    QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")}},
              {.statements = {QStringLiteral("CREATE TABLE origin (entry INTEGER PRIMARY KEY, id TEXT NOT "
                                             "NULL UNIQUE)")},
-              .filling = {QStringLiteral("INSERT INTO origin SELECT id, id || '-' || at FROM entry")}}},
+              .filling = {QStringLiteral("INSERT INTO origin SELECT id, id || '-' || at FROM entry")}},
+             {.statements = {QStringLiteral("CREATE TABLE writer (entry INTEGER PRIMARY KEY, computer TEXT "
+                                            "NOT NULL, user TEXT NOT NULL)")}}},
         .survivesPowerLoss = true};
     return ledger;
 }
@@ -43,31 +44,10 @@ QString columnOf(const auto &values)
     return jsonLine(valuesToJson(values));
 }
 
-std::vector<Ledger::Value> valuesFrom(const QVariant &column)
+QString notNull(const QString &text) // as a column without NULL takes it
 {
-    return ledgerValues(QJsonDocument::fromJson(column.toString().toUtf8()).array());
+    return text.isNull() ? QStringLiteral("") : text;
 }
-
-} // namespace
-
-Ledger::Entry ledgerEntryOf(const QSqlQuery &row)
-{
-    Ledger::Entry entry{.id = row.value(0).toLongLong(),
-                        .at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC),
-                        .identity = row.value(2).toString(),
-                        .by = countedByFromKey(row.value(3).toString()).value_or(CountedBy::place),
-                        .place = Place::parse(row.value(4).toString()).value_or(Place()),
-                        .device = row.value(5).toString(),
-                        .planned = row.value(6).toInt(),
-                        .writes = row.value(7).toInt(),
-                        .settled = row.value(8).toBool(),
-                        .before = valuesFrom(row.value(9))};
-    for (const Ledger::Value &value : valuesFrom(row.value(10)))
-        entry.written.push_back({value.parameter, value.value});
-    return entry;
-}
-
-namespace {
 
 // Sums over entries. Whatever a file says, nothing counts as less than 0.
 constexpr QLatin1String sums("ifnull(sum(max(writes, 0)), 0), "
@@ -86,7 +66,7 @@ std::vector<Ledger::Value> beforeOf(const Database &database, qint64 id)
 {
     QSqlQuery query = database.query(QStringLiteral("SELECT before FROM entry WHERE id = ?"));
     query.addBindValue(id);
-    return database.run(query) && query.next() ? valuesFrom(query.value(0)) : std::vector<Ledger::Value>();
+    return database.run(query) && query.next() ? ledgerValues(query.value(0)) : std::vector<Ledger::Value>();
 }
 
 // What was read takes precedence over what was known.
@@ -97,6 +77,11 @@ std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::
             read.push_back(value);
     std::ranges::sort(read, {}, &Ledger::Value::parameter);
     return read;
+}
+
+QString newOrigin()
+{
+    return QUuid::createUuid().toString(QUuid::Id128);
 }
 
 constexpr QLatin1String serialPrefix("serial/");
@@ -117,6 +102,12 @@ QString EncoderIdentity::key() const
 {
     return by == CountedBy::place ? placePrefix(project) + place.key()
                                   : serialPrefix + vendor + u'/' + serialNumber;
+}
+
+QString ledgerProject(const QString &file)
+{
+    const QString path = file.isEmpty() ? QString() : QFileInfo(file).canonicalFilePath();
+    return path.isEmpty() ? file : path; // it does not exist yet
 }
 
 Stored<Ledger> Ledger::open(const DatabasePlace &place)
@@ -146,12 +137,10 @@ void Ledger::takeOver(const QStringList &left)
 Stored<qint64> Ledger::begin(const Entry &entry)
 {
     qint64 id = 0;
+    Record record{newOrigin(), entry};
+    record.entry.writer = ledgerWriter();
     return m_database
-        .inTransaction([&] {
-            return insert({QUuid::createUuid().toString(QUuid::Id128), entry}).map([&](qint64 inserted) {
-                id = inserted;
-            });
-        })
+        .inTransaction([&] { return insert(record).map([&](qint64 inserted) { id = inserted; }); })
         .map([&] { return id; });
 }
 
@@ -164,8 +153,7 @@ Stored<qint64> Ledger::insert(const Record &record)
                                            .arg(ledgerColumns));
     for (const QVariant &value : std::initializer_list<QVariant>{
              entry.id > 0 ? QVariant(entry.id) : QVariant(), entry.at.toMSecsSinceEpoch(), entry.identity,
-             countedByKey(entry.by), entry.place.key(),
-             entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned, entry.writes,
+             countedByKey(entry.by), entry.place.key(), notNull(entry.device), entry.planned, entry.writes,
              entry.settled ? 1 : 0, columnOf(entry.before), columnOf(entry.written)})
         query.addBindValue(value);
     if (auto inserted = m_database.run(query); !inserted)
@@ -174,7 +162,13 @@ Stored<qint64> Ledger::insert(const Record &record)
     QSqlQuery origin = m_database.query(QStringLiteral("INSERT OR REPLACE INTO origin VALUES (?, ?)"));
     origin.addBindValue(id);
     origin.addBindValue(record.origin);
-    return m_database.run(origin).map([&] { return id; });
+    if (auto named = m_database.run(origin); !named)
+        return tl::unexpected(named.error());
+    QSqlQuery writer = m_database.query(QStringLiteral("INSERT OR REPLACE INTO writer VALUES (?, ?, ?)"));
+    for (const QVariant &value :
+         std::initializer_list<QVariant>{id, notNull(entry.writer.computer), notNull(entry.writer.user)})
+        writer.addBindValue(value);
+    return m_database.run(writer).map([&] { return id; });
 }
 
 Stored<void> Ledger::count(qint64 id, int writes)
@@ -213,22 +207,8 @@ Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std
         query.addBindValue(perhaps);
         query.addBindValue(columnOf(written));
         query.addBindValue(id);
-        if (auto settled = m_database.run(query); !settled)
-            return settled;
-        return dropIfNothingWasWritten(id);
+        return m_database.run(query);
     });
-}
-
-Stored<void> Ledger::dropIfNothingWasWritten(qint64 id)
-{
-    return m_database
-        .execute(QStringLiteral("DELETE FROM entry WHERE id = %1 AND settled AND writes = 0").arg(id))
-        .and_then([&] {
-            return m_database.execute(
-                QStringLiteral(
-                    "DELETE FROM origin WHERE entry = %1 AND NOT EXISTS (SELECT 1 FROM entry WHERE id = %1)")
-                    .arg(id));
-        });
 }
 
 Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity)
@@ -250,27 +230,31 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
 Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, BusId bus,
                                 const std::vector<qint64> &without)
 {
-    QStringList ids;
-    for (const qint64 id : without)
-        ids << QString::number(id);
-    QSqlQuery query = m_database.query(
-        QStringLiteral(
-            "INSERT INTO entry (%1) "
-            "SELECT NULL, at, :to || substr(identity, length(:from) + 1), counted_by, place, device, "
-            "planned, writes, settled, before, written FROM entry AS old "
-            "WHERE substr(identity, 1, length(:from)) = :from AND %3 = :bus "
-            "AND id NOT IN (%2) AND NOT EXISTS (SELECT 1 FROM entry WHERE at = old.at AND "
-            "device = old.device AND identity = :to || substr(old.identity, length(:from) + 1))")
-            .arg(ledgerColumns, ids.join(u','), busOfPlace));
+    QSqlQuery query = m_database.query(ledgerQuery(
+        QStringLiteral("substr(identity, 1, length(:from)) = :from AND %1 = :bus AND %2 AND NOT EXISTS "
+                       "(SELECT 1 FROM entry AS copy WHERE copy.at = entry.at AND copy.device = "
+                       "entry.device AND copy.identity = :to || substr(entry.identity, length(:from) + 1))")
+            .arg(busOfPlace, hasWrites)));
     query.bindValue(QStringLiteral(":from"), placePrefix(from));
     query.bindValue(QStringLiteral(":to"), placePrefix(to));
     query.bindValue(QStringLiteral(":bus"), bus.number);
-    return m_database.inTransaction([&] {
-        return m_database.run(query).and_then([&] {
-            return m_database.execute(
-                QStringLiteral("INSERT INTO origin SELECT id, lower(hex(randomblob(16))) FROM entry "
-                               "WHERE id NOT IN (SELECT entry FROM origin)"));
-        });
+    return m_database.inTransaction([&]() -> Stored<void> {
+        if (auto found = m_database.run(query); !found)
+            return found;
+        std::vector<Record> copies;
+        while (query.next())
+            copies.push_back(ledgerRecordOf(query));
+        query.finish();
+        for (Record &copy : copies) {
+            if (std::ranges::count(without, copy.entry.id) > 0)
+                continue;
+            copy.origin = newOrigin();
+            copy.entry.id = 0;
+            copy.entry.identity.replace(0, placePrefix(from).size(), placePrefix(to));
+            if (auto added = insert(copy); !added)
+                return tl::unexpected(added.error());
+        }
+        return {};
     });
 }
 
@@ -288,7 +272,8 @@ Stored<void> Ledger::movePlaces(const QString &to, BusId bus)
 
 EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const
 {
-    QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM entry WHERE identity = ?").arg(sums));
+    QSqlQuery query = m_database.query(
+        QStringLiteral("SELECT %1 FROM entry WHERE identity = ? AND %2").arg(sums, hasWrites));
     query.addBindValue(identity.key());
     EepromCount count;
     if (m_database.run(query) && query.next())
@@ -311,13 +296,13 @@ QDateTime Ledger::since(const EncoderIdentity &identity) const
 std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity) const
 {
     QSqlQuery query = m_database.query(
-        QStringLiteral("SELECT %1 FROM entry WHERE identity = ? AND before <> '[]' ORDER BY id DESC")
-            .arg(ledgerColumns));
+        ledgerQuery(QStringLiteral("identity = ? AND before <> '[]' AND %1").arg(hasWrites)));
     query.addBindValue(identity.key());
     std::vector<Entry> entries;
     (void)m_database.run(query);
     while (query.next())
-        entries.push_back(ledgerEntryOf(query));
+        entries.push_back(ledgerRecordOf(query).entry);
+    std::ranges::reverse(entries);
     return entries;
 }
 
@@ -326,8 +311,8 @@ std::vector<Ledger::Account> Ledger::accounts() const
     QSqlQuery query = m_database.query(
         QStringLiteral(
             "SELECT entry.identity, counted_by, place, device, account.* FROM (SELECT max(id) AS newest, "
-            "%1 FROM entry GROUP BY identity) AS account JOIN entry ON id = newest ORDER BY 1")
-            .arg(sums));
+            "%1 FROM entry WHERE %2 GROUP BY identity) AS account JOIN entry ON id = newest ORDER BY 1")
+            .arg(sums, hasWrites));
     std::vector<Account> accounts;
     (void)m_database.run(query);
     while (query.next()) {

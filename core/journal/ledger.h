@@ -5,6 +5,7 @@
 #include "encoder/known.h"
 #include "encoder/place.h"
 #include "journal/database.h"
+#include "journal/ledger_writer.h"
 
 #include <vector>
 
@@ -17,11 +18,14 @@ struct EncoderIdentity
     CountedBy by = CountedBy::place;
     QString vendor;       // serial numbers are a make's own; empty: not known
     QString serialNumber; // if known by it, read or typed: the same number is the same encoder
-    QString project;      // file, for a place; empty: none
+    QString project;      // ledgerProject(), for a place; empty: none
     Place place;
 
     QString key() const; // as stored in the ledger (docs/journal.md)
 };
+
+// The file of a project as it is entered: links are resolved, so that a link counts as its file. Empty: none.
+QString ledgerProject(const QString &file);
 
 // The account of what this program wrote to the EEPROMs of encoders (docs/journal.md): a database of the
 // user, or in memory for the training bus. Everything is on disk when a call returns. Used by LedgerKeeper,
@@ -52,6 +56,10 @@ public:
         bool settled = false; // its end was seen: there were no more
         std::vector<Value> before{};
         ParameterValues written{}; // by hand: what was sent
+        LedgerWriter writer{};
+
+        bool isWithoutWrite() const { return settled && writes <= 0; }
+        int perhaps() const { return settled ? 0 : std::max(planned - writes, 0); }
 
         friend bool operator==(const Entry &, const Entry &) = default;
     };
@@ -72,13 +80,14 @@ public:
     // Takes in what waits in files beside it (WaitingEntries).
     static Stored<Ledger> open(const DatabasePlace &place);
 
-    // Before a job sends its first word, and for words by hand. Returns the id.
+    // Before a job sends its first word, and for words by hand, by ledgerWriter(). Returns the id.
     Stored<qint64> begin(const Entry &entry);
     Stored<void> count(qint64 id, int writes);
     // It may write more than was planned.
     Stored<void> plan(qint64 id, int more);
     // The job has ended, and read these values before it wrote. An entry under which nothing was written is
-    // dropped. `perhaps`: so many writes more may have been made, so it is not settled.
+    // no longer counted or listed, and stays for other ledgers that have it as begun. `perhaps`: so many
+    // writes more may have been made, so it is not settled.
     Stored<void> settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore = {},
                         int perhaps = 0);
     // It has become known which encoder that was.
@@ -99,10 +108,12 @@ public:
     std::vector<Entry> valuesBefore(const EncoderIdentity &identity) const;
     std::vector<Account> accounts() const; // by identity
 
-    Stored<std::vector<Record>> records() const; // by id
+    // By id, also those without a write.
+    Stored<std::vector<Record>> records() const;
     std::optional<Record> record(qint64 id) const;
     // Takes in another ledger: an entry that is already known is not duplicated, but completed with what is
-    // known of it there, and one settled without a write is removed. All or, with an error, nothing.
+    // known of it there. One settled without a write is added nowhere, and no longer counted where it is
+    // known. All or, with an error, nothing.
     struct Merged
     {
         int added = 0;
@@ -119,7 +130,6 @@ private:
     Stored<void> merge(Record there, Merged &merged);
     void takeOver(const QStringList &left);
     Stored<qint64> insert(const Record &record);
-    Stored<void> dropIfNothingWasWritten(qint64 id);
 
     Database m_database;
 };

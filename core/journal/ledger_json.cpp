@@ -15,8 +15,8 @@ namespace codewheel {
 namespace {
 
 constexpr char recordsFormat[] = "codewheel-ledger";
-constexpr std::int64_t recordsVersion = 1;
-constexpr int mostWrites = 1'000'000; // of one entry
+constexpr std::int64_t recordsVersion = 2; // can be read as well: 1, without computer and user
+constexpr int mostWrites = 1'000'000;      // of one entry
 
 constexpr QLatin1String parameterMember("parameter");
 constexpr QLatin1String valueMember("value");
@@ -54,6 +54,8 @@ QJsonObject toJson(const Ledger::Record &record)
             {QStringLiteral("bus"), entry.place.bus.number},
             {QStringLiteral("place"), entry.place.toString()},
             {QStringLiteral("device"), entry.device},
+            {QStringLiteral("computer"), entry.writer.computer},
+            {QStringLiteral("user"), entry.writer.user},
             {QStringLiteral("planned"), entry.planned},
             {QStringLiteral("writes"), entry.writes},
             {QStringLiteral("settled"), entry.settled},
@@ -98,6 +100,8 @@ Ledger::Record recordOf(const JsonObject &json)
     entry.by = by.value_or(CountedBy::place);
     entry.place = placeOf(json);
     entry.device = json.freeText("device");
+    if (json.has("computer"))
+        entry.writer = {json.freeText("computer"), json.freeText("user")};
     entry.planned = static_cast<int>(json.number("planned", 0, mostWrites));
     entry.writes = static_cast<int>(json.number("writes", 0, mostWrites));
     entry.settled = json.flag("settled");
@@ -182,12 +186,12 @@ tl::expected<std::vector<Ledger::Record>, QString> recordsFromJson(const QByteAr
     std::vector<Ledger::Record> records;
     if (!faults.first()) {
         const JsonObject file(root, QString(), {"format", "version", "entries"}, faults);
-        if (file.number("version") != recordsVersion)
+        if (const std::int64_t version = file.number("version"); version < 1 || version > recordsVersion)
             file.report("version",
-                        Journal::tr("Only version %1 of the format can be read.").arg(recordsVersion));
+                        Journal::tr("Only versions 1 to %1 of the format can be read.").arg(recordsVersion));
         for (const JsonObject &entry :
-             file.array("entries", {"id", "at", "identity", "countedBy", "bus", "place", "device", "planned",
-                                    "writes", "settled", "before", "written"}))
+             file.array("entries", {"id", "at", "identity", "countedBy", "bus", "place", "device", "computer",
+                                    "user", "planned", "writes", "settled", "before", "written"}))
             records.push_back(recordOf(entry));
     }
     if (faults.first())

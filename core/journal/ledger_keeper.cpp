@@ -4,21 +4,9 @@
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-QString withoutLinks(const QString &file)
-{
-    const QString path = file.isEmpty() ? QString() : QFileInfo(file).canonicalFilePath();
-    return path.isEmpty() ? file : path; // it does not exist yet
-}
-
-} // namespace
-
 LedgerKeeper::LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
@@ -70,7 +58,7 @@ void LedgerKeeper::watchBus()
 
 void LedgerKeeper::setProject(const QString &file)
 {
-    const QString now = withoutLinks(file);
+    const QString now = ledgerProject(file);
     if (std::exchange(m_project, now) == now)
         return;
     for (const auto &[place, watched] : m_watched)
@@ -79,7 +67,7 @@ void LedgerKeeper::setProject(const QString &file)
 
 void LedgerKeeper::projectSavedAs(const QString &file)
 {
-    const QString from = std::exchange(m_project, withoutLinks(file));
+    const QString from = std::exchange(m_project, ledgerProject(file));
     if (from == m_project)
         return;
     takeAlong(from);
@@ -91,21 +79,17 @@ void LedgerKeeper::projectSavedAs(const QString &file)
 // account in a file carries on there, and is copied; an entry that has not ended can exist only once.
 void LedgerKeeper::takeAlong(const QString &from)
 {
-    auto moved = onTheirWay();
-    if (from.isEmpty()) {
+    auto along = onTheirWay();
+    std::vector<qint64> without;
+    for (const auto &[place, ids] : along)
+        without.insert(without.end(), ids.begin(), ids.end());
+    if (from.isEmpty())
         for (const auto &[place, watched] : m_watched)
             if (watched.identity.by == CountedBy::place)
-                moved[place].insert(moved[place].end(), watched.unassigned.begin(), watched.unassigned.end());
-    } else {
-        std::vector<qint64> without;
-        for (const auto &[place, ids] : moved)
-            without.insert(without.end(), ids.begin(), ids.end());
-        m_book->copyPlaces(from, m_project, m_bus.id(), without);
-    }
-    for (const auto &[place, ids] : moved)
+                along[place].insert(along[place].end(), watched.unassigned.begin(), watched.unassigned.end());
+    for (const auto &[place, ids] : along)
         m_book->attribute(ids, identity(place));
-    if (from.isEmpty())
-        m_book->movePlaces(m_project, m_bus.id());
+    m_book->carryPlaces(from, m_project, m_bus.id(), without);
 }
 
 // Entries counted by their place that have not ended.

@@ -12,19 +12,6 @@
 namespace codewheel {
 namespace {
 
-QString recordQuery(const QString &condition)
-{
-    return QStringLiteral("SELECT entry.%1, ifnull(origin.id, entry.id || '-' || at) FROM entry "
-                          "LEFT JOIN origin ON origin.entry = entry.id WHERE %2 ORDER BY entry.id")
-        .arg(ledgerColumns, condition);
-}
-
-Ledger::Record recordOf(const QSqlQuery &row)
-{
-    constexpr int originColumn = 11;
-    return {row.value(originColumn).toString(), ledgerEntryOf(row)};
-}
-
 // How certain it is which encoder it was.
 int certainty(CountedBy by)
 {
@@ -47,24 +34,21 @@ Ledger::Record combined(Ledger::Record here, const Ledger::Record &there)
     }
     if (there.entry.before.size() > entry.before.size())
         entry.before = there.entry.before;
+    if (entry.writer == LedgerWriter())
+        entry.writer = there.entry.writer;
     return here;
-}
-
-bool isWithoutWrite(const Ledger::Entry &entry)
-{
-    return entry.settled && entry.writes <= 0;
 }
 
 } // namespace
 
 Stored<std::vector<Ledger::Record>> Ledger::records() const
 {
-    QSqlQuery query = m_database.query(recordQuery(QStringLiteral("true")));
+    QSqlQuery query = m_database.query(ledgerQuery(QStringLiteral("true")));
     if (auto done = m_database.run(query); !done)
         return tl::unexpected(done.error());
     std::vector<Record> records;
     while (query.next())
-        records.push_back(recordOf(query));
+        records.push_back(ledgerRecordOf(query));
     if (query.lastError().isValid()) // in the middle of the file
         return tl::unexpected(Database::errorOf(query.lastError()));
     return records;
@@ -72,9 +56,9 @@ Stored<std::vector<Ledger::Record>> Ledger::records() const
 
 std::optional<Ledger::Record> Ledger::record(qint64 id) const
 {
-    QSqlQuery query = m_database.query(recordQuery(QStringLiteral("entry.id = ?")));
+    QSqlQuery query = m_database.query(ledgerQuery(QStringLiteral("entry.id = ?")));
     query.addBindValue(id);
-    return m_database.run(query) && query.next() ? std::optional(recordOf(query)) : std::nullopt;
+    return m_database.run(query) && query.next() ? std::optional(ledgerRecordOf(query)) : std::nullopt;
 }
 
 Stored<Ledger::Merged> Ledger::merge(const std::vector<Record> &records)
@@ -92,18 +76,20 @@ Stored<Ledger::Merged> Ledger::merge(const std::vector<Record> &records)
 
 Stored<void> Ledger::merge(Record there, Merged &merged)
 {
-    QSqlQuery query = m_database.query(recordQuery(QStringLiteral("origin.id = ?")));
+    QSqlQuery query = m_database.query(ledgerQuery(QStringLiteral("origin.id = ?")));
     query.addBindValue(there.origin);
     if (auto done = m_database.run(query); !done)
         return done;
     const bool isKnown = query.next();
-    ++(isKnown ? merged.known : merged.added);
-    if (!isKnown && isWithoutWrite(there.entry))
+    if (!isKnown && there.entry.isWithoutWrite())
         return {};
     there.entry.id = 0;
-    const Record now = isKnown ? combined(recordOf(query), there) : there;
+    const Record before = isKnown ? ledgerRecordOf(query) : there;
     query.finish();
-    return insert(now).and_then([&](qint64 id) { return dropIfNothingWasWritten(id); });
+    const Record now = combined(before, there);
+    if (!before.entry.isWithoutWrite())
+        ++(isKnown ? merged.known : merged.added);
+    return insert(now).map([](qint64) {});
 }
 
 Stored<void> Ledger::copy(const std::vector<Record> &records)

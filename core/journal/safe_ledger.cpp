@@ -76,23 +76,17 @@ auto SafeLedger::safely(What what)
     return done;
 }
 
-// As it is now; one that is gone was settled without a write.
+// As it is now.
 void SafeLedger::remember(qint64 id)
 {
     if (m_place.inMemory || !m_ledger)
         return;
-    const auto before = m_begun.find(id);
-    auto now = m_ledger->record(id);
-    if (!now && before != m_begun.end() && m_isInMemory) {
-        before->second.entry.settled = true;
-        keepBeside(before->second);
-    }
-    if (now && m_isInMemory)
+    const auto now = m_ledger->record(id);
+    if (!now)
+        return;
+    if (m_isInMemory)
         keepBeside(*now);
-    if (now)
-        m_begun.insert_or_assign(id, *std::move(now));
-    else if (before != m_begun.end() && !m_isInMemory)
-        m_begun.erase(before);
+    m_begun.insert_or_assign(id, *now);
 }
 
 void SafeLedger::keepBeside(const Ledger::Record &record)
@@ -146,17 +140,13 @@ void SafeLedger::attribute(const std::vector<qint64> &ids, const EncoderIdentity
         remember(id);
 }
 
-void SafeLedger::copyPlaces(const QString &from, const QString &to, BusId bus,
-                            const std::vector<qint64> &without)
+void SafeLedger::carryPlaces(const QString &from, const QString &to, BusId bus,
+                             const std::vector<qint64> &without)
 {
     if (m_ledger)
-        (void)safely([&](Ledger &ledger) { return ledger.copyPlaces(from, to, bus, without); });
-}
-
-void SafeLedger::movePlaces(const QString &to, BusId bus)
-{
-    if (m_ledger)
-        (void)safely([&](Ledger &ledger) { return ledger.movePlaces(to, bus); });
+        (void)safely([&](Ledger &ledger) {
+            return from.isEmpty() ? ledger.movePlaces(to, bus) : ledger.copyPlaces(from, to, bus, without);
+        });
 }
 
 } // namespace codewheel

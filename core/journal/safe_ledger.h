@@ -38,8 +38,10 @@ public:
     void settle(qint64 id, const ParameterValues &written, const std::vector<Ledger::Value> &readBefore = {},
                 int perhaps = 0);
     void attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
-    void copyPlaces(const QString &from, const QString &to, BusId bus, const std::vector<qint64> &without);
-    void movePlaces(const QString &to, BusId bus);
+    // What was counted by the places of a project that is now in file `to`: from none it moves, from another
+    // one it is copied.
+    void carryPlaces(const QString &from, const QString &to, BusId bus,
+                     const std::vector<qint64> &without = {});
 
 private:
     template <typename What>

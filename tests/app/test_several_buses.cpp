@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several rings and lines: each is connected, driven and stopped on its own, in the window.
+#include "app/journal_files.h"
 #include "app/window/bus_views.h"
 #include "app/window/line_at_work.h"
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
+#include "journal/ledger.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/line_plan.h"
+#include "project/project_file.h"
 #include "tests/app/planned_encoder.h"
 #include "tests/app/press_connect.h"
 #include "tests/app/window_test.h"
@@ -680,6 +683,35 @@ TEST_F(SeveralBuses, UndoShowsTheBusOnWhichItUndoes)
     choose(firstLine);
     actions().redo->trigger();
     EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
+}
+
+// A count that falls is believed: so it goes along wherever the project goes.
+TEST_F(SeveralBuses, TheAccountOfABusThatIsNotConnectedGoesAlongWithTheProject)
+{
+    const DatabasePlace place = DatabasePlace::file(ledgerFile(folder.path()));
+    const auto in = [](const QString &file) {
+        return EncoderIdentity{CountedBy::place, {}, {}, ledgerProject(file), farFraba};
+    };
+    startAnew();
+    plan(secondRing, u"interbus");
+    {
+        Ledger before = *Ledger::open(place); // of an earlier day, before the project had a file
+        ASSERT_TRUE(before.count(*before.begin({.at = QDateTime(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC),
+                                                .identity = in({}).key(),
+                                                .place = farFraba,
+                                                .planned = 6}),
+                                 6));
+    }
+    ASSERT_FALSE(shown->plant().find(secondRing)->isOpen());
+    const QString first = folder.filePath(QStringLiteral("crane.codewheel"));
+    const QString second = folder.filePath(QStringLiteral("copy.codewheel"));
+    for (const QString &file : {first, second}) {
+        ASSERT_TRUE(saveProject(shown->project().project(), file));
+        shown->project().setFile(file);
+        EXPECT_EQ(Ledger::open(place)->writes(in(file)).writes, 6) << file.toStdString();
+    }
+    EXPECT_EQ(Ledger::open(place)->writes(in(first)).writes, 6) << "the first one keeps its own";
+    EXPECT_EQ(Ledger::open(place)->writes(in({})).writes, 0);
 }
 
 // A number stands for one bus: the project's.

@@ -4,6 +4,8 @@
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
 
+#include <QSysInfo>
+
 namespace codewheel {
 namespace {
 
@@ -52,6 +54,45 @@ TEST_F(LedgerTest, CountsWhatWasSeen)
     EXPECT_EQ(count.serialNumber, QStringLiteral("4711"));
     EXPECT_EQ(ledger.writes(serial("4712")),
               (EepromCount{.by = CountedBy::serialNumber, .serialNumber = QStringLiteral("4712")}));
+}
+
+TEST_F(LedgerTest, EachEntryHasTheNamesOfComputerAndUser)
+{
+    setLedgerUser(QStringLiteral("  Ada \n L. "));
+    const qint64 hers = *ledger.begin(entryOf(serial("1"), 1));
+    setLedgerUser({});
+    const qint64 nobodys = *ledger.begin(entryOf(serial("1"), 1));
+    EXPECT_EQ(ledger.record(hers)->entry.writer.user, QStringLiteral("Ada L."));
+    EXPECT_EQ(ledger.record(hers)->entry.writer.computer, QSysInfo::machineHostName());
+    EXPECT_EQ(ledger.record(nobodys)->entry.writer,
+              (LedgerWriter{.computer = QSysInfo::machineHostName(), .user = {}}));
+}
+
+TEST_F(LedgerTest, ACopyOfAPlaceKeepsTheNames)
+{
+    const QString from = QStringLiteral("/a.codewheel");
+    const QString to = QStringLiteral("/b.codewheel");
+    setLedgerUser(QStringLiteral("Ada"));
+    EXPECT_TRUE(ledger.count(*ledger.begin(entryOf(atPlace("1.0"_ring, from), 1)), 1));
+    setLedgerUser(QStringLiteral("Ben"));
+    EXPECT_TRUE(ledger.copyPlaces(from, to, "1.0"_ring.bus, {}));
+    setLedgerUser({});
+    const auto records = *ledger.records();
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[1].entry.writer.user, QStringLiteral("Ada"));
+    EXPECT_NE(records[0].origin, records[1].origin);
+}
+
+TEST_F(LedgerTest, WhatEndedWithoutAWriteIsNoLongerListed)
+{
+    Ledger::Entry entry = entryOf(serial("1"), 2);
+    entry.before = {{Parameter::steps, 4096, Evidence::read, noonOfWrite}};
+    const qint64 job = *ledger.begin(entry);
+    EXPECT_EQ(ledger.valuesBefore(serial("1")).size(), 1U);
+    EXPECT_TRUE(ledger.settle(job, {}));
+    EXPECT_TRUE(ledger.accounts().empty());
+    EXPECT_TRUE(ledger.valuesBefore(serial("1")).empty());
+    EXPECT_FALSE(ledger.since(serial("1")).isValid());
 }
 
 TEST_F(LedgerTest, WhatNeverEndedMayHaveBeenWritten)

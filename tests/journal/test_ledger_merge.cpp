@@ -80,6 +80,41 @@ TEST_F(LedgerMerge, LearnsWhatBecameOfAnEntry)
     EXPECT_EQ(here.writes(seven).perhaps, 0);
 }
 
+TEST_F(LedgerMerge, LearnsThatAnEntryEndedWithoutAWrite)
+{
+    const qint64 job = begin(there, seven, 3);
+    ASSERT_TRUE(here.merge(carried(there)));
+    EXPECT_EQ(here.writes(seven).perhaps, 3) << "it was under way";
+    ASSERT_TRUE(there.settle(job, {}));
+    ASSERT_TRUE(here.merge(carried(there)));
+    EXPECT_EQ(here.writes(seven).perhaps, 0);
+    EXPECT_TRUE(here.accounts().empty());
+    // Nor does an old file bring it back.
+    Ledger third = *Ledger::open(DatabasePlace::memory());
+    const auto merged = third.merge(carried(there));
+    EXPECT_EQ(merged->added, 0);
+    EXPECT_TRUE(third.records()->empty());
+}
+
+TEST_F(LedgerMerge, AnOldFileDoesNotBringBackWhatHasEnded)
+{
+    const qint64 job = begin(there, seven, 3);
+    const auto old = carried(there);
+    ASSERT_TRUE(there.settle(job, {}));
+    ASSERT_TRUE(there.merge(old));
+    EXPECT_TRUE(there.accounts().empty());
+}
+
+TEST_F(LedgerMerge, KeepsWhoWrote)
+{
+    setLedgerUser(QStringLiteral("Ada"));
+    ASSERT_TRUE(there.count(begin(there, seven, 1), 1));
+    setLedgerUser({});
+    ASSERT_TRUE(here.merge(carried(there)));
+    EXPECT_EQ(here.records()->front().entry.writer, there.records()->front().entry.writer);
+    EXPECT_EQ(here.records()->front().entry.writer.user, QStringLiteral("Ada"));
+}
+
 TEST_F(LedgerMerge, TheSamePlaceOnTwoBusesIsTwoPlaces)
 {
     Ledger::Record record{.origin = QStringLiteral("a")};
@@ -109,7 +144,8 @@ TEST_F(LedgerMerge, WhatIsWrongWithAFileIsTold)
         R"("countedBy":"place","place":"1.0","device":"","planned":1,"writes":-1,"settled":true,)"
         R"("before":[],"written":[]}]})";
     for (const char *bad :
-         {"", "{}", R"({"format":"codewheel-ledger","version":2,"entries":[]})",
+         {"", "{}", R"({"format":"codewheel-ledger","version":3,"entries":[]})",
+          R"({"format":"codewheel-ledger","version":0,"entries":[]})",
           R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a"}]})", negativeWrites}) {
         const auto read = recordsFromJson(bad);
         ASSERT_FALSE(read) << bad;
@@ -139,6 +175,7 @@ TEST(LedgerOfAnEarlierVersion, IsTakenOver)
     const auto records = ledger->records();
     ASSERT_EQ(records->size(), 1U);
     EXPECT_EQ(records->front().origin, QStringLiteral("5-1000"));
+    EXPECT_EQ(records->front().entry.writer, LedgerWriter());
     EXPECT_TRUE(ledger->count(5, 1));
     EXPECT_EQ(file.names(), QStringList{QStringLiteral("journal.sqlite")}) << "while it is open";
     EXPECT_EQ(Ledger::open(file.place())->writes(seven).writes, 3);
