@@ -4,9 +4,31 @@
 #include "bus/encoder_bus.h"
 
 #include <QCoreApplication>
+#include <QSettings>
 #include <QStandardPaths>
 
 namespace codewheel {
+namespace {
+
+const QString userNameKey = QStringLiteral("eeprom/user");
+
+} // namespace
+
+std::unique_ptr<QSettings> userSettings()
+{
+    return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
+                                       QStringLiteral("codewheel"), QStringLiteral("codewheel"));
+}
+
+QString userName(const QSettings &settings)
+{
+    return settings.value(userNameKey).toString();
+}
+
+void setUserName(QSettings &settings, const QString &name)
+{
+    settings.setValue(userNameKey, name);
+}
 
 QString userJournalFolder()
 {

@@ -3,9 +3,19 @@
 
 #include "journal/database.h"
 
+#include <memory>
+
+class QSettings;
+
 namespace codewheel {
 
 class EncoderBus;
+
+// The settings of the user, the same for the window and the command line; in an ini file.
+std::unique_ptr<QSettings> userSettings();
+// In them: the name under which the user's writes are entered in the ledger; empty: none is given.
+QString userName(const QSettings &settings);
+void setUserName(QSettings &settings, const QString &name);
 
 // The folder of the user's messages and EEPROM counts, the same for the window and the command line:
 // ~/.local/share/codewheel. Need not exist.

@@ -2,11 +2,14 @@
 #include "cli/command_line.h"
 #include "cli/terminal.h"
 #include "codewheel-cli/application.h"
+#include "journal/ledger_writer.h"
+#include "journal_files.h"
 #include "language.h"
 #include "standard_streams.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QSettings>
 
 #include <iostream>
 #include <unistd.h>
@@ -24,6 +27,7 @@ int main(int argc, char **argv)
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(locale);
 
+    codewheel::setLedgerUser(codewheel::userName(*codewheel::userSettings()));
     const bool isInteractive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
     const codewheel::Terminal terminal{std::cin, std::cout, std::cerr, isInteractive, STDIN_FILENO};
     return codewheel::runCommandLine(QCoreApplication::arguments().sliced(1), terminal);

@@ -12,6 +12,7 @@
 #include "app/window/unseen_faults.h"
 #include "app/window/work_in_window.h"
 #include "journal/eeprom_cost.h"
+#include "journal/ledger_writer.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -163,6 +164,7 @@ void Program::useSettings()
     if (m_unseenFaults)
         m_unseenFaults->setWishes(now.notifiesOfFaults, now.notifiesWithSound);
     askFromEepromShare(now.eepromQuestionFrom);
+    setLedgerUser(now.userName);
     if (m_recovery)
         m_recovery->setPeriod(std::chrono::seconds(now.secondsBetweenKeeping));
     if (m_window)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/window_settings.h"
 
+#include "app/journal_files.h"
+
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QSettings>
@@ -75,10 +77,7 @@ const QString noticeSoundKey = QStringLiteral("notices/sound");
 } // namespace
 
 WindowSettings::WindowSettings(const QString &file)
-    : m_settings(file.isEmpty()
-                     ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
-                                                   QStringLiteral("codewheel"), QStringLiteral("codewheel"))
-                     : std::make_unique<QSettings>(file, QSettings::IniFormat))
+    : m_settings(file.isEmpty() ? userSettings() : std::make_unique<QSettings>(file, QSettings::IniFormat))
 {}
 
 WindowSettings::~WindowSettings() = default;
@@ -100,6 +99,7 @@ ProgramSettings WindowSettings::choices() const
         .decimalSign = signOf(m_settings->value(decimalSignKey).toString()),
         .framesPerSecond = std::ranges::count(frameRates, rate) > 0 ? rate : usual.framesPerSecond,
         .eepromQuestionFrom = number(eepromKey, usual.eepromQuestionFrom, eepromQuestionRange),
+        .userName = userName(*m_settings),
         .largestMessageFile = number(largestMessageFileKey, usual.largestMessageFile, messageFileRange),
         .traceRows = number(traceRowsKey, usual.traceRows, traceRowsRange),
         .trendMemory = number(trendMemoryKey, usual.trendMemory, trendMemoryRange),
@@ -119,6 +119,7 @@ void WindowSettings::setChoices(const ProgramSettings &choices)
                          QLatin1String(signNames.at(static_cast<std::size_t>(choices.decimalSign))));
     m_settings->setValue(frameRateKey, choices.framesPerSecond);
     m_settings->setValue(eepromKey, choices.eepromQuestionFrom);
+    setUserName(*m_settings, choices.userName);
     m_settings->setValue(largestMessageFileKey, choices.largestMessageFile);
     m_settings->setValue(traceRowsKey, choices.traceRows);
     m_settings->setValue(trendMemoryKey, choices.trendMemory);

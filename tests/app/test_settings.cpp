@@ -3,6 +3,7 @@
 #include "app/window/main_window.h"
 #include "app/window/program.h"
 #include "app/window/window_actions.h"
+#include "journal/ledger_writer.h"
 #include "widgets/look/appearance.h"
 #include "widgets/settings/settings_dialog.h"
 
@@ -160,6 +161,17 @@ TEST_F(Settings, AreKeptForTheNextStart)
     EXPECT_EQ(kept.largestMessageFile, 50);
     EXPECT_EQ(kept.secondsBetweenKeeping, 30);
     EXPECT_EQ(kept.framesPerSecond, 60);
+}
+
+TEST_F(Settings, TheNameThatIsTypedIsEnteredWithWrites)
+{
+    open().setPage(1);
+    auto *name = dialog()->findChild<QLineEdit *>(QStringLiteral("settingsUserName"));
+    name->setFocus();
+    QTest::keyClicks(name, QStringLiteral("Ada"));
+    EXPECT_EQ(ledgerWriter().user, QStringLiteral("Ada"));
+    dialog()->reject();
+    EXPECT_EQ(ledgerWriter().user, QString()) << "Cancel restores it";
 }
 
 TEST_F(Settings, OkTakesWhatIsBeingTypedAndStaysWhereThatIsRefused)

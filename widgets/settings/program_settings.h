@@ -18,6 +18,7 @@ struct ProgramSettings
     DecimalSign decimalSign = DecimalSign::ofLanguage;
     int framesPerSecond = 30;
     int eepromQuestionFrom = 75;    // percent of the manual's figure; never more
+    QString userName{};             // entered with EEPROM writes; empty: none is given
     int largestMessageFile = 200;   // MB
     int traceRows = 20'000;         // of one encoder, or of the terminal of a line
     int trendMemory = 256;          // MB, for all encoders together

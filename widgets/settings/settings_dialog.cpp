@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/settings/settings_dialog.h"
 
+#include "journal/ledger_writer.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/content_scroll_area.h"
@@ -16,6 +17,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -102,6 +104,16 @@ QSpinBox *SettingsDialog::addNumber(QFormLayout &form, const QString &label, con
     return field;
 }
 
+QLineEdit *SettingsDialog::addText(QFormLayout &form, const QString &label, const QString &what, int longest)
+{
+    auto *field = describe(new QLineEdit(form.parentWidget()), plainLabel(label), what);
+    field->setMaxLength(longest);
+    form.addRow(label, field);
+    form.addRow(QString(), sentence(what, form.parentWidget()));
+    connect(field, &QLineEdit::textChanged, this, &SettingsDialog::take);
+    return field;
+}
+
 void SettingsDialog::makeLook()
 {
     QFormLayout &form = *addPage(tr("Language and appearance"));
@@ -143,6 +155,11 @@ void SettingsDialog::makeWarnings()
                             "guarantees, the place always has to be typed."),
                          eepromQuestionRange);
     m_eeprom->setObjectName(QStringLiteral("settingsEeprom"));
+    m_userName = addText(form, tr("Your &name"),
+                         tr("Entered with each EEPROM write, beside the name of this computer, in the window "
+                            "and on the command line. May stay empty."),
+                         longestUserName);
+    m_userName->setObjectName(QStringLiteral("settingsUserName"));
 }
 
 void SettingsDialog::makeKept(const std::vector<KeptFolder> &folders)
@@ -242,6 +259,7 @@ void SettingsDialog::showValues(const ProgramSettings &settings)
     m_lessMotion->setChecked(settings.appearance.lessMotion);
     choose(*m_frames, settings.framesPerSecond);
     m_eeprom->setValue(settings.eepromQuestionFrom);
+    m_userName->setText(settings.userName);
     m_messageFile->setValue(settings.largestMessageFile);
     m_traceRows->setValue(settings.traceRows);
     m_trendMemory->setValue(settings.trendMemory);
@@ -263,6 +281,7 @@ void SettingsDialog::take()
         .decimalSign = static_cast<DecimalSign>(m_decimalSign->currentData().toInt()),
         .framesPerSecond = m_frames->currentData().toInt(),
         .eepromQuestionFrom = m_eeprom->value(),
+        .userName = m_userName->text(),
         .largestMessageFile = m_messageFile->value(),
         .traceRows = m_traceRows->value(),
         .trendMemory = m_trendMemory->value(),

@@ -9,6 +9,7 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
+class QLineEdit;
 class QSpinBox;
 class QTabWidget;
 
@@ -38,6 +39,7 @@ private:
     QFormLayout *addPage(const QString &title);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &what);
     QCheckBox *addSwitch(QFormLayout &form, const char *id, const QString &label, const QString &what);
+    QLineEdit *addText(QFormLayout &form, const QString &label, const QString &what, int longest);
     QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &unit, const QString &what,
                         SettingRange range);
     void makeLook();
@@ -58,6 +60,7 @@ private:
     QComboBox *m_decimalSign = nullptr;
     QComboBox *m_frames = nullptr;
     QSpinBox *m_eeprom = nullptr;
+    QLineEdit *m_userName = nullptr;
     QSpinBox *m_messageFile = nullptr;
     QSpinBox *m_traceRows = nullptr;
     QSpinBox *m_trendMemory = nullptr;
