@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
-#include "cli/consent.h"
 #include "cli/json.h"
 #include "cli/keys.h"
+#include "cli/ledger_files.h"
 #include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/freshness_text.h"
 #include "encoder/sentence.h"
-#include "journal/ledger_json.h"
-#include "journal_files.h"
-#include "project/file_access.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -19,8 +17,12 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *ledgerExamples[] = {"ledger", "ledger --ledger eeprom-writes.sqlite --json",
-                                          "ledger export counts.json", "ledger import counts.json"};
+constexpr const char *ledgerExamples[] = {"ledger",
+                                          "ledger --ledger eeprom-writes.sqlite --json",
+                                          "ledger entries",
+                                          "ledger export counts.json",
+                                          "ledger import hall-3.json hall-4.json",
+                                          "ledger merge /srv/codewheel"};
 
 constexpr std::array ledgerOptions{
     Option{"--ledger", "FILE",
@@ -28,8 +30,6 @@ constexpr std::array ledgerOptions{
     Option{"--yes", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "export: replace the file if it is there")},
 };
-
-constexpr qint64 largestExport = 256'000'000; // bytes
 
 QString countedByName(CountedBy by)
 {
@@ -61,27 +61,6 @@ QJsonObject toJson(const Ledger::Account &account)
             {QStringLiteral("since"), account.count.since.toString(Qt::ISODateWithMs)}};
 }
 
-QString fileMeant(const Call &call)
-{
-    return call.arguments.value("--ledger").value_or(ledgerFile(userJournalFolder()));
-}
-
-Complaint aboutLedger(const QString &file, const DatabaseError &error)
-{
-    return complaintAbout({RefusalKind::link, RefusalId::databaseFailed, {file, error.reason}});
-}
-
-// Looking creates no file: empty if there is none.
-Checked<std::optional<Ledger>> existingLedger(const QString &file)
-{
-    if (!QFileInfo::exists(file))
-        return std::nullopt;
-    auto ledger = Ledger::open(DatabasePlace::file(file));
-    if (!ledger)
-        return tl::unexpected(aboutLedger(file, ledger.error()));
-    return std::move(*ledger);
-}
-
 // By its file or, for a serial number, by the device that the project has there.
 bool isOfProject(const Call &call, const Ledger::Account &account)
 {
@@ -98,9 +77,14 @@ bool isOfProject(const Call &call, const Ledger::Account &account)
     return label.isEmpty() || label == number || label.toLongLong(nullptr, 16) == number.toLongLong();
 }
 
+QString noneText(const QString &file)
+{
+    return sentence(CommandLine::tr("No EEPROM writes are counted in %1."), {file}) + u'\n';
+}
+
 Checked<Answer> listAccounts(const Call &call)
 {
-    const QString file = fileMeant(call);
+    const QString file = ledgerMeant(call);
     const auto ledger = existingLedger(file);
     if (!ledger)
         return tl::unexpected(ledger.error());
@@ -124,51 +108,61 @@ Checked<Answer> listAccounts(const Call &call)
     }
     Answer answer{.text = table.toString(), .json = {{QStringLiteral("accounts"), json}}};
     if (accounts.empty())
-        answer.text = sentence(CommandLine::tr("No EEPROM writes are counted in %1."), {file}) + u'\n';
+        answer.text = noneText(file);
     return answer;
 }
 
-Checked<Answer> exportRecords(const Call &call, const QString &target)
+QJsonObject toJson(const Ledger::Record &record)
 {
-    const QString file = fileMeant(call);
-    if (const auto free = checkTargetFile(call.arguments, target); !free)
-        return tl::unexpected(free.error());
+    const Ledger::Entry &entry = record.entry;
+    return {{QStringLiteral("at"), entry.at.toString(Qt::ISODateWithMs)},
+            {QStringLiteral("identity"), entry.identity},
+            {QStringLiteral("countedBy"), keyOf(countedByKeys, entry.by)},
+            {QStringLiteral("bus"), entry.place.bus.number},
+            {QStringLiteral("place"), entry.place.toString()},
+            {QStringLiteral("device"), entry.device},
+            {QStringLiteral("writes"), entry.writes},
+            {QStringLiteral("perhaps"), entry.perhaps()},
+            {QStringLiteral("computer"), entry.writer.computer},
+            {QStringLiteral("user"), entry.writer.user}};
+}
+
+QString orUnknown(const QString &name)
+{
+    return name.isEmpty() ? QStringLiteral("-") : name;
+}
+
+// One by one, in the order in which they were made, whichever computer made them.
+Checked<Answer> listEntries(const Call &call)
+{
+    const QString file = ledgerMeant(call);
     const auto ledger = existingLedger(file);
     if (!ledger)
         return tl::unexpected(ledger.error());
-    const auto records = *ledger ? (*ledger)->records() : std::vector<Ledger::Record>();
+    auto records = *ledger ? (*ledger)->records() : std::vector<Ledger::Record>();
     if (!records)
         return tl::unexpected(aboutLedger(file, records.error()));
-    if (const auto saved = replaceFile(target, recordsToJson(*records, false), OldFile::goes); !saved)
-        return tl::unexpected(complaintAbout(saved.error()));
-    return Answer{.text = sentence(CommandLine::tr("Saved in %1: entries of the ledger: %2."),
-                                   {target, QString::number(records->size())}) +
-                          u'\n',
-                  .json = {{QStringLiteral("saved"), target},
-                           {QStringLiteral("entries"), static_cast<qint64>(records->size())}}};
-}
-
-Checked<Answer> importRecords(const Call &call, const QString &source)
-{
-    const auto bytes = readWholeFile(source, largestExport);
-    if (!bytes)
-        return tl::unexpected(complaintAbout(bytes.error()));
-    const auto records = recordsFromJson(*bytes);
-    if (!records)
-        return tl::unexpected(
-            complaintAbout({RefusalKind::badInput, RefusalId::fileNotReadable, {source, records.error()}}));
-    const QString file = fileMeant(call);
-    auto ledger = Ledger::open(DatabasePlace::file(file));
-    if (!ledger)
-        return tl::unexpected(aboutLedger(file, ledger.error()));
-    const auto merged = ledger->merge(*records);
-    if (!merged)
-        return tl::unexpected(aboutLedger(file, merged.error()));
-    return Answer{
-        .text = sentence(CommandLine::tr("Imported into %1: new entries: %2; known already: %3."),
-                         {file, QString::number(merged->added), QString::number(merged->known)}) +
-                u'\n',
-        .json = {{QStringLiteral("added"), merged->added}, {QStringLiteral("known"), merged->known}}};
+    std::erase_if(*records, [](const Ledger::Record &record) { return record.entry.isWithoutWrite(); });
+    std::ranges::stable_sort(*records, {}, [](const Ledger::Record &record) { return record.entry.at; });
+    std::set<Place> places;
+    for (const Ledger::Record &record : *records)
+        places.insert(record.entry.place);
+    BusNames::tellApart(call, places);
+    using enum TextTable::Align;
+    TextTable table({left, left, right, right});
+    table.add({CommandLine::tr("when"), CommandLine::tr("at"), CommandLine::tr("writes"),
+               CommandLine::tr("perhaps"), CommandLine::tr("computer"), CommandLine::tr("name"),
+               CommandLine::tr("encoder")});
+    QJsonArray json;
+    for (const Ledger::Record &record : *records) {
+        const Ledger::Entry &entry = record.entry;
+        table.add({recordedText(entry.at.toLocalTime()), BusNames::apart(call, entry.place, false),
+                   QString::number(entry.writes), QString::number(entry.perhaps()),
+                   orUnknown(entry.writer.computer), orUnknown(entry.writer.user), entry.identity});
+        json.append(toJson(record));
+    }
+    return Answer{.text = records->empty() ? noneText(file) : table.toString(),
+                  .json = {{QStringLiteral("entries"), json}}};
 }
 
 Checked<Answer> runLedger(const Call &call)
@@ -176,21 +170,28 @@ Checked<Answer> runLedger(const Call &call)
     const QStringList &words = call.arguments.rest;
     if (words.isEmpty())
         return listAccounts(call);
-    if (words.size() == 2 && words[0] == QStringLiteral("export"))
-        return exportRecords(call, words[1]);
-    if (words.size() == 2 && words[0] == QStringLiteral("import"))
-        return importRecords(call, words[1]);
-    return badInput(QStringLiteral("badLedgerCall"),
-                    CommandLine::tr("\"%1\" is not understood. The ledger is listed, or carried with export "
-                                    "FILE and import FILE."),
-                    {words.join(u' ')});
+    const QString what = words.front();
+    const QStringList names = words.sliced(1);
+    if (what == QStringLiteral("entries") && names.isEmpty())
+        return listEntries(call);
+    if (what == QStringLiteral("export") && names.size() == 1)
+        return exportLedger(call, names.front());
+    if (what == QStringLiteral("import") && !names.isEmpty())
+        return importLedgers(call, names);
+    if (what == QStringLiteral("merge") && names.size() == 1)
+        return mergeLedgerFolder(call, names.front());
+    return badInput(
+        QStringLiteral("badLedgerCall"),
+        CommandLine::tr("\"%1\" is not understood. The ledger is listed, by encoder or with entries "
+                        "one by one, or carried with export FILE, import FILE... and merge FOLDER."),
+        {words.join(u' ')});
 }
 
 } // namespace
 
 const Subcommand ledgerCommand{
     .name = "ledger",
-    .usage = "[export FILE [--yes] | import FILE] [--ledger FILE]",
+    .usage = "[entries | export FILE [--yes] | import FILE... | merge FOLDER] [--ledger FILE]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list how often this program wrote to EEPROMs"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
@@ -200,15 +201,18 @@ const Subcommand ledgerCommand{
         "in its\n"
         "project. \"perhaps\" are writes that were begun, and the program ended before it saw them carried "
         "out.\n"
+        "\"entries\" lists them one by one, with computer and name of who wrote.\n"
         "\"export\" saves all entries in a file, and \"import\" on another computer takes them into its "
         "ledger: the\n"
         "same serial number is the same encoder there, and what was imported before is not counted twice. "
-        "Needs\n"
-        "no bus."),
+        "\"merge\"\n"
+        "does both with a folder that several computers share: it takes in what the others left there, and "
+        "leaves\n"
+        "what is known here, in eeprom-writes-COMPUTER.json. Needs no bus."),
     .examples = ledgerExamples,
     .options = ledgerOptions,
     .minimumArguments = 0,
-    .maximumArguments = 2,
+    .maximumArguments = 1000,
     .needsBus = false,
     .run = runLedger,
 };
