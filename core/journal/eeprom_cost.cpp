@@ -205,11 +205,11 @@ QString eepromCountBrief(const EepromCount &count)
     if (count.perhaps > 0)
         number += QStringLiteral("-%1").arg(count.atMost());
     if (number == QStringLiteral("1"))
-        return count.since.isValid() ? Eeprom::tr("1 write from here since %1").arg(dateText(count.since))
-                                     : Eeprom::tr("1 write from here");
+        return count.since.isValid() ? Eeprom::tr("1 write by Codewheel since %1").arg(dateText(count.since))
+                                     : Eeprom::tr("1 write by Codewheel");
     return count.since.isValid()
-               ? Eeprom::tr("%1 writes from here since %2").arg(number, dateText(count.since))
-               : Eeprom::tr("%1 writes from here").arg(number);
+               ? Eeprom::tr("%1 writes by Codewheel since %2").arg(number, dateText(count.since))
+               : Eeprom::tr("%1 writes by Codewheel").arg(number);
 }
 
 QString eepromConcernText(const EncoderSession &encoder, int planned)

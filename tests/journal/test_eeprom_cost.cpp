@@ -190,9 +190,9 @@ TEST_F(EepromCost, SaysWhoseWritesAndByWhat)
               QStringLiteral(
                   "EEPROM writes by this program since 1 Mar 2026: 12 (and perhaps 4 more, which it began "
                   "and did not see the end of), counted by the serial number 4711 read from the encoder."));
-    EXPECT_EQ(eepromCountBrief(count), QStringLiteral("12-16 writes from here since 1 Mar 2026"));
-    EXPECT_EQ(eepromCountBrief({.writes = 3}), QStringLiteral("3 writes from here"));
-    EXPECT_EQ(eepromCountBrief({.writes = 1}), QStringLiteral("1 write from here"));
+    EXPECT_EQ(eepromCountBrief(count), QStringLiteral("12-16 writes by Codewheel since 1 Mar 2026"));
+    EXPECT_EQ(eepromCountBrief({.writes = 3}), QStringLiteral("3 writes by Codewheel"));
+    EXPECT_EQ(eepromCountBrief({.writes = 1}), QStringLiteral("1 write by Codewheel"));
 }
 
 } // namespace
