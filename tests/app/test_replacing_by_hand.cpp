@@ -3,6 +3,7 @@
 // to click is visible without scrolling.
 #include "language.h"
 #include "tests/app/window_test.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/transfer/replace_page.h"
 
@@ -76,6 +77,28 @@ protected:
         click(next, next.rect());
     }
 
+    void clickNotice()
+    {
+        for (auto *button : window()
+                                .findChild<InlineMessage *>(QStringLiteral("replaceNotice"))
+                                ->findChildren<QPushButton *>())
+            if (button->isVisible())
+                return click(*button, button->rect());
+        FAIL() << "no button";
+    }
+    void finish()
+    {
+        const auto &replacing = *window().findChild<ReplacePage *>();
+        for (int i = 0; i < 200 && replacing.isBusy(); ++i)
+            advance(50);
+        ASSERT_FALSE(replacing.isBusy());
+        EXPECT_EQ(replacing.title().right(3), QStringLiteral("4/4"));
+        clickNext(); // Close
+        EXPECT_EQ(page(), &monitors());
+        EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::steps)->value, 4096);
+        EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::revolutions)->value, 1);
+    }
+
     Language language;
     int clicks = 0;
 };
@@ -88,16 +111,27 @@ TEST_P(ReplacingByHand, TakesSixClicks)
     clickNext(); // the same make
     clickNext(); // the position before the swap
     clickNext(); // Write
-    const auto &replacing = *window().findChild<ReplacePage *>();
-    for (int i = 0; i < 200 && replacing.isBusy(); ++i)
-        advance(50);
-    ASSERT_FALSE(replacing.isBusy());
-    EXPECT_EQ(replacing.title().right(3), QStringLiteral("4/4"));
-    clickNext(); // Close
-    EXPECT_EQ(page(), &monitors());
+    finish();
     EXPECT_EQ(clicks, 6);
-    EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::steps)->value, 4096);
-    EXPECT_EQ(bus().encoder(replacedPlace)->known(Parameter::revolutions)->value, 1);
+}
+
+TEST_P(ReplacingByHand, TakesEightClicksFromTheStartPage)
+{
+    ringActions().disconnectBus->trigger();
+    lineActions().disconnectLine->trigger();
+    advance(5);
+    auto &replace = *window().findChild<QPushButton *>(QStringLiteral("startReplace"));
+    click(replace, replace.rect());
+    clickNotice(); // connect
+    ASSERT_TRUE(bus().isOpen());
+    exchange();
+    clickDevice();
+    clickNotice(); // replace it
+    clickNext();   // the same make
+    clickNext();   // the position before the swap
+    clickNext();   // Write
+    finish();
+    EXPECT_EQ(clicks, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Language, ReplacingByHand, testing::Values("en", "de"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start page: when it is seen, and what its entries do.
 #include "app/window/bottom_fold.h"
+#include "app/window/line_at_work.h"
 #include "app/window/plant.h"
 #include "app/window/program.h"
 #include "app/window/project_files.h"
@@ -18,12 +19,15 @@
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/start/recent_list.h"
 #include "widgets/start/start_page.h"
+#include "widgets/structure/structure_model.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QFile>
 #include <QMenu>
 #include <QPushButton>
+#include <QTimer>
+#include <QTreeView>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +104,44 @@ TEST_F(StartPageTest, ThreeClicksToTheFirstWrittenParameter)
     advance(3'000);
     const QModelIndex known = steps.siblingAtColumn(ParameterModel::knownColumn);
     EXPECT_EQ(known.data().toString(), QStringLiteral("4096"));
+}
+
+// The training bus, the encoder, More, "Set the position...": what is typed is reviewed, and confirmed by
+// Return.
+TEST_F(StartPageTest, FourClicksToAPresetOnALine)
+{
+    const Place onLine = placeOnLine({5});
+    disconnectAll();
+    QTest::mouseClick(&entry("startTraining"), Qt::LeftButton);
+    advance(200);
+    auto &tree = *window().findChild<QTreeView *>(QStringLiteral("structure"));
+    const QModelIndex row = static_cast<const StructureModel *>(tree.model())->indexOf(onLine);
+    tree.scrollTo(row);
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(row).center());
+    advance(50);
+
+    auto &panel = *window().findChild<ParameterPanel *>();
+    auto &menu = *panel.findChild<QMenu *>(QStringLiteral("moreMenu"));
+    bool isChosen = false;
+    QTimer::singleShot(0, &menu, [&] { // while the menu is open
+        for (QAction *action : menu.actions())
+            if (QString(action->text()).remove(u'&').startsWith(QStringLiteral("Set the position"))) {
+                QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(action).center());
+                isChosen = true;
+            }
+    });
+    QTest::mouseClick(static_cast<QWidget *>(menu.parent()), Qt::LeftButton);
+    ASSERT_TRUE(isChosen);
+    EncoderSession &encoder = *shown->line().session()->encoder(onLine);
+    const int before = encoder.eepromCount().writes;
+    QTest::keyClicks(window().focusWidget(), QStringLiteral("1000"));
+    QTest::keyClick(window().focusWidget(), Qt::Key_Return);
+    advance(500);
+    EXPECT_EQ(encoder.eepromCount().writes, before) << "it is reviewed first";
+    QTest::keyClick(window().focusWidget(), Qt::Key_Return);
+    advance(3'000);
+    EXPECT_EQ(encoder.latest().position, 1000);
+    EXPECT_EQ(encoder.eepromCount().writes, before + 1);
 }
 
 TEST_F(StartPageTest, HasTheHeightOfThePanelsAtTheBottom)
