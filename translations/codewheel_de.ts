@@ -6558,25 +6558,6 @@ Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text i
         <translation>Übernommen in %1: neue Einträge: %2; schon bekannt: %3.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not understood. The ledger is listed, or carried with export FILE and import FILE.</source>
-        <translation>„%1“ wird nicht verstanden. Das Verzeichnis der EEPROM-Schreibvorgänge wird aufgelistet oder mit export FILE und import FILE mitgenommen.</translation>
-    </message>
-    <message>
-        <source>Lists for each encoder how often this program, window or command line, has written to its EEPROM, and
-since when: by the serial number it told, else by the one typed from its label, else by its place in its
-project. &quot;perhaps&quot; are writes that were begun, and the program ended before it saw them carried out.
-&quot;export&quot; saves all entries in a file, and &quot;import&quot; on another computer takes them into its ledger: the
-same serial number is the same encoder there, and what was imported before is not counted twice. Needs
-no bus.</source>
-        <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
-geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
-Typenschild abgetippten, sonst nach seinem Platz im Projekt. „vielleicht“ sind Schreibvorgänge, die
-begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
-„export“ speichert alle Einträge in einer Datei, und „import“ nimmt sie auf einem anderen Rechner in
-dessen Verzeichnis auf: Dieselbe Seriennummer ist dort derselbe Geber, und was schon aufgenommen
-wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
-    </message>
-    <message>
         <source>The EEPROM writes of this call are not entered in the ledger.</source>
         <translation>Die EEPROM-Schreibvorgänge dieses Aufrufs sind nicht im Verzeichnis eingetragen.</translation>
     </message>
@@ -7716,6 +7697,58 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>Give --locale or --dates, not both: with --locale the first column has dates and times of day.</source>
         <translation>--locale oder --dates angeben, nicht beides: Mit --locale hat schon die erste Spalte Datum und Uhrzeit.</translation>
+    </message>
+    <message>
+        <source>when</source>
+        <translation>wann</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>computer</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood. The ledger is listed, by encoder or with entries one by one, or carried with export FILE, import FILE... and merge FOLDER.</source>
+        <translation>„%1“ ist nicht zu verstehen. Das Verzeichnis wird aufgelistet, nach Gebern oder mit entries jeder Eintrag für sich, oder mit export DATEI, import DATEI... und merge ORDNER übertragen.</translation>
+    </message>
+    <message>
+        <source>Lists for each encoder how often this program, window or command line, has written to its EEPROM, and
+since when: by the serial number it told, else by the one typed from its label, else by its place in its
+project. &quot;perhaps&quot; are writes that were begun, and the program ended before it saw them carried out.
+&quot;entries&quot; lists them one by one, with computer and name of who wrote.
+&quot;export&quot; saves all entries in a file, and &quot;import&quot; on another computer takes them into its ledger: the
+same serial number is the same encoder there, and what was imported before is not counted twice. &quot;merge&quot;
+does both with a folder that several computers share: it takes in what the others left there, and leaves
+what is known here, in eeprom-writes-COMPUTER.json. Needs no bus.</source>
+        <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
+geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
+Typenschild abgetippten, sonst nach seinem Platz im Projekt. „vielleicht“ sind Schreibvorgänge, die
+begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
+„entries“ listet sie einzeln auf, mit Rechner und Namen dessen, der geschrieben hat.
+„export“ speichert alle Einträge in einer Datei, und „import“ nimmt sie auf einem anderen Rechner in
+dessen Verzeichnis auf: Dieselbe Seriennummer ist dort derselbe Geber, und was schon aufgenommen
+wurde, zählt nicht doppelt. „merge“ tut beides mit einem Ordner, den mehrere Rechner teilen: Es nimmt
+auf, was die anderen dort abgelegt haben, und legt in eeprom-writes-RECHNER.json ab, was hier bekannt
+ist. Braucht keinen Bus.</translation>
+    </message>
+    <message>
+        <source>Not taken in, and left as they are: %1</source>
+        <translation>Nicht übernommen und unverändert gelassen: %1</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Another program has locked its folder.</source>
+        <translation>Ein anderes Programm hat seinen Ordner gesperrt.</translation>
+    </message>
+    <message>
+        <source>Imported from %1 into %2: files: %3; new entries: %4; known already: %5.</source>
+        <translation>Aus %1 in %2 importiert: Dateien: %3; neue Einträge: %4; schon bekannt: %5.</translation>
     </message>
 </context>
 <context>
@@ -9200,12 +9233,12 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1</translation>
     </message>
     <message>
-        <source>%1 writes from here since %2</source>
-        <translation>%1-mal von hier geschrieben seit %2</translation>
+        <source>%1 writes by Codewheel since %2</source>
+        <translation>%1-mal von Codewheel geschrieben seit %2</translation>
     </message>
     <message>
-        <source>%1 writes from here</source>
-        <translation>%1-mal von hier geschrieben</translation>
+        <source>%1 writes by Codewheel</source>
+        <translation>%1-mal von Codewheel geschrieben</translation>
     </message>
     <message>
         <source>This program has written %1 times to the EEPROM; the manual states about %2 writes. Write only what has to be written.</source>
@@ -9220,12 +9253,12 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren ist das EEPROM über die %3 hinaus, die das Handbuch höchstens zusichert. Der Geber kann seine Werte jederzeit verlieren: bald ersetzen.</translation>
     </message>
     <message>
-        <source>1 write from here since %1</source>
-        <translation>1-mal von hier geschrieben seit %1</translation>
+        <source>1 write by Codewheel since %1</source>
+        <translation>1-mal von Codewheel geschrieben seit %1</translation>
     </message>
     <message>
-        <source>1 write from here</source>
-        <translation>1-mal von hier geschrieben</translation>
+        <source>1 write by Codewheel</source>
+        <translation>1-mal von Codewheel geschrieben</translation>
     </message>
     <message>
         <source>%1, perhaps %2 more</source>
@@ -11240,10 +11273,6 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
         <translation>Das sind keine EEPROM-Zähler: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
-        <source>Only version %1 of the format can be read.</source>
-        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
-    </message>
-    <message>
         <source>it contains more than fits into memory.</source>
         <translation>sie enthält mehr, als in den Speicher passt.</translation>
     </message>
@@ -11266,6 +11295,10 @@ am Ende steht, wie gut die Leitung war. Nichts wird geschrieben. Strg+C beendet 
     <message>
         <source>it is empty: the program that made it ended before anything was in it.</source>
         <translation>sie ist leer: Das Programm, das sie angelegt hat, endete, bevor etwas darin stand.</translation>
+    </message>
+    <message>
+        <source>Only versions 1 to %1 of the format can be read.</source>
+        <translation>Nur die Versionen 1 bis %1 des Formats lassen sich lesen.</translation>
     </message>
 </context>
 <context>
@@ -19423,6 +19456,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The desktop plays its sound for errors; where it has none, the program beeps.</source>
         <translation>Der Desktop spielt seinen Ton für Fehler; hat er keinen, gibt das Programm einen Signalton.</translation>
+    </message>
+    <message>
+        <source>Your &amp;name</source>
+        <translation>Eigener &amp;Name</translation>
+    </message>
+    <message>
+        <source>Entered with each EEPROM write, beside the name of this computer, in the window and on the command line. May stay empty.</source>
+        <translation>Wird zu jedem EEPROM-Schreibvorgang eingetragen, neben dem Namen dieses Rechners, im Fenster und auf der Kommandozeile. Kann leer bleiben.</translation>
     </message>
 </context>
 <context>
