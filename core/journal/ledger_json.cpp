@@ -16,7 +16,7 @@ namespace {
 
 constexpr char recordsFormat[] = "codewheel-ledger";
 constexpr std::int64_t recordsVersion = 2; // can be read as well: 1, without computer and user
-constexpr int mostWrites = 1'000'000;      // of one entry
+constexpr int mostWritesOfEntry = 1'000'000;
 
 constexpr QLatin1String parameterMember("parameter");
 constexpr QLatin1String valueMember("value");
@@ -102,8 +102,8 @@ Ledger::Record recordOf(const JsonObject &json)
     entry.device = json.freeText("device");
     if (json.has("computer"))
         entry.writer = {json.freeText("computer"), json.freeText("user")};
-    entry.planned = static_cast<int>(json.number("planned", 0, mostWrites));
-    entry.writes = static_cast<int>(json.number("writes", 0, mostWrites));
+    entry.planned = static_cast<int>(json.number("planned", 0, mostWritesOfEntry));
+    entry.writes = static_cast<int>(json.number("writes", 0, mostWritesOfEntry));
     entry.settled = json.flag("settled");
     entry.before = valuesOf(json, "before", {"parameter", "value", "evidence", "at"});
     for (const Ledger::Value &value : valuesOf(json, "written", {"parameter", "value"}))
