@@ -86,7 +86,8 @@ void LogTable::setModel(QAbstractItemModel *model)
     clearSpans();
     const QItemSelectionModel *before = selectionModel();
     QTableView::setModel(model);
-    delete before;
+    if (selectionModel() != before) // it is the same one if the model is
+        delete before;
 }
 
 void LogTable::reset()

@@ -129,6 +129,16 @@ TEST_F(ElasticColumn, ATextOfTwoLinesStandsApartFromTheNext)
     EXPECT_GE(log.rowHeight(0), 2 * log.fontMetrics().lineSpacing() + 4);
 }
 
+// Its view may show the same encoder anew.
+TEST_F(ElasticColumn, TheSameModelAgainStaysChosenFrom)
+{
+    log.setModel(&model);
+    ASSERT_NE(log.selectionModel(), nullptr);
+    log.setFocus();
+    log.setCurrentIndex(model.index(0, 0));
+    EXPECT_EQ(log.currentIndex().row(), 0);
+}
+
 TEST_F(ElasticColumn, StaysAsItIsDragged)
 {
     widthIn(900);
