@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// codewheel-screenshots FOLDER [LANGUAGE [review]]: makes the pictures of the manual from the training bus in
-// virtual time, light and dark; with "review", every view in the whole window, in three sizes. Two runs give
-// the same files.
+// codewheel-screenshots FOLDER [LANGUAGE [review|trees]]: makes the pictures of the manual from the training
+// bus in virtual time, light and dark; with "review", every view in the whole window, in three sizes; with
+// "trees", every view as a screen reader tells it. Two runs give the same files.
 #include "app/language.h"
 #include "app/screenshots/manual_pictures.h"
 
@@ -24,7 +24,11 @@ int main(int argc, char **argv)
     }
     codewheel::Language language;
     language.use(arguments.value(2, QStringLiteral("en")));
-    const bool forReview = arguments.value(3) == QStringLiteral("review");
-    const auto make = forReview ? codewheel::makeReviewPictures : codewheel::makeManualPictures;
-    return make(application, QDir(arguments.at(1))) ? 0 : 1;
+    const QDir folder(arguments.at(1));
+    const QString what = arguments.value(3);
+    const bool isMade = what == QStringLiteral("trees") ? codewheel::makeAccessibleTrees(folder)
+                        : what == QStringLiteral("review")
+                            ? codewheel::makeReviewPictures(application, folder)
+                            : codewheel::makeManualPictures(application, folder);
+    return isMade ? 0 : 1;
 }

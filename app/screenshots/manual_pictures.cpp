@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/manual_pictures.h"
 
+#include "app/screenshots/accessible_tree.h"
 #include "app/screenshots/finder_picture.h"
 #include "app/screenshots/gateway_pictures.h"
 #include "app/screenshots/line_pictures.h"
@@ -26,6 +27,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -259,14 +261,29 @@ std::vector<Picture> views()
     };
 }
 
+// A window for a picture, each after a first start.
+class NewWindow
+{
+public:
+    explicit NewWindow(QSize size)
+        : shown(m_settings.filePath(QStringLiteral("picture.ini")), size)
+    {
+        shown.window().show();
+        shown.advance(beforePicture);
+    }
+
+private:
+    const QTemporaryDir m_settings;
+
+public:
+    TrainingWindow shown;
+};
+
 QPixmap take(const Picture &picture, QSize size, bool whole)
 {
-    const QTemporaryDir settings; // each picture shows a first start
-    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), size);
-    shown.window().show();
-    shown.advance(beforePicture);
-    const QPixmap taken = picture.take(shown);
-    return whole && !picture.isOfQuestion ? shown.window().grab() : taken;
+    NewWindow its(size);
+    const QPixmap taken = picture.take(its.shown);
+    return whole && !picture.isOfQuestion ? its.shown.window().grab() : taken;
 }
 
 // Light and dark, under different names.
@@ -324,6 +341,21 @@ bool makeReviewPictures(QApplication &application, const QDir &folder)
         }
         return saved;
     });
+}
+
+bool makeAccessibleTrees(const QDir &folder)
+{
+    bool saved = true;
+    for (const Picture &picture : manualPictures()) {
+        NewWindow its(picture.window);
+        QString tree;
+        picture.show(its.shown, [&](QWidget &seen) {
+            tree = accessibleTree(picture.isOfQuestion ? seen : *seen.window());
+        });
+        QFile file(folder.filePath(picture.name + QStringLiteral(".txt")));
+        saved = file.open(QIODevice::WriteOnly) && file.write(tree.toUtf8()) > 0 && saved;
+    }
+    return saved;
 }
 
 } // namespace codewheel

@@ -19,4 +19,7 @@ bool makeManualPictures(QApplication &application, const QDir &folder);
 // The same views, each in the whole window in its three sizes ("1024x640/window.png"), for review.
 bool makeReviewPictures(QApplication &application, const QDir &folder);
 
+// The same views as a screen reader tells them, each in a text file ("window.txt").
+bool makeAccessibleTrees(const QDir &folder);
+
 } // namespace codewheel
