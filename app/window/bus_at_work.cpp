@@ -102,6 +102,11 @@ void BusAtWork::forgetKnown()
     m_known.forget();
 }
 
+void BusAtWork::forgetSimulated()
+{
+    m_known.forgetSimulated();
+}
+
 void BusAtWork::endAccount()
 {
     m_ledger.reset();

@@ -66,7 +66,8 @@ protected:
     void tellMessagesOf(EncoderBus &bus);
     void keepAccount(std::unique_ptr<LedgerKeeper> ledger); // from now on
     void endAccount();
-    void forgetKnown(); // it leads to other encoders from now on
+    void forgetKnown();     // it leads to other encoders from now on
+    void forgetSimulated(); // they are new ones
 
 private:
     void carryAccount();

@@ -110,7 +110,7 @@ void LineAtWork::startAfresh()
 
 void LineAtWork::openTraining(LineSession::Start start)
 {
-    forgetKnown();
+    forgetSimulated();
     auto line = std::make_shared<SimulatedLine>();
     const bool isVirtual = !surroundings().byThread;
     auto link = std::make_unique<SimulatedLineLink>(line, isVirtual ? SimulatedLineLink::Clock()

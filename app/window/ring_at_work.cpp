@@ -95,17 +95,21 @@ void RingAtWork::startAfresh()
     const QScopedValueRollback startsAfresh(m_isStartingAfresh, true);
     m_training.controls = std::move(anew.controls);
     m_planIsTold = false;
+    m_trainingAccount = {};
     use(std::move(anew.link));
-    forgetKnown();
+    forgetSimulated();
     m_trainingLink.reset(); // of the ring before
     if (!openLink(start))
         Q_UNREACHABLE();
 }
 
-// Of writes, those to real encoders are kept.
+// Of writes, those to real encoders are kept, and those to the encoders of the training ring as long as
+// these.
 void RingAtWork::keepAccountOfLink()
 {
-    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+    keepAccount(std::make_unique<LedgerKeeper>(*bus(), bus()->isSimulated()
+                                                           ? m_trainingAccount.place
+                                                           : ledgerPlace(*bus(), surroundings().dataFolder)));
 }
 
 void RingAtWork::use(std::unique_ptr<ProcessDataLink> link)
@@ -125,7 +129,6 @@ void RingAtWork::useTraining()
     if (!m_trainingLink)
         return;
     m_gateway.reset();
-    m_planIsTold = false;
     use(std::move(m_trainingLink));
 }
 
@@ -151,7 +154,6 @@ Result<void> RingAtWork::openLink(RingSession::Start start)
 void RingAtWork::openTraining()
 {
     useTraining();
-    m_planIsTold = false; // nobody remembers what was told before
     bus()->setTime(surroundings().clock());
     if (!bus()->open(RingSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();

@@ -3,6 +3,7 @@
 
 #include "app/training_session.h"
 #include "app/window/bus_at_work.h"
+#include "journal/ledger.h"
 #include "modbus/gateway_link.h"
 
 #include <functional>
@@ -62,6 +63,14 @@ private:
     void keepAccountOfLink();
     Result<void> openLink(RingSession::Start start);
 
+    // Of the writes to the encoders of the training ring.
+    struct AccountInMemory
+    {
+        DatabasePlace place = DatabasePlace::memory();
+        Stored<Ledger> keptOpen = Ledger::open(place); // while another ring is connected
+    };
+
+    AccountInMemory m_trainingAccount; // as old as the encoders
     TrainingSession m_training;
     std::unique_ptr<ProcessDataLink> m_trainingLink; // while a gateway is in use
     std::optional<GatewaySettings> m_gateway;

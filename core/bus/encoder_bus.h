@@ -118,6 +118,8 @@ Q_SIGNALS:
     void openRefused(const codewheel::Refusal &why); // a message says so too
     void stateChanged();                             // connected or not, running or stopped, Watch or Operate
     void named(codewheel::Place place); // by name(), before nodesChanged(): it has a new session now
+    // The link is back, and what is known of the encoders is about to be forgotten: others may be there.
+    void meetsAgain();
     // It is a different bus now: what looks the same may be another device. nodesChanged() follows.
     void structureChanged();
     void nodesChanged(); // other devices, or an encoder with a new session

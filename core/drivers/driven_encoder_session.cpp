@@ -198,9 +198,24 @@ void DrivenEncoderSession::takeKnownBefore()
     Q_EMIT knownChanged();
 }
 
-void DrivenEncoderSession::forgetAll()
+bool DrivenEncoderSession::knowsValues() const
+{
+    return std::ranges::any_of(m_known, [](const auto &one) { return one.first != Parameter::serialNumber; });
+}
+
+void DrivenEncoderSession::forgetValues()
 {
     setKnownBefore({});
+    const auto serial = known(Parameter::serialNumber);
+    m_known.clear();
+    m_cams.clear();
+    if (serial)
+        m_known.emplace(serial->parameter, *serial);
+    postAllKnown();
+}
+
+void DrivenEncoderSession::forgetKnown()
+{
     m_known.clear();
     m_cams.clear();
     postAllKnown();

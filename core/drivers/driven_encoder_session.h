@@ -64,7 +64,11 @@ protected:
     std::size_t index() const { return m_index; } // in the runner
     void moveIndexTo(std::size_t index) { m_index = index; }
     bool knowsAnything() const { return !m_known.empty(); }
-    void forgetAll();
+    bool knowsValues() const; // besides which encoder it is
+    // What it had; not what tells which encoder it is.
+    void forgetValues();
+    // It was out of sight, and may be another encoder by now. What was known before stays so.
+    void forgetKnown();
 
 private:
     void take(const Outcome &outcome, Instant at);

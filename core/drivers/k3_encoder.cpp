@@ -51,6 +51,12 @@ K3Encoder::K3Encoder(const DeviceDescription &description, K3Timing how)
     , plan(device, knowledge)
 {}
 
+void K3Encoder::forget()
+{
+    knowledge.forget();
+    updateScale();
+}
+
 void K3Encoder::setKnown(const std::vector<Known> &known)
 {
     knowledge.set(known);

@@ -17,6 +17,7 @@ struct K3Encoder
     K3Encoder(const DeviceDescription &description, K3Timing how);
 
     void setKnown(const std::vector<Known> &known);
+    void forget();
     // One bus cycle.
     void observe(Word in, Word out, Instant now);
     // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there.

@@ -45,6 +45,15 @@ void K3Knowledge::set(const std::vector<Known> &known)
     }
 }
 
+void K3Knowledge::forget()
+{
+    (void)loseSight(k3::normalRunning);
+    m_known.set({});
+    m_cams.forgetAll();
+    m_mode = {};
+    m_presetArmed.reset();
+}
+
 void K3Knowledge::observe(Word in, Word out, Instant now)
 {
     if (std::exchange(m_presetIsOpen, false)) // another exchange followed, so its word has arrived

@@ -23,6 +23,8 @@ public:
 
     // Replaces all that is known, e.g. after the user told something.
     void set(const std::vector<Known> &known);
+    // It may be another encoder by now.
+    void forget();
     void setCams(const std::vector<KnownCams> &known) { m_cams.set(known); }
     void observe(Word in, Word out, Instant now);
     // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there:

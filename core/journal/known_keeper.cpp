@@ -52,16 +52,22 @@ void KnownKeeper::watch(EncoderBus &bus)
         m_bus->disconnect(this);
     m_bus = &bus;
     connect(&bus, &EncoderBus::nodesChanged, this, &KnownKeeper::meetAll);
+    connect(&bus, &EncoderBus::meetsAgain, this, &KnownKeeper::meetAgain);
     meetAll();
 }
 
 void KnownKeeper::forget()
 {
-    m_memory.clear();
+    std::erase_if(m_memory, [](const auto &one) { return !one.first.second; });
     if (m_bus != nullptr && m_bus->isOpen())
         for (const auto &[place, encoder] : m_met)
             if (encoder != nullptr)
                 remember(*encoder);
+}
+
+void KnownKeeper::forgetSimulated()
+{
+    std::erase_if(m_memory, [](const auto &one) { return one.first.second; });
 }
 
 void KnownKeeper::meetAll()
@@ -70,6 +76,13 @@ void KnownKeeper::meetAll()
         if (EncoderSession *encoder = m_bus->encoder(place);
             encoder != nullptr && std::exchange(m_met[place], encoder) != encoder)
             meet(*encoder);
+}
+
+void KnownKeeper::meetAgain()
+{
+    for (const auto &[place, encoder] : m_met)
+        if (encoder != nullptr)
+            encoder->setKnownBefore(knownOf(*encoder, m_bus->isSimulated()));
 }
 
 void KnownKeeper::meet(EncoderSession &encoder)

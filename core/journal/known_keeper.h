@@ -15,7 +15,7 @@ namespace codewheel {
 class EncoderBus;
 class EncoderSession;
 
-// What is known of the encoders of a bus outlives its connection: each new session at a place where there was
+// What is known of the encoders of a bus outlives its connection, and the loss of its link: each new session at a place where there was
 // an encoder of the same kind is given what was known of that one (EncoderSession::knownBefore); a simulated
 // one, which is the same, has it at once. Not the mode of a real one: somebody else may have switched it
 // meanwhile. In memory only, in the thread of the sessions.
@@ -27,7 +27,8 @@ public:
     using QObject::QObject;
 
     void watch(EncoderBus &bus); // from now on, in place of any other
-    void forget();               // except of those that are connected
+    void forget();               // of real ones, except of those that are connected
+    void forgetSimulated();      // they are made anew
 
 private:
     struct Memory
@@ -37,6 +38,7 @@ private:
     };
 
     void meetAll();
+    void meetAgain();
     void meet(EncoderSession &encoder);
     void remember(const EncoderSession &encoder);
 

@@ -79,16 +79,11 @@ void LedgerKeeper::projectSavedAs(const QString &file)
 // account in a file carries on there, and is copied; an entry that has not ended can exist only once.
 void LedgerKeeper::takeAlong(const QString &from)
 {
-    auto along = onTheirWay();
     std::vector<qint64> without;
-    for (const auto &[place, ids] : along)
+    for (const auto &[place, ids] : onTheirWay()) {
         without.insert(without.end(), ids.begin(), ids.end());
-    if (from.isEmpty())
-        for (const auto &[place, watched] : m_watched)
-            if (watched.identity.by == CountedBy::place)
-                along[place].insert(along[place].end(), watched.unassigned.begin(), watched.unassigned.end());
-    for (const auto &[place, ids] : along)
         m_book->attribute(ids, identity(place));
+    }
     m_book->carryPlaces(from, m_project, m_bus.id(), without);
 }
 

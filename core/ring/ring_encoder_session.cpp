@@ -94,11 +94,19 @@ Refusal RingEncoderSession::nameOf(const Message &fault) const
     return {RefusalKind::device, error ? error->meaning : RefusalId::otherDeviceError, {}};
 }
 
+void RingEncoderSession::meetAgain()
+{
+    if (!knowsAnything())
+        return;
+    forgetKnown();
+    Q_EMIT knownChanged();
+}
+
 void RingEncoderSession::takeFault(const Message &fault)
 {
-    if (nameOf(fault).id != RefusalId::parametersLost || !knowsAnything())
+    if (nameOf(fault).id != RefusalId::parametersLost || !knowsValues())
         return;
-    forgetAll();
+    forgetValues();
     report({.severity = Severity::attention, .id = MessageId::valuesForgotten}, fault.at);
     Q_EMIT knownChanged();
 }

@@ -37,6 +37,7 @@ private:
     // An error the encoder shows may mean that it has lost its parameters.
     Refusal nameOf(const Message &fault) const;
     void takeFault(const Message &fault);
+    void meetAgain();
 
     RingSession &m_bus;
     RingTraffic m_traffic;

@@ -103,6 +103,10 @@ void RingRunner::Private::tryToReopen()
     outIsKnown = there->outIsKnown;
     ring.told.reset();
     tellOfRing({.id = MessageId::linkBack});
+    if (!link.isSimulated())
+        for (const auto &driver : drivers)
+            if (driver)
+                driver->forget();
     ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
     if (ringIsOther) {
         tell(0, *std::move(there));

@@ -331,10 +331,21 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         d->zerosAreLate = false;
     }
     tell(message);
+    if (message.id == MessageId::linkBack && !isSimulated())
+        meetAgain();
     if (isFault)
         session->takeFault(message);
     else if (device && message.place && message.refusal)
         Q_EMIT d->channels[*device]->refused(*message.refusal);
+}
+
+// While the link was lost an encoder may have been exchanged, or set up by somebody else.
+void RingSession::meetAgain()
+{
+    Q_EMIT meetsAgain();
+    for (const auto &session : d->sessions)
+        if (session)
+            session->meetAgain();
 }
 
 // By now another device may be at the place of a channel.

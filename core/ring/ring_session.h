@@ -27,7 +27,8 @@ class WordDoubts;
 //
 // A lost link is tried again every second. Once it is back the bus is in Watch; if the ring is a different
 // one by then, it is adopted: structureChanged. A device with the same number, device code and name keeps its
-// session, its channel, and what is known of it; those of all others are gone at the next pump().
+// session and its channel; those of all others are gone at the next pump(). Of a real encoder nothing is known
+// then: meetsAgain.
 class RingSession final : public EncoderBus
 {
     Q_OBJECT
@@ -148,6 +149,7 @@ private:
     void useFirstRing(const RingFound &found);
     void useOtherRing(const RingFound &found);
     void endJobsOfBefore();
+    void meetAgain();
     void showNewRing(const RingFound &found, const RingState &state);
 
     struct Private;

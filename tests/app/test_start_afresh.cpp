@@ -119,6 +119,22 @@ TEST_F(StartAfresh, WhatWasStoredAndKnownIsForgotten)
     EXPECT_TRUE(waitFor([&] { return bus().encoder(fraba)->latest().position == position; }));
 }
 
+// Another ring in between does not change them.
+TEST_F(StartAfresh, WhatIsKnownAndCountedStaysWhileAnotherRingIsConnected)
+{
+    ASSERT_TRUE(
+        bus().encoder(fraba)->start(WriteParameters{.values = {{Parameter::steps, 300}}, .previous = {}}));
+    EXPECT_TRUE(waitFor([&] { return !bus().encoder(fraba)->runningJob(); }));
+    const int writes = bus().encoder(fraba)->eepromCount().writes;
+    ASSERT_GT(writes, 0);
+    ringActions().disconnectBus->trigger();
+    shown->project().setProject({}, {});
+    shown->plant().first<RingAtWork>()->openTraining();
+    goOn();
+    EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 300);
+    EXPECT_EQ(bus().encoder(fraba)->eepromCount().writes, writes);
+}
+
 TEST_F(StartAfresh, WhatWasTypedBeforeALeaveDoesNotComeBack)
 {
     bus().encoder(baumer)->tell(Parameter::steps, 100);

@@ -19,6 +19,14 @@ class RealLink : public test::PassingLink
 public:
     using PassingLink::PassingLink;
     bool isSimulated() const override { return false; }
+    Result<void> exchange(std::span<const Word> out, std::span<Word> in) override
+    {
+        return std::exchange(isToBeLost, false)
+                   ? refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("no answer")})
+                   : PassingLink::exchange(out, in);
+    }
+
+    static inline bool isToBeLost = false; // for a moment
 };
 
 const QDateTime begun(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
@@ -42,6 +50,15 @@ protected:
         bus.close();
         bus.setTime(begun.addSecs(3'600));
         connect();
+    }
+    // The link is lost, and back a second later.
+    void loseForAMoment()
+    {
+        RealLink::isToBeLost = true;
+        bus.advance(10);
+        ASSERT_EQ(bus.state(), BusState::lost);
+        bus.advance(2'000);
+        ASSERT_EQ(bus.state(), BusState::open);
     }
     // The same place, another encoder.
     void replaceRing()
@@ -89,6 +106,23 @@ TEST_F(KnownKeeperTest, TheSameSerialNumberSettlesIt)
     read(fraba, {Parameter::serialNumber});
     EXPECT_EQ(at(fraba).known(Parameter::steps)->value, 8'192);
     EXPECT_FALSE(at(fraba).knownBefore());
+}
+
+// Within a second an encoder may have been exchanged, or a PLC may have switched the mode.
+TEST_F(KnownKeeperTest, WhatWasReadIsUnknownOnceALostLinkIsBack)
+{
+    at(fraba).tell(Parameter::startUpMode, 1);
+    read(fraba, {Parameter::steps, Parameter::serialNumber});
+    ASSERT_EQ(at(fraba).latest().mode, Mode::position);
+    loseForAMoment();
+    EXPECT_FALSE(at(fraba).known(Parameter::steps));
+    EXPECT_FALSE(at(fraba).latest().mode);
+    ASSERT_TRUE(at(fraba).knownBefore());
+    bus.setOperate(true);
+    bus.advance(10);
+    read(fraba, {Parameter::serialNumber});
+    EXPECT_EQ(at(fraba).known(Parameter::steps)->value, 8'192) << "it is the same one";
+    EXPECT_FALSE(at(fraba).latest().mode) << "which may have been switched all the same";
 }
 
 TEST_F(KnownKeeperTest, AnotherSerialNumberIsAnotherEncoder)
@@ -172,6 +206,25 @@ TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSame)
     ASSERT_TRUE(simulated.open(RingSession::Start::operating));
     EXPECT_EQ(simulated.encoder(baumer)->known(Parameter::steps)->value, 1'000);
     EXPECT_FALSE(simulated.encoder(baumer)->knownBefore());
+}
+
+// Another project may be open by then: they are the same all the same.
+TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSameUntilItIsMadeAnew)
+{
+    TrainingBus training = makeTrainingBus(catalog);
+    RingSession ring{std::move(training.link), catalog, begun};
+    keeper.watch(ring);
+    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    ring.encoder(baumer)->tell(Parameter::steps, 1'000);
+    auto before = ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), begun);
+    keeper.forget();
+    ring.useLink(std::move(before), begun);
+    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    EXPECT_EQ(ring.encoder(baumer)->known(Parameter::steps)->value, 1'000);
+    ring.close();
+    keeper.forgetSimulated();
+    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));
 }
 
 // What holds for simulated encoders does not for real ones at the same places.

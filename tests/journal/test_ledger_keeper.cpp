@@ -305,6 +305,19 @@ TEST_F(LedgerKeeperTest, WhatWasCountedBeforeAProjectHadAFileGoesAlongFromEarlie
     EXPECT_EQ(countAt(baumer).writes, 0) << "it belongs to those files";
 }
 
+// The next project without a file is another one, though the encoders are still connected.
+TEST_F(LedgerKeeperTest, WhatBelongsToAFileDoesNotGoAlongWithTheNextProject)
+{
+    keep(file.place());
+    write(baumer, 4'096);
+    keeper->projectSavedAs(QStringLiteral("/first.codewheel"));
+    keeper->setProject({}); // New
+    keeper->projectSavedAs(QStringLiteral("/second.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 0);
+    keeper->setProject(QStringLiteral("/first.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 1);
+}
+
 TEST_F(LedgerKeeperTest, AProjectSavedUnderAnotherNameGoesOnCounting)
 {
     keep(file.place());

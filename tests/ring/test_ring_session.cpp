@@ -322,7 +322,7 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     EXPECT_EQ(m_bus->channel(secondPlace)->out(), wordB);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, wordB, 0u));
     EXPECT_EQ(encoder(), before);
-    EXPECT_EQ(before->known(Parameter::steps)->value, 255);
+    EXPECT_FALSE(before->known(Parameter::steps)) << "another encoder may be there by now";
 }
 
 TEST_F(BusSessionTest, AnotherRingAfterALostLinkIsTakenOver)
