@@ -46,6 +46,7 @@ private:
     void readAgreed(Instant now);
     void refreshAnswered(const esc::ExchangeResult &result, Instant now);
     void complete(Outcome &outcome) override;
+    bool isPositionStep(const EscStep &step) const override;
 
     // esc_job_write.cpp
     void writeAnswered(const esc::ExchangeResult &result, Instant now);

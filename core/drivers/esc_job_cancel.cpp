@@ -74,6 +74,11 @@ bool EscJob::hasTaken() const
     return !m_account.outcome.written.empty() || wasAnythingWritten(m_steps.sent());
 }
 
+bool EscJob::isPositionStep(const EscStep &step) const
+{
+    return job<SetPreset>() != nullptr && step.task == EscStep::Task::write;
+}
+
 // A write that waits for its answer may have been carried out, so the outcome counts it; for the encoder it
 // is counted by whoever gets the answer, or learns that there is none. A write without an answer that was
 // still to be looked for in the encoder is counted here.

@@ -36,7 +36,8 @@ ParameterValues JobAccount::valuesBefore(const ParameterValues &taken) const
 {
     ParameterValues values;
     for (const ParameterValue &value : taken)
-        values.push_back({value.parameter, *valueOf(before, value.parameter)});
+        if (const std::int64_t was = *valueOf(before, value.parameter); was != value.value)
+            values.push_back({value.parameter, was});
     return values;
 }
 

@@ -5,6 +5,8 @@
 #include "drivers/job_steps.h"
 #include "encoder/reading.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace codewheel {
@@ -53,6 +55,8 @@ protected:
     // What it has taken, as reported by Progress::confirmed; and whether that can be undone.
     virtual const ParameterValues &confirmed() const { return m_account.outcome.written; }
     virtual bool canRestore() const { return m_account.knowsBefore(m_account.outcome.written); }
+    // The step gives the encoder a new position.
+    virtual bool isPositionStep(const OneStep &step) const = 0;
     // The job was cancelled: its remaining steps are those that leave nothing half done.
     virtual void leaveOffAt(Instant now) = 0;
     // Adds to the outcome what only the driver knows.
@@ -94,10 +98,21 @@ protected:
     // comes next.
     bool hasLeftOffNow() { return m_cancelled && m_steps.atEnd() && !std::exchange(m_hasLeftOff, true); }
     bool leavesOff() const { return m_cancelled && !m_hasLeftOff; } // cancelled, and not done with that
+    bool isAnyPositionStep(std::span<const OneStep> steps) const
+    {
+        return std::ranges::any_of(steps, [this](const OneStep &step) { return isPositionStep(step); });
+    }
+    // Whether a new position was sent, carried out or not. By the previous values the encoder would then show
+    // neither the position of before nor the one that was set.
+    bool hasSentPosition() const
+    {
+        return m_account.outcome.inDoubt.position || isAnyPositionStep(m_steps.sent());
+    }
+    bool mayRestore() const { return canRestore() && !hasSentPosition(); }
     // What was written is undone if that was asked for and the previous values are known.
     bool givesBack() const
     {
-        return m_cancelled == OnCancel::restorePrevious && !m_account.outcome.written.empty() && canRestore();
+        return m_cancelled == OnCancel::restorePrevious && !m_account.outcome.written.empty() && mayRestore();
     }
     // All previous values have been restored.
     bool hasRestored() const { return m_restores && m_steps.atEnd() && !m_failure; }
@@ -116,6 +131,7 @@ protected:
         Outcome &outcome = m_account.outcome;
         outcome.result = std::move(result);
         outcome.leftIn = m_isOutOfSight ? EncoderState::unknown : m_reading.state;
+        outcome.isPositionSet = m_cancelled && !m_failure && isAnyPositionStep(m_steps.done());
         complete(outcome);
         outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
         m_events.emplace_back(outcome);
@@ -131,7 +147,8 @@ protected:
                                        .steps = {m_steps.all.begin(), m_steps.all.end()},
                                        .waitsForUser = waitsForUser,
                                        .confirmed = confirmed(),
-                                       .canRestore = canRestore(),
+                                       .canRestore = mayRestore(),
+                                       .setsPosition = hasSentPosition(),
                                        .hasTaken = hasTaken()});
     }
 

@@ -27,6 +27,8 @@ struct JobSteps
         return std::span(all).first(std::min(all.size(), index + (begun ? 1 : 0)));
     }
 
+    std::span<const OneStep> done() const { return std::span(all).first(std::min(all.size(), index)); }
+
     void append(const std::vector<OneStep> &more) { all.insert(all.end(), more.begin(), more.end()); }
     void goOn()
     {

@@ -68,6 +68,7 @@ private:
     void leaveOffAt(Instant now) override;
     bool hasTaken() const override;
     bool canRestore() const override;
+    bool isPositionStep(const K3Step &step) const override;
     const ParameterValues &confirmed() const override { return m_confirmed.values; }
     void lookForRestart(Word in);
     void lookForLateAnswer(Word in);

@@ -35,6 +35,8 @@ void K3Run::leaveOffAt(Instant now)
         replaceValue(m_confirmed.values, *value);
     else if (value || (begun && m_steps.current().kind == StepKind::camParameter))
         m_late.emplace(m_steps.current(), now);
+    if (begun && isPositionStep(m_steps.current()))
+        m_account.outcome.inDoubt.position = true;
     const bool runIsOnItsWay = begun && m_steps.current().kind == StepKind::run;
     m_steps.all.resize(m_steps.index + (runIsOnItsWay ? 1 : 0));
     m_steps.begun = runIsOnItsWay;
@@ -130,7 +132,7 @@ K3Steps K3Run::stepsOfCancel(Word in)
     const bool ranMeanwhile = !m_account.outcome.written.empty() || m_cams.hasTaken();
     if (m_cancelled == OnCancel::runWithWhatItHas && parameterizing)
         return m_encoder.plan.endParameterization({}, true);
-    if (m_cancelled == OnCancel::restorePrevious && canRestore() && (parameterizing || ranMeanwhile))
+    if (m_cancelled == OnCancel::restorePrevious && mayRestore() && (parameterizing || ranMeanwhile))
         return stepsToRestore(parameterizing);
     return {};
 }
@@ -147,6 +149,12 @@ K3Steps K3Run::stepsToRestore(bool parameterizing)
     return m_cams.hasTaken()
                ? cams
                : m_encoder.plan.endParameterization(m_account.valuesBefore(taken), parameterizing);
+}
+
+bool K3Run::isPositionStep(const K3Step &step) const
+{
+    return setsPosition(step) ||
+           (step.kind == StepKind::word && (step.out == k3::initialisePreset || step.out == k3::frabaPreset));
 }
 
 bool K3Run::canRestore() const

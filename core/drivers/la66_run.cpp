@@ -60,14 +60,19 @@ bool La66Run::mayBegin(Word in)
 }
 
 // The current step is the first in which the encoder receives a new position.
-bool La66Run::setsPosition() const
+bool La66Run::receivesPosition() const
 {
     return job<SetPreset>() != nullptr && m_steps.current().kind == StepKind::service;
 }
 
+bool La66Run::isPositionStep(const La66Step &step) const
+{
+    return job<SetPreset>() != nullptr && step.kind == StepKind::serviceBit;
+}
+
 std::optional<Refusal> La66Run::whyNotNow(Word in) const
 {
-    if (setsPosition() && la66::hasError(in))
+    if (receivesPosition() && la66::hasError(in))
         return Refusal{RefusalKind::device, RefusalId::magnetOutOfRange, {in}};
     return std::nullopt;
 }
@@ -75,7 +80,7 @@ std::optional<Refusal> La66Run::whyNotNow(Word in) const
 void La66Run::begin(Word /*in*/, Instant now)
 {
     m_out = m_steps.current().out;
-    if (setsPosition())
+    if (receivesPosition())
         m_account.outcome.positionBefore = m_reading.position;
     m_handshake.begin(m_steps.current(), now);
 }

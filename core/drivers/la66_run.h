@@ -33,7 +33,8 @@ private:
     void leaveOffAt(Instant now) override;
     void complete(Outcome &outcome) override;
 
-    bool setsPosition() const;
+    bool receivesPosition() const;
+    bool isPositionStep(const La66Step &step) const override;
     void serviceDone(const La66Step &step, Word in);
     void readDone(const La66Step &step, std::int64_t value);
     void leaveOut(Parameter parameter);

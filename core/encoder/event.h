@@ -53,6 +53,7 @@ struct Progress
     bool waitsForUser = false; // Pace::byHand: steps[index] will be sent by proceed()
     ParameterValues confirmed; // what the encoder has taken so far, not yet active
     bool canRestore = false;   // the previous values are known for everything confirmed
+    bool setsPosition = false; // a word or request was sent that sets the position: that cannot be undone
     bool hasTaken = false;     // the encoder has taken something, or may have: cancel has to say how
 };
 
@@ -89,6 +90,7 @@ struct Outcome
     std::vector<CamProgram> camsWritten{};      // read back where the job could
     std::optional<std::int64_t> positionBefore; // steps; SetPreset, on a serial line also for writing
     std::optional<std::int64_t> positionAfter;
+    bool isPositionSet = false; // by a step that was carried out before the job was cancelled
     // The previous values were restored: how it is known that the encoder has them again. They are in
     // `written` and `camsWritten`.
     std::optional<Evidence> restored{};

@@ -72,6 +72,71 @@ TEST_F(TrainingBusSession, Sets255StepsAndReadsThemBack)
     EXPECT_EQ(encoder().known(Parameter::steps)->evidence, Evidence::read);
 }
 
+// By the steps of before it would show neither the position of before nor the one that was set.
+TEST_F(TrainingBusSession, WhatWasWrittenIsNotRestoredOnceThePositionWasSet)
+{
+    Progress progress;
+    QObject::connect(&encoder(), &EncoderSession::progressed, &m_bus,
+                     [&](const Progress &now) { progress = now; });
+    ASSERT_TRUE(
+        encoder().start(WriteParameters{.values = {{Parameter::steps, 500}, {Parameter::preset, 7}},
+                                        .onlyWhatDiffers = false,
+                                        .previous = {{Parameter::steps, 8192}, {Parameter::preset, 0}},
+                                        .initialisePreset = true},
+                        Pace::byHand));
+    bool wasOffered = false;
+    for (int i = 0; i < 500 && encoder().latest().position != 7; ++i) {
+        m_bus.advance(10);
+        wasOffered = wasOffered || (progress.hasTaken && progress.canRestore && !progress.setsPosition);
+        encoder().proceed();
+    }
+    m_bus.advance(100);
+    EXPECT_TRUE(wasOffered) << "before the position was set";
+    EXPECT_TRUE(progress.setsPosition);
+    EXPECT_FALSE(progress.canRestore);
+    encoder().cancel(OnCancel::restorePrevious);
+    m_bus.advance(5'000);
+    ASSERT_TRUE(m_outcome);
+    EXPECT_FALSE(m_outcome->result);
+    EXPECT_TRUE(m_outcome->isPositionSet);
+    EXPECT_FALSE(m_outcome->restored);
+    EXPECT_EQ(valueOf(m_outcome->written, Parameter::steps), 500);
+    EXPECT_EQ(encoder().latest().position, 7);
+}
+
+// Restoring costs no write for what is as it was.
+TEST_F(TrainingBusSession, OnlyWhatDiffersIsRestored)
+{
+    Progress progress;
+    QObject::connect(&encoder(), &EncoderSession::progressed, &m_bus,
+                     [&](const Progress &now) { progress = now; });
+    ASSERT_TRUE(
+        encoder().start(WriteParameters{.values = {{Parameter::steps, 500}, {Parameter::preset, 0}},
+                                        .onlyWhatDiffers = false,
+                                        .previous = {{Parameter::steps, 8192}, {Parameter::preset, 0}}},
+                        Pace::byHand));
+    for (int i = 0; i < 500 && progress.confirmed.size() < 2; ++i) {
+        m_bus.advance(10);
+        encoder().proceed();
+    }
+    encoder().cancel(OnCancel::restorePrevious);
+    m_bus.advance(5'000);
+    ASSERT_TRUE(m_outcome);
+    EXPECT_EQ(m_outcome->eepromWrites, 3);
+    finish(ReadParameters{{Parameter::steps}});
+    EXPECT_EQ(encoder().known(Parameter::steps)->value, 8192);
+}
+
+// Which encoder it is does not lie in its EEPROM.
+TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsStillTheSame)
+{
+    finish(ReadParameters{{Parameter::steps, Parameter::serialNumber}});
+    m_training.controls->setFault(TrainingFault::parametersLost, firstFraba.node, 1);
+    m_bus.advance(10);
+    EXPECT_FALSE(encoder().known(Parameter::steps));
+    EXPECT_TRUE(encoder().known(Parameter::serialNumber));
+}
+
 TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
 {
     finish(ReadParameters{{Parameter::steps}});

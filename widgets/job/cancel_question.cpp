@@ -25,21 +25,32 @@ QString takenText(const EncoderSession &encoder, const CancelSituation &situatio
                                    : valueList(encoder.device(), situation.taken);
 }
 
+QStringList restoringTexts(const EncoderSession &encoder, const CancelSituation &situation)
+{
+    if (situation.setsPosition)
+        return {
+            CancelQuestion::tr("The position was set. That cannot be undone, and by the earlier values the "
+                               "encoder would show yet another one: they are not restored.")};
+    if (!situation.canRestore)
+        return {CancelQuestion::tr("The earlier values are not all known, so they cannot be restored.")};
+    QStringList lines{CancelQuestion::tr("Restore writes the earlier values again and runs with them. EEPROM "
+                                         "writes for that: %1 at most.")
+                          .arg(situation.writesToRestore)};
+    if (!situation.isActive && restoresBehindRun(encoder.device()))
+        lines +=
+            CancelQuestion::tr("Before that, run makes valid what it has taken: until the earlier values are "
+                               "written, the controller sees a position by these. Leave it in "
+                               "parameterization to avoid that.");
+    return lines;
+}
+
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
     QStringList lines{
         CancelQuestion::tr("In which state should the encoder %1 be left?").arg(encoder.place().shown())};
     if (!situation.isActive || situation.tookCams || !situation.taken.empty())
         lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation));
-    if (situation.canRestore)
-        lines += CancelQuestion::tr("Restore writes the earlier values again and runs with them.");
-    if (situation.canRestore && !situation.isActive && restoresBehindRun(encoder.device()))
-        lines +=
-            CancelQuestion::tr("Before that, run makes valid what it has taken: until the earlier values are "
-                               "written, the controller sees a position by these. Leave it in "
-                               "parameterization to avoid that.");
-    else
-        lines += CancelQuestion::tr("The earlier values are not all known, so they cannot be restored.");
+    lines += restoringTexts(encoder, situation);
     if (situation.isActive)
         lines += CancelQuestion::tr("What it has taken is valid already.");
     else
@@ -79,6 +90,7 @@ CancelSituation situationOf(const EncoderSession &encoder, const Progress &progr
             .tookCams = tookCams(progress),
             .isActive = !activatesByRun(encoder.device()) || isActive,
             .canRestore = progress.canRestore,
+            .setsPosition = progress.setsPosition,
             .writesToRestore = mostWritesToRestore(progress),
             .positionNote = {}};
 }

@@ -14,12 +14,13 @@ namespace codewheel {
 // What the encoder has taken by the time a job is to be cancelled.
 struct CancelSituation
 {
-    ParameterValues taken;   // by the encoder so far
-    bool tookCams = false;   // these are acknowledged one by one, too
-    bool isActive = false;   // it is valid already: run was sent, and nothing since
-    bool canRestore = false; // the previous values are known
-    int writesToRestore = 0; // to the EEPROM, at most
-    QString positionNote;    // what the position will read if it runs with what it has; may be empty
+    ParameterValues taken;     // by the encoder so far
+    bool tookCams = false;     // these are acknowledged one by one, too
+    bool isActive = false;     // it is valid already: run was sent, and nothing since
+    bool canRestore = false;   // the previous values are known, and the position was not set
+    bool setsPosition = false; // or may have
+    int writesToRestore = 0;   // to the EEPROM, at most
+    QString positionNote;      // what the position will read if it runs with what it has; may be empty
 };
 
 // For a job whose latest progress this is.

@@ -158,7 +158,12 @@ QString leftInText(EncoderState state)
 
 QString endText(const Outcome &outcome)
 {
-    return QStringLiteral("%1 %2").arg(restoredText(outcome.restored), leftInText(outcome.leftIn)).trimmed();
+    QStringList sentences;
+    if (outcome.isPositionSet)
+        sentences << KnownText::tr("The position was set before, and stays so.");
+    if (outcome.restored)
+        sentences << restoredText(outcome.restored);
+    return (sentences << leftInText(outcome.leftIn)).join(u' ');
 }
 
 } // namespace codewheel

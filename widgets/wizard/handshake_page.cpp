@@ -325,10 +325,11 @@ CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Pr
     const auto position = positionWithTaken(m_setup);
     CancelSituation situation = situationOf(encoder, progress);
     situation.taken = m_setup.record.taken();
-    situation.positionNote = position ? tr("The position will then read %1%2.")
-                                            .arg(position->exact ? QString() : tr("about "),
-                                                 QLocale().toString(qlonglong{position->position}))
-                                      : tr("What the position will then read is not known.");
+    if (!situation.setsPosition)
+        situation.positionNote = position ? tr("The position will then read %1%2.")
+                                                .arg(position->exact ? QString() : tr("about "),
+                                                     QLocale().toString(qlonglong{position->position}))
+                                          : tr("What the position will then read is not known.");
     return situation;
 }
 

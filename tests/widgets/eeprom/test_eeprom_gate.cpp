@@ -241,6 +241,24 @@ TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
     EXPECT_EQ(cancel(), OnCancel::runWithWhatItHas);
 }
 
+TEST_F(EepromGateTest, TheQuestionSaysWhetherAndAtWhatCostTheEarlierValuesComeBack)
+{
+    CancelQuestion question;
+    const auto textOf = [&](const CancelSituation &situation) {
+        question.ask(ring.encoder(fraba), situation);
+        return question.findChild<QLabel *>()->text();
+    };
+    CancelSituation situation{
+        .taken = {{Parameter::steps, 255}}, .canRestore = true, .writesToRestore = 1, .positionNote = {}};
+    EXPECT_TRUE(textOf(situation).contains(QStringLiteral("1 at most")));
+    EXPECT_FALSE(textOf(situation).contains(QStringLiteral("not all known")));
+    situation.canRestore = false;
+    EXPECT_TRUE(textOf(situation).contains(QStringLiteral("not all known")));
+    situation.setsPosition = true;
+    EXPECT_TRUE(textOf(situation).contains(QStringLiteral("position was set")));
+    EXPECT_FALSE(textOf(situation).contains(QStringLiteral("not all known")));
+}
+
 TEST_F(EepromGateTest, HoldsBackRestoringInTheJobStrip)
 {
     JobStrip strip;
