@@ -2,9 +2,88 @@
 #include "transfer/last_positions.h"
 
 #include "bus/buses.h"
+#include "catalog/device_description.h"
 #include "transfer/project_places.h"
+#include "words/k3_word.h"
+
+#include <algorithm>
 
 namespace codewheel {
+namespace {
+
+using Since = SeenPosition::Since;
+
+// What a position is counted in, and from where.
+constexpr Parameter scaleParameters[] = {
+    Parameter::steps,           Parameter::revolutions, Parameter::direction,    Parameter::coding,
+    Parameter::preset,          Parameter::zeroOffset,  Parameter::offset,       Parameter::measuringRange,
+    Parameter::measuringLength, Parameter::scaling,     Parameter::scalingFactor};
+
+bool isOfScale(Parameter parameter)
+{
+    return std::ranges::find(scaleParameters, parameter) != std::end(scaleParameters);
+}
+
+ParameterValues knownScale(const EncoderSession &encoder)
+{
+    ParameterValues scale;
+    for (const Parameter parameter : scaleParameters)
+        if (const auto known = encoder.known(parameter))
+            scale.push_back({parameter, known->value});
+    return scale;
+}
+
+// What is not known of both is not compared.
+bool scalesDiffer(const ParameterValues &before, const ParameterValues &now)
+{
+    return std::ranges::any_of(before, [&](const ParameterValue &value) {
+        const auto is = valueOf(now, value.parameter);
+        return is && *is != value.value;
+    });
+}
+
+// What was not known before may have been different.
+bool changeScale(const ParameterValues &written, const ParameterValues &before)
+{
+    return std::ranges::any_of(written, [&](const ParameterValue &value) {
+        return isOfScale(value.parameter) && valueOf(before, value.parameter) != value.value;
+    });
+}
+
+bool mayChangeScale(Word word)
+{
+    return k3::isParameterWord(word) || (word & k3::presetBit) != 0;
+}
+
+// Apart from the values it writes, which are seen when it has ended.
+bool mayChangeScale(const Job &job)
+{
+    const auto *send = std::get_if<SendWords>(&job);
+    const auto changes = [](Word word) { return mayChangeScale(word); };
+    return initialisesPreset(job) || std::holds_alternative<ResetToDefault>(job) ||
+           (send != nullptr && std::ranges::any_of(send->words, changes));
+}
+
+// Nothing works there: no word, no answer, or the word of an encoder without power. One that shows no
+// position because it is parameterized, in error or in another mode is there.
+bool isSeenToBeAway(const EncoderBus &bus, const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    switch (encoder.freshness().reason()) {
+    case Freshness::Reason::notOnBus:
+    case Freshness::Reason::silent:
+        return true;
+    case Freshness::Reason::notSeen:
+        return bus.isRunning();
+    case Freshness::Reason::none:
+        return encoder.device().hasWords() && reading.state == EncoderState::operation && reading.in == 0 &&
+               !reading.velocity && !reading.cams;
+    default:
+        return false;
+    }
+}
+
+} // namespace
 
 LastPositions::LastPositions(const Buses &buses, QObject *parent)
     : QObject(parent)
@@ -23,7 +102,7 @@ std::optional<SeenPosition> LastPositions::at(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.beforeGone ? found->second.beforeGone : found->second.last;
+    return found->second.before ? found->second.before : found->second.last;
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
@@ -31,29 +110,103 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.last ? found->second.last : found->second.beforeGone;
+    return found->second.last ? found->second.last : found->second.before;
 }
 
 void LastPositions::look(const EncoderBus &bus)
 {
-    const Instant now = bus.now();
-    for (const Place number : bus.places()) {
-        const EncoderSession *encoder = bus.encoder(number);
-        if (encoder == nullptr)
-            continue;
-        Watched &watched = m_watched[number];
-        const bool hasGone = now < watched.lastAt || now - watched.lastAt >= untilGone;
-        if (watched.last && hasGone) {
-            watched.beforeGone = watched.last;
-            watched.beforeGone->beforeItWent = true;
-            watched.last.reset();
-        }
-        if (!bus.isRunning() || !encoder->showsPosition())
-            continue;
-        const Reading &reading = encoder->latest();
-        watched.last = SeenPosition{*reading.position, bus.dateTime(reading.at)};
-        watched.lastAt = now;
+    follow(bus);
+    for (const Place number : bus.places())
+        if (const EncoderSession *encoder = bus.encoder(number))
+            look(bus, *encoder, m_watched[number]);
+}
+
+// By the date, since the clock of a bus stands still while the computer sleeps.
+void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, Watched &watched)
+{
+    const QDateTime now = bus.dateTime(bus.now());
+    const bool isFirst = !watched.lookedAt.isValid();
+    const std::chrono::milliseconds sinceLook{isFirst ? 0 : watched.lookedAt.msecsTo(now)};
+    const bool wasWatched = sinceLook.count() >= 0 && sinceLook < untilGone;
+    watched.lookedAt = now;
+    const std::chrono::milliseconds sinceShown{watched.last ? watched.last->at.msecsTo(now) : 0};
+    if (isSeenToBeAway(bus, encoder)) {
+        watched.awayFor += wasWatched ? sinceLook : std::chrono::milliseconds{};
+        if (watched.awayFor >= untilGone)
+            keepBefore(watched, Since::gone);
+        return;
     }
+    watched.awayFor = {};
+    const bool wasUnwatched = !wasWatched || !encoder.freshness().isLive();
+    if (wasUnwatched && sinceShown >= shortestReplacement)
+        keepBefore(watched, Since::unwatched);
+    if (!bus.isRunning() || !encoder.freshness().isLive() || !encoder.showsPosition())
+        return;
+    const Reading &reading = encoder.latest();
+    watched.last = SeenPosition{.position = *reading.position, .at = bus.dateTime(reading.at)};
+    watched.scale = knownScale(encoder);
+}
+
+// An encoder that was seen to be away says more than one that nobody saw.
+void LastPositions::keepBefore(Watched &watched, Since since)
+{
+    const bool isGone = since == Since::gone;
+    if (watched.last && (isGone || !watched.before || watched.before->since != Since::gone)) {
+        watched.before = watched.last;
+        watched.before->since = since;
+        watched.scaleBefore = watched.scale;
+        watched.last.reset();
+    } else if (isGone && watched.before) {
+        watched.before->since = since; // it went away while nobody saw it
+    }
+}
+
+void LastPositions::follow(const EncoderBus &bus)
+{
+    if (m_followed.insert(&bus).second) {
+        connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
+        connect(&bus, &EncoderBus::writeAboutToBeSent, this, [this](const TypedWrite &write) {
+            if (changeScale(write.values, m_watched[write.place].scaleBefore))
+                scaledAnew(write.place);
+        });
+    }
+    for (const Place place : bus.places())
+        if (const EncoderSession *encoder = bus.encoder(place);
+            encoder != nullptr && m_followed.insert(encoder).second)
+            follow(*encoder);
+}
+
+void LastPositions::follow(const EncoderSession &encoder)
+{
+    const EncoderSession *its = &encoder;
+    connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
+    connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
+    connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
+        if (mayChangeScale(job))
+            scaledAnew(its->place());
+    });
+    connect(its, &EncoderSession::wordAboutToBeSent, this, [this, its](Word word) {
+        if (mayChangeScale(word))
+            scaledAnew(its->place());
+    });
+    connect(its, &EncoderSession::finished, this, [this, its](const Outcome &outcome) {
+        const ParameterValues &before = m_watched[its->place()].scaleBefore;
+        if (outcome.inDoubt.reset || outcome.inDoubt.position || changeScale(outcome.written, before) ||
+            changeScale(outcome.setAlong, before) || changeScale(outcome.inDoubt.values, before))
+            scaledAnew(its->place());
+    });
+}
+
+void LastPositions::compareScale(const EncoderSession &encoder)
+{
+    if (scalesDiffer(m_watched[encoder.place()].scaleBefore, knownScale(encoder)))
+        scaledAnew(encoder.place());
+}
+
+void LastPositions::scaledAnew(Place place)
+{
+    if (auto &before = m_watched[place].before)
+        before->scaledOtherwise = true;
 }
 
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)

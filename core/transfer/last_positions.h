@@ -5,6 +5,7 @@
 #include "project/project.h"
 
 #include <map>
+#include <set>
 
 namespace codewheel {
 
@@ -16,7 +17,15 @@ struct SeenPosition
 {
     std::int64_t position = 0; // steps
     QDateTime at;
-    bool beforeItWent = false; // then the encoder went away (or showed 00000000), and may be another now
+    // What came after it.
+    enum class Since : std::uint8_t {
+        there,     // the encoder was not seen to be away
+        unwatched, // nobody saw the encoder for long: the computer slept, the bus was stopped or lost
+        gone,      // the encoder was seen to be away: it may be another now
+    };
+    Since since = Since::there;
+    // Afterwards the encoder was given another scale or zero: there it would be another position.
+    bool scaledOtherwise = false;
 
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
 };
@@ -25,19 +34,23 @@ struct SeenPosition
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 
 // Watches the positions of the encoders of all buses, so that a replacement can be given the position of the
-// encoder it replaces, and so that they are kept with the project. Nothing is sent. After a second without a
-// position (in a ring an encoder without power shows 00000000, on a serial line it is silent), or on a bus
-// that is stopped, it is assumed to be gone, and its last position is kept until the next time.
+// encoder it replaces, and so that they are kept with the project. Nothing is sent. An encoder is gone once
+// it was seen to be away for a second: in a ring it shows 00000000 without power, or is behind a fault; on a
+// serial line it is silent. Its last position is kept until the next time. While nobody looks nothing is
+// seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone.
 class LastPositions : public QObject
 {
     Q_OBJECT
 
 public:
     static constexpr std::chrono::milliseconds untilGone{1000};
+    // Nobody replaces an encoder faster, so a shorter time without a look at it does not matter.
+    static constexpr std::chrono::seconds shortestReplacement{30};
 
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
-    // The one to give to a new encoder: the position before the encoder went away, if it did.
+    // The one to give to a new encoder: the position before the encoder went away, if it did; otherwise
+    // before nobody saw it for long; otherwise the newest one.
     std::optional<SeenPosition> at(Place number) const;
     // The newest one, of whichever encoder is there.
     std::optional<SeenPosition> newest(Place number) const;
@@ -46,14 +59,24 @@ private:
     struct Watched
     {
         std::optional<SeenPosition> last;
-        std::optional<SeenPosition> beforeGone; // of the encoder that was there then
-        Instant lastAt{};                       // of its bus, starting from 0 when it is connected again
+        ParameterValues scale{};             // known of the encoder with it
+        std::optional<SeenPosition> before;  // the encoder went away, or nobody saw it for long
+        ParameterValues scaleBefore{};       // known of the encoder with it
+        QDateTime lookedAt{};                // invalid: never
+        std::chrono::milliseconds awayFor{}; // as seen
     };
 
     void look(const EncoderBus &bus);
+    void look(const EncoderBus &bus, const EncoderSession &encoder, Watched &watched);
+    void follow(const EncoderBus &bus);
+    void follow(const EncoderSession &encoder);
+    void compareScale(const EncoderSession &encoder);
+    void scaledAnew(Place place);
+    static void keepBefore(Watched &watched, SeenPosition::Since since);
 
     const Buses &m_buses;
     std::map<Place, Watched> m_watched;
+    std::set<const QObject *> m_followed; // buses and encoders
 };
 
 // The project as it is to be saved: with the newest position of each encoder that is where the project has

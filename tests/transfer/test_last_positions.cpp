@@ -7,6 +7,7 @@ namespace codewheel {
 namespace {
 
 using test::fraba;
+using Since = SeenPosition::Since;
 
 class LastPositionsOfTheRing : public test::TransferBus
 {
@@ -16,6 +17,20 @@ protected:
         for (int i = 0; i < milliseconds / 33 + 1; ++i)
             bus.advance(33);
     }
+    // The encoder goes for a moment, and comes back.
+    void goAndReturn()
+    {
+        training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
+        pass(2000);
+        training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
+        pass(500);
+    }
+    void carryOutJob(const Job &job)
+    {
+        ASSERT_TRUE(encoder(fraba).start(job));
+        pass(2000);
+        ASSERT_FALSE(encoder(fraba).runningJob());
+    }
     LastPositions positions{buses};
 };
 
@@ -24,7 +39,7 @@ TEST_F(LastPositionsOfTheRing, AreThoseTheEncodersShow)
     pass(100);
     ASSERT_TRUE(positions.at(fraba));
     EXPECT_EQ(positions.at(fraba)->position, encoder(fraba).latest().position);
-    EXPECT_FALSE(positions.at(fraba)->beforeItWent);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
     EXPECT_FALSE(positions.at("9.0"_ring));
 }
 
@@ -36,7 +51,7 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
     pass(3000);
     ASSERT_TRUE(positions.at(fraba));
     EXPECT_EQ(positions.at(fraba)->position, before);
-    EXPECT_TRUE(positions.at(fraba)->beforeItWent);
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone);
 
     training.controls->turnBy(fraba.node, 100);
     training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
@@ -52,7 +67,75 @@ TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
     pass(300);
     training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
     pass(100);
-    EXPECT_FALSE(positions.at(fraba)->beforeItWent);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+}
+
+// Nobody looked meanwhile, and the encoder is there.
+TEST_F(LastPositionsOfTheRing, APauseOfTheComputerIsNoEncoderThatWent)
+{
+    pass(100);
+    bus.advance(3000);
+    pass(100);
+    ASSERT_TRUE(positions.at(fraba));
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+    EXPECT_EQ(positions.at(fraba)->position, encoder(fraba).latest().position);
+}
+
+TEST_F(LastPositionsOfTheRing, APauseInWhichAnEncoderCouldBeReplacedIsTold)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    training.controls->turnBy(fraba.node, 100);
+    bus.advance(60'000);
+    pass(100);
+    ASSERT_TRUE(positions.at(fraba));
+    EXPECT_EQ(positions.at(fraba)->since, Since::unwatched);
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.newest(fraba)->position, encoder(fraba).latest().position);
+}
+
+TEST_F(LastPositionsOfTheRing, AStoppedBusIsNoEncoderThatWent)
+{
+    pass(100);
+    bus.setRunning(false);
+    pass(3000);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+    bus.setRunning(true);
+    pass(3000);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+}
+
+TEST_F(LastPositionsOfTheRing, AnEncoderThatIsParameterizedOrInErrorIsThere)
+{
+    pass(100);
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    pass(3000);
+    ASSERT_EQ(encoder(fraba).latest().state, EncoderState::error);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+}
+
+TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherScaleSaysSo)
+{
+    encoder(fraba).tell(Parameter::steps, 300);
+    pass(100);
+    goAndReturn();
+    ASSERT_EQ(positions.at(fraba)->since, Since::gone);
+    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise);
+    carryOutJob(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}});
+    EXPECT_TRUE(positions.at(fraba)->scaledOtherwise);
+    goAndReturn();
+    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise) << "this one was seen with the new scale";
+}
+
+TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherZeroSaysSo)
+{
+    pass(100);
+    goAndReturn();
+    ASSERT_FALSE(positions.at(fraba)->scaledOtherwise);
+    carryOutJob(ReadParameters{{Parameter::steps, Parameter::zeroOffset}});
+    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise) << "reading changes nothing";
+    carryOutJob(SetPreset{.value = 100});
+    EXPECT_TRUE(positions.at(fraba)->scaledOtherwise);
 }
 
 TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)

@@ -267,7 +267,7 @@ TEST_F(RingAndLine, ThePositionBeforeAnEncoderFellSilentIsKept)
     EXPECT_EQ(
         planTransfer(buses, {{.place = standing, .values = {{Parameter::steps, 864}}}})[0].hindrance->id,
         RefusalId::encoderSilent);
-    EXPECT_TRUE(positions.at(standing)->beforeItWent);
+    EXPECT_EQ(positions.at(standing)->since, SeenPosition::Since::gone);
     EXPECT_EQ(kept(withLastPositions(project, positions, buses))->position, 0x1235);
 }
 

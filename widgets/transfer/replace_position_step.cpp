@@ -54,8 +54,8 @@ void ReplacePositionStep::enter()
     showOffers();
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
-        const bool isOld = m_seen && m_seen->beforeItWent;
-        (presets ? isOld ? m_last : m_typed : m_none)->setChecked(true);
+        const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone && !m_seen->scaledOtherwise;
+        (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
     }
     setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());
 }
@@ -72,17 +72,42 @@ void ReplacePositionStep::showOffers()
     if (m_seen) {
         const QString position = locale.toString(qlonglong{m_seen->position});
         const QString time = locale.toString(m_seen->at, QLocale::ShortFormat);
-        m_last->setText(m_seen->beforeItWent
-                            ? tr("&Position %1, seen at %2, before the encoder went away").arg(position, time)
-                            : tr("&Position %1, shown at %2; not away since").arg(position, time));
-        m_last->setToolTip(m_seen->beforeItWent
-                               ? tr("The position that was seen last, and when")
-                               : tr("The encoder has not been away since: it may still be the previous one"));
+        m_last->setText(textOf(*m_seen).arg(position, time));
+        m_last->setToolTip(tipOf(*m_seen));
     }
     if (kept)
         m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
                             .arg(locale.toString(qlonglong{kept->position}),
                                  locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)));
+}
+
+QString ReplacePositionStep::textOf(const SeenPosition &seen)
+{
+    const bool isThere = seen.since == SeenPosition::Since::there;
+    const QString text = isThere ? tr("&Position %1, shown at %2; not away since")
+                         : seen.since == SeenPosition::Since::gone
+                             ? tr("&Position %1, seen at %2, before the encoder went away")
+                             : tr("&Position %1, seen at %2. Then nobody saw the encoder for a while; it was "
+                                  "not seen to be away.");
+    return seen.scaledOtherwise
+               ? tr("%1 The encoder was scaled otherwise then: now this is another position.",
+                    "a sentence, or most of one")
+                     .arg(seen.since == SeenPosition::Since::gone ? text + u'.' : text)
+               : text;
+}
+
+QString ReplacePositionStep::tipOf(const SeenPosition &seen)
+{
+    switch (seen.since) {
+    case SeenPosition::Since::there:
+        return tr("The encoder has not been away since: it may still be the previous one");
+    case SeenPosition::Since::unwatched:
+        return tr("The computer slept, or the bus was stopped or lost: the encoder may still be the previous "
+                  "one");
+    case SeenPosition::Since::gone:
+        break;
+    }
+    return tr("The position that was seen last, and when");
 }
 
 QRadioButton *ReplacePositionStep::chosen() const

@@ -26,6 +26,8 @@ public:
 
 private:
     void showOffers();
+    static QString textOf(const SeenPosition &seen); // %1 the position, %2 the time
+    static QString tipOf(const SeenPosition &seen);
     void takeTyped();
     QRadioButton *chosen() const;
 
