@@ -19,8 +19,10 @@ namespace codewheel {
 namespace {
 
 constexpr NamedValue<Became> becameKeys[] = {
-    {"notDone", Became::notDone},   {"written", Became::written},     {"alreadyThere", Became::alreadyThere},
-    {"restored", Became::restored}, {"confirmed", Became::confirmed}, {"unknown", Became::unknown},
+    {"notDone", Became::notDone},           {"written", Became::written},
+    {"alreadyThere", Became::alreadyThere}, {"restored", Became::restored},
+    {"confirmed", Became::confirmed},       {"unknown", Became::unknown},
+    {"notActive", Became::notActive},
 };
 
 const DeviceDescription *deviceAt(const Buses &buses, Place place)

@@ -39,11 +39,24 @@ Result<void> K3Run::plan(Word in, Word out)
         m_steps.all =
             m_encoder.plan.endParameterization(end->restore, !m_restores || state != EncoderState::error);
     } else {
-        m_steps.all = m_encoder.plan.stepsFor(m_job);
+        m_whatIsDone = whatIsDone(in);
+        m_steps.all = m_encoder.plan.stepsFor(m_whatIsDone);
     }
     if (out != k3::normalRunning || state == EncoderState::readOut)
         K3Plan::clearOutFirst(m_steps.all, m_job);
     return {};
+}
+
+// An encoder that has lost its parameters (error 3) gets all of them: what can be read from it is not what it
+// works with, and only parameters 1 to 4, all of them, bring it back.
+Job K3Run::whatIsDone(Word in) const
+{
+    Job what = m_job;
+    const DeviceError *error = m_encoder.isError(in) ? m_encoder.device.findError(k3::number(in)) : nullptr;
+    const bool hasLost = error != nullptr && error->meaning == RefusalId::parametersLost;
+    if (auto *write = std::get_if<WriteParameters>(&what); write != nullptr && hasLost)
+        write->onlyWhatDiffers = false;
+    return what;
 }
 
 void K3Run::watch(Word in, Word /*out*/)
@@ -205,7 +218,7 @@ void K3Run::readDone(const K3Step &step, Word in)
     m_account.read({*step.parameter, *value});
     if (*step.parameter == Parameter::presetFlag)
         presetFlagRead(*value);
-    refine(m_steps, m_account, m_job, m_encoder, {*step.parameter, *value});
+    refine(m_steps, m_account, m_whatIsDone, m_encoder, {*step.parameter, *value});
 }
 
 // Behind another read-out, so that the same answer cannot be the same torn word.
@@ -330,6 +343,8 @@ void K3Run::complete(Outcome &outcome)
 {
     if (outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::unknown)
         outcome.confirmed = m_confirmed.values;
+    if (outcome.leftIn == EncoderState::error)
+        outcome.notActive = m_confirmed.values;
     outcome.onlyZeroSinceRun = m_ranAtZero && m_reading.in == 0 && !m_encoder.device.capabilities.reads;
     outcome.camsRead = m_cams.read();
     outcome.camsWritten = m_cams.written();

@@ -28,6 +28,7 @@ private:
     };
 
     Result<void> plan(Word in, Word out) override;
+    Job whatIsDone(Word in) const;
     void watch(Word in, Word out) override;
     bool mayBegin(Word in) override;
     std::optional<Refusal> whyNotNow(Word in) const override;
@@ -79,6 +80,7 @@ private:
     K3Encoder &m_encoder;
     K3Handshake m_handshake;
     K3CamRun m_cams;
+    Job m_whatIsDone; // the job, as the encoder was when it began
     Confirmed m_confirmed;
     std::optional<K3LateAnswer> m_late;
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on

@@ -20,12 +20,24 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
-// Error 3. What can be read from it, if anything, is not what it works with: only all of it brings it back.
-bool hasLostParameters(const EncoderSession &encoder)
+bool canBeGiven(const DeviceDescription &device, Parameter parameter)
 {
-    const Reading &reading = encoder.latest();
-    return reading.state == EncoderState::error &&
-           shownError(encoder.device(), reading).id == RefusalId::parametersLost;
+    const ParameterDescription *its = device.find(parameter);
+    return its != nullptr && its->canBeWritten();
+}
+
+// Setting the position programs the preset itself. Only an encoder that has lost its parameters needs it
+// before, to work at all.
+ParameterValues valuesFirst(const EncoderSession &encoder, const WriteWish &wish)
+{
+    WriteWish first = wish;
+    if (wish.setPositionTo) {
+        std::erase_if(first.wanted,
+                      [](const ParameterValue &value) { return value.parameter == Parameter::preset; });
+        if (hasLostParameters(encoder) && canBeGiven(encoder.device(), Parameter::preset))
+            first.wanted.push_back({Parameter::preset, *wish.setPositionTo});
+    }
+    return inTurn(encoder.device(), first);
 }
 
 // What can be restored: known, and writable.
@@ -81,6 +93,26 @@ ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
     return values;
 }
 
+bool hasLostParameters(const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    return reading.state == EncoderState::error &&
+           shownError(encoder.device(), reading).id == RefusalId::parametersLost;
+}
+
+std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values)
+{
+    constexpr unsigned lastOfThem = 4;
+    std::vector<Parameter> lost;
+    if (!hasLostParameters(encoder))
+        return lost;
+    for (const ParameterDescription &its : encoder.device().parameters)
+        if (its.canBeWritten() && its.number && *its.number >= 1 && *its.number <= lastOfThem &&
+            !valueOf(values, its.parameter))
+            lost.push_back(its.parameter);
+    return lost;
+}
+
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
 {
     const auto known = encoder.known(value.parameter);
@@ -93,12 +125,10 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
     WriteParameters job{
         .values = {}, .previous = valuesBefore(encoder), .initialisePreset = wish.initialisePreset};
     const bool writesAll = wish.writeAll || hasLostParameters(encoder);
-    for (const ParameterValue &wanted : inTurn(encoder.device(), wish)) {
+    for (const ParameterValue &wanted : valuesFirst(encoder, wish)) {
         const ParameterDescription *description = encoder.device().find(wanted.parameter);
         if (description == nullptr)
             continue;
-        if (wish.setPositionTo && wanted.parameter == Parameter::preset)
-            continue; // setting the position uses the preset itself
         const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
         if (!writesAll && !rearms && isThereAlready(encoder, wanted))
             continue;

@@ -54,6 +54,14 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &pla
     return rows;
 }
 
+QString parameterNames(const std::vector<Parameter> &parameters)
+{
+    QStringList names;
+    for (const Parameter parameter : parameters)
+        names << parameterNameInText(parameter);
+    return names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 QString sentText(const Step &step)
@@ -69,6 +77,12 @@ QString readsFirstText()
 QStringList howItIsWritten(const WritePlan &plan)
 {
     QStringList notes;
+    if (!plan.lostAndNotWritten.empty())
+        notes << WriteWords::tr(
+                     "The encoder has lost its parameters (error 3), and works again only with all "
+                     "of parameters 1 to 4. Without a value: %1. Want these too, or reset it to its "
+                     "default values.")
+                     .arg(parameterNames(plan.lostAndNotWritten));
     if (plan.job.onlyWhatDiffers)
         notes << readsFirstText();
     if (plan.stepsMayBeLess)
@@ -88,6 +102,7 @@ WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
     else if (plan.jobs.clear(); steps.error().id != RefusalId::nothingToDo)
         plan.refusal = steps.error();
     plan.rows = rowsOf(encoder, plan, inTurn(device, wish));
+    plan.lostAndNotWritten = lostAndNotAmong(encoder, plan.job.values);
     const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
     plan.notes = valueNotes(device, plan.job.values, valuesOf(allKnown(encoder)),
                             setsPosition ? PositionIsSet::yes : PositionIsSet::no);

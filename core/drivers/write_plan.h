@@ -31,6 +31,9 @@ struct WritePlan
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;
+    // The encoder has lost its parameters, and these of parameters 1 to 4 are not among the values: it will
+    // not work.
+    std::vector<Parameter> lostAndNotWritten{};
     std::vector<ValueNote> notes{}; // what else the values bring about
 };
 

@@ -95,6 +95,8 @@ struct Outcome
     // `written` and `camsWritten`.
     std::optional<Evidence> restored{};
     InDoubt inDoubt{};
+    ParameterValues
+        notActive{}; // confirmed, but then the encoder showed an error instead of working with them
 };
 
 // Whether nobody sees any more what a job that ends because of this has sent.

@@ -22,6 +22,8 @@ Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
                 became = Became::restored;
         } else if (valueOf(outcome.confirmed, row.wanted.parameter) == row.wanted.value) {
             became = Became::confirmed;
+        } else if (valueOf(outcome.notActive, row.wanted.parameter) == row.wanted.value) {
+            became = Became::notActive;
         } else if (valueOf(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
             became = Became::alreadyThere;
         }

@@ -15,6 +15,7 @@ enum class Became : std::uint8_t {
     alreadyThere, // known, or found by reading first: not written
     restored,     // written, and then the previous value again
     confirmed,    // accepted, but not active: the encoder waits for run
+    notActive,    // accepted, but not active: the encoder shows an error
     unknown,      // sent, and nobody knows whether the encoder has it
     notDone,
 };

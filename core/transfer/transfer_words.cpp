@@ -44,6 +44,8 @@ QString text(Became became)
         return TransferWords::tr("Earlier value restored");
     case Became::confirmed:
         return TransferWords::tr("Accepted, but not valid until run is sent");
+    case Became::notActive:
+        return TransferWords::tr("Acknowledged, not active");
     case Became::unknown:
         return TransferWords::tr("Sent: it is not known whether the encoder has it");
     case Became::notDone:

@@ -80,7 +80,7 @@ TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
     const TransferAccount account = carryOut(plan);
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::wrongParameterData);
     EXPECT_EQ(account.encoders[0].leftIn, EncoderState::error);
-    EXPECT_EQ(account.encoders[0].rows[0].became, Became::notDone);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::notActive); // acknowledged, then refused
     EXPECT_FALSE(account.encoders[0].isDone());
     EXPECT_EQ(account.encoders[1].rows[0].became, Became::written);
 }
