@@ -31,6 +31,25 @@ Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
     return became;
 }
 
+bool mayHaveSent(const Outcome &outcome, Parameter parameter)
+{
+    return valueOf(outcome.written, parameter) || valueOf(outcome.confirmed, parameter) ||
+           valueOf(outcome.notActive, parameter) || valueOf(outcome.inDoubt.values, parameter);
+}
+
+// What a job read before anything was sent, otherwise what was known when the plan was made.
+std::optional<Known> valueBefore(const WriteRow &row, const std::vector<Outcome> &outcomes)
+{
+    const Parameter parameter = row.wanted.parameter;
+    for (const Outcome &outcome : outcomes) {
+        if (const auto read = valueOf(outcome.read, parameter))
+            return Known{.parameter = parameter, .value = *read, .evidence = Evidence::read};
+        if (mayHaveSent(outcome, parameter))
+            break;
+    }
+    return row.known;
+}
+
 // A job that was done has found, or written, all its programs.
 Became becameOf(const TransferCamRow &row, const std::vector<Outcome> &outcomes)
 {
@@ -113,7 +132,7 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
         const Became became = becameOf(row, outcomes);
         const bool isOpen = became == Became::notDone && isUnknown(encoder, parameter, result);
         account.rows.push_back({.wanted = row.wanted,
-                                .before = row.known,
+                                .before = valueBefore(row, outcomes),
                                 .after = encoder ? encoder->known(parameter) : std::nullopt,
                                 .became = isOpen ? Became::unknown : became});
     }

@@ -72,6 +72,19 @@ TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
     EXPECT_EQ(account.eepromWrites(), 1);
 }
 
+TEST_F(Transfer, TheValueBeforeIsTheOneThatWasReadFirst)
+{
+    carryOut(planTransfer(buses, {{.place = fraba, .values = {{Parameter::steps, 300}}}}));
+    encoder(fraba).tell(Parameter::steps, 8192); // wrongly
+    const TransferAccount account =
+        carryOut(planTransfer(buses, {{.place = fraba, .values = {{Parameter::steps, 255}}}}));
+    const auto &before = account.encoders[0].rows[0].before;
+    ASSERT_TRUE(before);
+    EXPECT_EQ(before->value, 300);
+    EXPECT_EQ(before->evidence, Evidence::read);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::written);
+}
+
 TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
 {
     const ParameterValues tooMany = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}};
