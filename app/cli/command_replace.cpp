@@ -182,14 +182,16 @@ Checked<Answer> runReplace(const Call &call)
 
     // Nothing known of the old encoder may be taken for the new one's.
     EncoderBus &bus = *call.buses.busOf(place);
-    if (const auto named = bus.name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
+    if (const auto named = bus.replace(place, now->device->key, now->turns, now->stepsPerTurn); !named)
         return tl::unexpected(complaintAbout(named.error()));
     if (const auto there = contactAll(call, {*planned}); !there)
         return tl::unexpected(there.error());
     if (const auto checked = checkSerial(call, place, *now); !checked)
         return tl::unexpected(checked.error());
     showDifferences(call, *planned, *now);
-    const auto toWrite = plan(call, {wishToReplace(*planned, *now, *position, places)});
+    TransferWish wish = wishToReplace(*planned, *now, *position, places);
+    wish.newEncoder.reset(); // it has been named above: what is known of it by now is its own
+    const auto toWrite = plan(call, {wish});
     if (!toWrite)
         return tl::unexpected(toWrite.error());
     const auto agreed = [&] {

@@ -26,6 +26,14 @@ Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) c
     return {};
 }
 
+Result<void> EncoderBus::replace(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
+{
+    if (const EncoderSession *its = encoder(place); its != nullptr && its->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
+    Q_EMIT replaced(place);
+    return name(place, deviceKey, turns, stepsPerTurn);
+}
+
 void EncoderBus::tell(Message message)
 {
     message.place = placeOf(message.place ? message.place->node : NodeId());

@@ -79,6 +79,9 @@ public:
     // session ends. Refused while a job runs. Sends nothing.
     virtual Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) = 0;
 
+    // The same for a device that has replaced the one before: nothing that is known of that is kept for it.
+    Result<void> replace(Place place, const QString &deviceKey, int turns, int stepsPerTurn);
+
     // Why there is no data: of the device there, or, without a node, of the bus itself; `planned` are the
     // devices that the project plans for it.
     virtual std::vector<DataCheck> dataChecks(NodeId node, const std::vector<Participant> &planned) const;
@@ -117,7 +120,8 @@ Q_SIGNALS:
     void updated();                                  // a new snapshot; at most once per pump
     void openRefused(const codewheel::Refusal &why); // a message says so too
     void stateChanged();                             // connected or not, running or stopped, Watch or Operate
-    void named(codewheel::Place place); // by name(), before nodesChanged(): it has a new session now
+    void named(codewheel::Place place);    // by name(), before nodesChanged(): it has a new session now
+    void replaced(codewheel::Place place); // by replace(), before named()
     // The link is back, and what is known of the encoders is about to be forgotten: others may be there.
     void meetsAgain();
     // It is a different bus now: what looks the same may be another device. nodesChanged() follows.

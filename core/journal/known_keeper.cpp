@@ -53,6 +53,7 @@ void KnownKeeper::watch(EncoderBus &bus)
     m_bus = &bus;
     connect(&bus, &EncoderBus::nodesChanged, this, &KnownKeeper::meetAll);
     connect(&bus, &EncoderBus::meetsAgain, this, &KnownKeeper::meetAgain);
+    connect(&bus, &EncoderBus::replaced, this, &KnownKeeper::forgetAt);
     meetAll();
 }
 
@@ -68,6 +69,14 @@ void KnownKeeper::forget()
 void KnownKeeper::forgetSimulated()
 {
     std::erase_if(m_memory, [](const auto &one) { return one.first.second; });
+}
+
+void KnownKeeper::forgetAt(Place place)
+{
+    if (const auto met = m_met.find(place); met != m_met.end() && met->second != nullptr)
+        met->second->disconnect(this);
+    m_memory.erase({place, false});
+    m_memory.erase({place, true});
 }
 
 void KnownKeeper::meetAll()

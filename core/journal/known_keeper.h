@@ -15,10 +15,11 @@ namespace codewheel {
 class EncoderBus;
 class EncoderSession;
 
-// What is known of the encoders of a bus outlives its connection, and the loss of its link: each new session at a place where there was
-// an encoder of the same kind is given what was known of that one (EncoderSession::knownBefore); a simulated
-// one, which is the same, has it at once. Not the mode of a real one: somebody else may have switched it
-// meanwhile. In memory only, in the thread of the sessions.
+// What is known of the encoders of a bus outlives its connection, and the loss of its link: each new session
+// at a place where there was an encoder of the same kind is given what was known of that one
+// (EncoderSession::knownBefore); a simulated one, which is the same, has it at once. One that replaces
+// another (EncoderBus::replace()) has nothing of it. Not the mode of a real one: somebody else may have
+// switched it meanwhile. In memory only, in the thread of the sessions.
 class KnownKeeper : public QObject
 {
     Q_OBJECT
@@ -39,6 +40,7 @@ private:
 
     void meetAll();
     void meetAgain();
+    void forgetAt(Place place);
     void meet(EncoderSession &encoder);
     void remember(const EncoderSession &encoder);
 

@@ -104,6 +104,7 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                       .values = valuesToWrite(planned, *now.device, position),
                       .position = position,
                       .toPositionMode = true,
+                      .newEncoder = now.device->labelled(now.turns, now.stepsPerTurn),
                       .hindrance = places.hindranceToReplace(planned.place())};
     if (now.device->capabilities.cams)
         wish.cams = camsFor(planned);

@@ -5,7 +5,9 @@
 #include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
+#include "drivers/values_to_write.h"
 #include "journal/eeprom_cost.h"
+#include "transfer/new_encoder.h"
 
 #include <algorithm>
 #include <numeric>
@@ -28,18 +30,22 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
     const auto found = bus ? bus->found(wish.place) : std::nullopt;
     if (!found)
         return buses.whyNotThere(wish.place);
-    if (auto other = bus->isOther(wish.place, wish.deviceKey, wish.serialNumber))
+    // A new one is of the make that was named for it.
+    const QString deviceKey = wish.newEncoder ? QString() : wish.deviceKey;
+    if (auto other = bus->isOther(wish.place, deviceKey, wish.serialNumber))
         return other;
     const EncoderSession *encoder = bus->encoder(wish.place);
     const DeviceDescription *device = encoder ? &encoder->device() : bus->catalog().find(found->deviceKey);
     const QString name = participantName(*found, device);
     const bool isOther = (wish.deviceCode != 0 && wish.deviceCode != found->deviceCode) ||
-                         (!wish.deviceKey.isEmpty() && device != nullptr && wish.deviceKey != device->key);
+                         (!deviceKey.isEmpty() && device != nullptr && deviceKey != device->key);
     if (isOther)
         return Refusal{RefusalKind::link,
                        RefusalId::ringDiffers,
                        {wish.place.shown(), wantedName(bus->catalog(), wish), name}};
-    if (!encoder || !encoder->can().writes)
+    const bool canBeWritten =
+        wish.newEncoder ? wish.newEncoder->capabilities.writes : encoder && encoder->can().writes;
+    if (!encoder || !canBeWritten)
         return Refusal{RefusalKind::notSupported, RefusalId::writingNotSupported, {name}};
     return std::nullopt;
 }
@@ -112,12 +118,16 @@ void EncoderComparison::compare()
 // The cams go before the position.
 void EncoderComparison::plan()
 {
-    addPositionMode();
+    const bool onlyWritingHelps = hasLostParameters(m_encoder); // until then the encoder takes no other word
+    if (!onlyWritingHelps)
+        addPositionMode();
     setHindrance(m_plan.write.refusal);
     const std::vector<Job> &jobs = m_plan.write.jobs;
     const auto setsPosition =
         std::ranges::find_if(jobs, [](const Job &job) { return std::holds_alternative<SetPreset>(job); });
     m_plan.jobs.insert(m_plan.jobs.end(), jobs.begin(), setsPosition);
+    if (onlyWritingHelps)
+        addPositionMode();
     addCams();
     m_plan.jobs.insert(m_plan.jobs.end(), setsPosition, jobs.end());
     m_plan.eepromWrites += eepromWritesOf(m_plan.write.steps, m_device);
@@ -177,6 +187,11 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish, InWatch watch)
     EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
     plan.hindrance = wish.hindrance ? wish.hindrance : hindranceOfPlace(buses, wish);
     const EncoderSession *encoder = buses.encoder(wish.place);
+    std::optional<NewEncoder> replacing;
+    if (encoder != nullptr && wish.newEncoder) {
+        plan.newEncoder = wish.newEncoder;
+        encoder = &replacing.emplace(*buses.busOf(wish.place), wish.place, *wish.newEncoder);
+    }
     if (encoder != nullptr)
         plan.device = encoder->device().fullName();
     if (encoder == nullptr || wish.hindrance) { // what is there now says nothing
@@ -193,7 +208,7 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish, InWatch watch)
         for (WriteRow &row : plan.write.rows)
             row.step.reset();
     } else
-        plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *encoder, watch);
+        plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *buses.encoder(wish.place), watch);
     if (plan.hindrance) {
         plan.jobs.clear();
         plan.eepromWrites = 0;

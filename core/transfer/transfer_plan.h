@@ -25,7 +25,9 @@ struct EncoderPlan
     WritePlan write{};                  // of the values and the position
     std::vector<TransferCamRow> cams{};
     std::optional<std::int64_t> position{};
-    std::vector<Job> jobs{};      // one after the other; empty: everything is there, or a hindrance
+    std::vector<Job> jobs{}; // one after the other; empty: everything is there, or a hindrance
+    // What the encoder is that replaces another; empty: the one that is there.
+    std::optional<DeviceDescription> newEncoder{};
     int eepromWrites = 0;         // at most
     bool presetIsRearmed = false; // FRABA: the preset may have to be programmed again before it acts
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
 #include "project/project.h"
 
@@ -23,6 +24,9 @@ struct TransferWish
     std::optional<std::int64_t> position{};
     // An encoder never seen before is brought to position mode first, if it has modes.
     bool toPositionMode = false;
+    // What the encoder is that replaces another at its place: nothing that is known of the place is known of
+    // it. Empty: the encoder is the one that is there.
+    std::optional<DeviceDescription> newEncoder{};
     // Why it cannot be done, if that is already known: nothing is compared then.
     std::optional<Refusal> hindrance{};
 };

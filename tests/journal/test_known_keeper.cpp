@@ -186,6 +186,17 @@ TEST_F(KnownKeeperTest, AnotherKindOfEncoderIsAnotherOne)
     EXPECT_FALSE(at(fraba).knownBefore());
 }
 
+TEST_F(KnownKeeperTest, OfAnEncoderThatReplacesAnotherNothingIsKnown)
+{
+    at(fraba).tell(Parameter::steps, 8'192);
+    ASSERT_TRUE(bus.replace(fraba, QStringLiteral("fraba-ocd-ib"), 0, 0));
+    bus.advance(10);
+    EXPECT_FALSE(at(fraba).known(Parameter::steps));
+    EXPECT_FALSE(at(fraba).knownBefore());
+    reconnect();
+    EXPECT_FALSE(at(fraba).knownBefore());
+}
+
 TEST_F(KnownKeeperTest, IsForgottenWithTheLink)
 {
     at(baumer).tell(Parameter::steps, 1'000);

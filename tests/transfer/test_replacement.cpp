@@ -83,6 +83,91 @@ TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsAllOfThem)
                 testing::HasSubstr("02001000 04000001 06000003 08000064 80000000"));
 }
 
+// It may have been read before it went, and then it is another one now.
+TEST_F(Replacing, WhatWasKnownOfTheOneBeforeIsNotTakenForTheNewOnes)
+{
+    ASSERT_TRUE(encoder(fraba).start(ReadParameters{{Parameter::steps, Parameter::revolutions}}));
+    bus.advance(2000);
+    const auto steps = encoder(fraba).known(Parameter::steps);
+    ASSERT_TRUE(steps && steps->evidence == Evidence::read);
+    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    device.wanted = {{Parameter::steps, steps->value}};
+    device.stored.clear();
+    const TransferPlan plan =
+        planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), std::nullopt, anywhere)});
+    ASSERT_FALSE(plan[0].hindrance);
+    EXPECT_FALSE(plan[0].write.rows.front().isThere);
+    EXPECT_FALSE(plan[0].write.rows.front().known);
+    EXPECT_TRUE(plan[0].write.job.onlyWhatDiffers) << "it is read first";
+    EXPECT_EQ(encoder(fraba).known(Parameter::steps), steps) << "a plan forgets nothing";
+    EXPECT_EQ(encoder(fraba).latest().mode, Mode::position);
+    const TransferAccount account = carryOut(plan);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::alreadyThere) << "found by reading";
+}
+
+// The position is its parameter 4 then: without it the encoder would not work.
+TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsThePositionAsItsPreset)
+{
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    bus.advance(50);
+    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    device.wanted = {{Parameter::steps, 4096},
+                     {Parameter::revolutions, 1},
+                     {Parameter::direction, 3},
+                     {Parameter::preset, 100}};
+    device.stored.clear();
+    const TransferPlan plan =
+        planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
+    ASSERT_FALSE(plan[0].hindrance);
+    EXPECT_TRUE(plan[0].write.lostAndNotWritten.empty());
+    const TransferAccount account = carryOut(plan);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(encoder(fraba).latest().position, 3000);
+    EXPECT_THAT(words(fraba).toStdString(),
+                testing::HasSubstr("02001000 04000001 06000003 08000BB8 80000000"));
+}
+
+TEST_F(Replacing, ThePlanSaysWhatAnEncoderLacksThatHasLostItsParameters)
+{
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    bus.advance(50);
+    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
+    device.stored.clear();
+    const TransferPlan plan =
+        planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), std::nullopt, anywhere)});
+    EXPECT_EQ(plan[0].write.lostAndNotWritten,
+              (std::vector<Parameter>{Parameter::direction, Parameter::preset}));
+    EXPECT_THAT(transfer_words::notes(plan[0]).join(u' ').toStdString(),
+                testing::HasSubstr("Without a value: direction, preset"));
+    const TransferAccount account = carryOut(plan);
+    EXPECT_FALSE(account.isDone());
+    for (const AccountRow &row : account.encoders[0].rows)
+        EXPECT_EQ(transfer_words::became(row), QStringLiteral("Acknowledged, not active"));
+}
+
+// It lost them after the plan was made.
+TEST_F(Replacing, NothingIsLeftOutAsAlreadyThereIfTheParametersAreLostMeanwhile)
+{
+    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    device.wanted = {{Parameter::steps, 4096},
+                     {Parameter::revolutions, 1},
+                     {Parameter::direction, 3},
+                     {Parameter::preset, 100}};
+    device.stored.clear();
+    TransferWish wish = wishToReplace(device, with("fraba-ocd-ib"), std::nullopt, anywhere);
+    wish.toPositionMode = false; // it is in position mode
+    const TransferPlan plan = planTransfer(buses, {wish});
+    ASSERT_TRUE(plan[0].write.job.onlyWhatDiffers);
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    bus.advance(50);
+    ASSERT_EQ(encoder(fraba).latest().in, 0x8600'0000u);
+    const TransferAccount account = carryOut(plan);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(account.count(Became::written), 4);
+}
+
 TEST_F(Replacing, WhatShowsNoPositionIsNotReplaced)
 {
     EncoderAccount account{.place = fraba, .isBegun = true, .leftIn = EncoderState::operation};

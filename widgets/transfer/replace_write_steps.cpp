@@ -46,20 +46,21 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
         if (isVisible() && !isBusy())
             showPlan();
     });
+    connect(&replacing.buses, &Buses::updated, this, &ReplaceWriteStep::followEncoder);
 }
 
-// Naming it discards what was known of the previous encoder, which must not be taken for the new one's.
 void ReplaceWriteStep::enter()
 {
     m_message->withdraw();
-    const Replacement &now = m_replacing.now;
-    EncoderBus *bus = m_replacing.buses.busOf(m_replacing.place);
-    if (bus && !places().hindranceToReplace(m_replacing.place)) { // otherwise another encoder may be there
-        const auto named = bus->name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
-        if (!named)
-            m_message->showMessage(Role::attention, refusalText(named.error()));
-    }
     showPlan();
+}
+
+// What is written to an encoder in error may be more.
+void ReplaceWriteStep::followEncoder()
+{
+    const EncoderSession *encoder = m_replacing.buses.encoder(m_replacing.place);
+    if (isVisible() && !m_isFixed && encoder != nullptr && encoder->latest().state != m_plannedIn)
+        showPlan();
 }
 
 ProjectPlaces ReplaceWriteStep::places() const
@@ -69,6 +70,10 @@ ProjectPlaces ReplaceWriteStep::places() const
 
 void ReplaceWriteStep::showPlan()
 {
+    if (m_isFixed)
+        return;
+    const EncoderSession *encoder = m_replacing.buses.encoder(m_replacing.place);
+    m_plannedIn = encoder != nullptr ? encoder->latest().state : EncoderState::notSeen;
     m_plan =
         planTransfer(m_replacing.buses,
                      {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position, places())});
@@ -86,8 +91,25 @@ bool ReplaceWriteStep::mayGoOn() const
     return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance && m_gate->isOpen();
 }
 
+// A job may have been started elsewhere since the plan was made.
+bool ReplaceWriteStep::leave()
+{
+    const EncoderSession *encoder = m_replacing.buses.encoder(m_replacing.place);
+    if (encoder != nullptr && encoder->runningJob())
+        showPlan();
+    return mayGoOn();
+}
+
 void ReplaceWriteStep::begin()
 {
+    m_isFixed = true;
+    const Replacement &now = m_replacing.now;
+    EncoderBus *bus = m_replacing.buses.busOf(m_replacing.place);
+    if (bus != nullptr && bus->encoder(m_replacing.place) != nullptr) {
+        const auto replaced = bus->replace(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
+        if (!replaced)
+            m_message->showMessage(Role::attention, refusalText(replaced.error()));
+    }
     const QString &serial = m_replacing.now.serialNumber;
     m_source = serial.isEmpty() ? m_replacing.project.project().title : tr("Serial number %1").arg(serial);
     m_progress->begin();

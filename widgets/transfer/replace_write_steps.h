@@ -26,11 +26,13 @@ public:
 
     void enter() override;
     void refresh() override { showPlan(); }
+    bool leave() override;
     bool mayGoOn() const override;
     bool mayGoBack() const override { return !m_round.isRunning(); }
     QString nextText() const override { return tr("&Write"); }
 
     bool isBusy() const { return m_round.isRunning(); }
+    // From now on nothing that was known of the previous encoder is known of the one that is there.
     void begin();
     void cancel();
     // Of the writing, once it has ended.
@@ -41,10 +43,13 @@ Q_SIGNALS:
 
 private:
     void showPlan();
+    void followEncoder();
     ProjectPlaces places() const;
 
     JobRound m_round;
     TransferPlan m_plan;
+    EncoderState m_plannedIn = EncoderState::notSeen; // what the encoder showed then
+    bool m_isFixed = false;                           // what is shown is being written
     QString m_source; // for the account: another project may be open when the writing ends
     TransferModel *m_model;
     TransferTable *m_table;

@@ -81,9 +81,12 @@ QStringList tipsOf(const EncoderSession *encoder, const std::optional<Known> &kn
     return {tip, tip, encoder != nullptr ? howKnown(known, *encoder) : tip, tip, tip, tip};
 }
 
-ReviewRow lineOf(const EncoderSession *encoder, Place place, const WriteRow &row)
+// The values are those of the new encoder if it replaces another.
+ReviewRow lineOf(const EncoderSession *encoder, const EncoderPlan &plan, const WriteRow &row)
 {
-    const DeviceDescription *device = encoder != nullptr ? &encoder->device() : nullptr;
+    const DeviceDescription *device = plan.newEncoder      ? &*plan.newEncoder
+                                      : encoder != nullptr ? &encoder->device()
+                                                           : nullptr;
     const QString thereAlready = TransferLines::tr("already there");
     return {.cells = {{},
                       parameterName(row.wanted.parameter),
@@ -100,7 +103,7 @@ ReviewRow lineOf(const EncoderSession *encoder, Place place, const WriteRow &row
                 : row.goesAlong
                     ? TransferLines::tr("Computed from the other values, which take effect once it is sent")
                     : TransferLines::tr("What will be sent for it")),
-            .place = place,
+            .place = plan.place,
             .isThere = row.isThere,
             .isHindered = row.hindrance.has_value(),
             .isOld = isOld(encoder)};
@@ -218,7 +221,7 @@ std::vector<ReviewRow> linesOf(const Buses &buses, const TransferPlan &plan)
         if (const auto old = ageNote(buses, there))
             lines.push_back(*old);
         for (const WriteRow &row : encoder.write.rows)
-            lines.push_back(lineOf(there, encoder.place, row));
+            lines.push_back(lineOf(there, encoder, row));
         for (const TransferCamRow &row : encoder.cams)
             lines.push_back(lineOf(encoder.place, row));
         if (!encoder.isWritten())

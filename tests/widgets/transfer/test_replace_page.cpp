@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
+#include "journal/known_keeper.h"
 #include "tests/widgets/transfer/transfer_test.h"
 #include "widgets/transfer/replace_page.h"
 
@@ -71,6 +72,81 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     EXPECT_EQ(messages.front(),
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
     EXPECT_TRUE(account().startsWith(QStringLiteral("Encoder replaced")));
+}
+
+// Another encoder may have been there then, but this one shows a position and was never away.
+TEST_F(ReplacePageTest, NothingOfThePastIsPreselectedAfterAPauseOfTheComputer)
+{
+    for (const int milliseconds : {3'000, 60'000}) {
+        session.bus.advance(milliseconds);
+        pass(200);
+        page.replace(fraba);
+        click("replaceNext");
+        EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked());
+        EXPECT_FALSE(find<QRadioButton>("positionLast")
+                         ->text()
+                         .contains(QStringLiteral("before the encoder went away")));
+    }
+    EXPECT_TRUE(find<QRadioButton>("positionLast")->text().contains(QStringLiteral("nobody saw")));
+}
+
+TEST_F(ReplacePageTest, APositionFromBeforeAnotherScaleIsNotPreselected)
+{
+    session.encoder(fraba).tell(Parameter::steps, 300);
+    pass(100);
+    exchange();
+    ASSERT_TRUE(
+        session.encoder(fraba).start(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}}));
+    pass(2000);
+    page.replace(fraba);
+    click("replaceNext");
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked());
+    EXPECT_TRUE(find<QRadioButton>("positionLast")->text().contains(QStringLiteral("scaled otherwise")));
+}
+
+// Nothing known of the old encoder is taken for the new one's, and nothing is forgotten before Write.
+TEST_F(ReplacePageTest, WhatIsKnownIsForgottenWhenWritingBegins)
+{
+    KnownKeeper keeper;
+    keeper.watch(session.bus);
+    session.encoder(fraba).tell(Parameter::steps, 4096);
+    session.encoder(fraba).tell(Parameter::zeroOffset, 12);
+    pass(100);
+    const auto position = session.encoder(fraba).latest().position;
+    ASSERT_TRUE(position);
+    page.replace(fraba);
+    type("replaceSerial", "555");
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    pass(100);
+    EXPECT_TRUE(text("replaceNote").startsWith(QStringLiteral("Values and cam programs to write: 2.")));
+    EXPECT_EQ(session.encoder(fraba).latest().position, position) << "the mode is still known";
+    EXPECT_TRUE(session.encoder(fraba).known(Parameter::zeroOffset));
+    click("replaceNext");
+    EXPECT_FALSE(session.encoder(fraba).known(Parameter::zeroOffset));
+    EXPECT_FALSE(session.encoder(fraba).knownBefore());
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->evidence, Evidence::read);
+}
+
+TEST_F(ReplacePageTest, AnEncoderThatHasLostItsParametersGetsAllOfThem)
+{
+    want(fraba, {{Parameter::steps, 4096},
+                 {Parameter::revolutions, 1},
+                 {Parameter::direction, 3},
+                 {Parameter::preset, 100}});
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    session.controls->setFault(TrainingFault::parametersLost, fraba.node, 1); // while the plan is read
+    pass(100);
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(session.encoder(fraba).latest().state, EncoderState::operation);
 }
 
 TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
