@@ -31,6 +31,7 @@ int main(int argc, char **argv)
     usualHandler = qInstallMessageHandler(dropSizeHints);
     QApplication application(argc, argv);
     codewheel::applyAppearance(application, {.scheme = codewheel::Scheme::light});
+    QApplication::setDoubleClickInterval(0); // what has just come is clicked at once (InlineMessage)
     testing::InitGoogleTest(&argc, argv);
     testing::UnitTest::GetInstance()->listeners().Append(new NoLanguage); // takes ownership
     return RUN_ALL_TESTS();

@@ -5,6 +5,7 @@
 #include "widgets/look/grid.h"
 
 #include <QAccessible>
+#include <QApplication>
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -61,6 +62,9 @@ InlineMessage::InlineMessage(QWidget *parent)
         withdraw();
         Q_EMIT closed();
     });
+    for (QAbstractButton *button :
+         std::initializer_list<QAbstractButton *>{m_action, m_otherAction, m_copy, m_close})
+        takeNoClickYet(button);
     m_action->hide();
     m_otherAction->hide();
     m_copy->hide();
@@ -74,14 +78,18 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
         withdraw();
         return;
     }
+    m_sinceMoved.start();
     m_role = role;
     setCommand({});
     rephrase(sentence);
     m_action->setText(actionText);
-    m_action->setToolTip(sentence);
+    const QString tip = Qt::convertFromPlainText(sentence); // a plain one would be as wide as the sentence
+    m_action->setToolTip(tip);
+    m_action->setAccessibleDescription(sentence);
     m_action->setVisible(!actionText.isEmpty());
     m_otherAction->setText(otherActionText);
-    m_otherAction->setToolTip(sentence);
+    m_otherAction->setToolTip(tip);
+    m_otherAction->setAccessibleDescription(sentence);
     m_otherAction->setVisible(!otherActionText.isEmpty());
     drawIcon();
     arrange();
@@ -169,6 +177,34 @@ QString InlineMessage::sentence() const
 void InlineMessage::addButton(QAbstractButton *button)
 {
     m_buttons->insertWidget(m_buttons->indexOf(m_close), button);
+    takeNoClickYet(button);
+}
+
+void InlineMessage::takeNoClickYet(QAbstractButton *button)
+{
+    button->installEventFilter(this);
+}
+
+bool InlineMessage::eventFilter(QObject *watched, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::Move:
+        m_sinceMoved.start();
+        return false;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+        return m_sinceMoved.isValid() && m_sinceMoved.elapsed() < QApplication::doubleClickInterval();
+    default:
+        return QFrame::eventFilter(watched, event);
+    }
+}
+
+// Something above it has come or gone.
+void InlineMessage::moveEvent(QMoveEvent *event)
+{
+    QFrame::moveEvent(event);
+    m_sinceMoved.start();
 }
 
 bool InlineMessage::hasActions() const

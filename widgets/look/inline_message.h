@@ -4,6 +4,7 @@
 #include "widgets/look/roles.h"
 #include "widgets/look/trouble.h"
 
+#include <QElapsedTimer>
 #include <QFrame>
 
 class QAbstractButton;
@@ -16,6 +17,8 @@ namespace codewheel {
 
 // A sentence shown where something went wrong: what happened and what to do, with an action if there is one.
 // Whoever shows it withdraws it when the cause is gone; the user can close it earlier. Hidden until then.
+// It may come, or move, just as the user clicks what was there before: for the time of a double click, its
+// buttons take no click. Keys are taken at once, for what has the focus stays where it is.
 class InlineMessage : public QFrame
 {
     Q_OBJECT
@@ -49,6 +52,8 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void moveEvent(QMoveEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
     void addButton(QAbstractButton *button); // after its actions
     void arrange();                          // after buttons were added or removed
@@ -58,13 +63,15 @@ private:
     void showText();
     void setCommand(const QString &command);
     void copyCommand();
+    void takeNoClickYet(QAbstractButton *button);
     bool hasActions() const;
 
     Role m_role = Role::attention;
     QString m_text;
     QString m_detail;
     QString m_command;
-    QBoxLayout *m_parts; // the sentence, and the buttons beside or, in a narrow panel, below it
+    QElapsedTimer m_sinceMoved; // came, moved, or became another message
+    QBoxLayout *m_parts;        // the sentence, and the buttons beside or, in a narrow panel, below it
     QBoxLayout *m_buttons;
     QLabel *m_icon;
     QLabel *m_sentence;

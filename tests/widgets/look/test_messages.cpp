@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QAccessibleInterface>
+#include <QApplication>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
@@ -126,6 +127,29 @@ TEST_F(InlineMessages, OffersWhatHelps)
     EXPECT_EQ(triggered.size(), 1);
     message.showMessage(Role::attention, sentence);
     EXPECT_EQ(buttonNamed(message, QStringLiteral("Operate")), nullptr);
+}
+
+// It comes between the mouse and what was to be clicked.
+TEST_F(InlineMessages, ForTheTimeOfADoubleClickItTakesNoClick)
+{
+    const QSignalSpy triggered(&message, &InlineMessage::actionTriggered);
+    const QSignalSpy closed(&message, &InlineMessage::closed);
+    message.showMessage(Role::attention, sentence, QStringLiteral("Operate"));
+    message.resize(message.sizeHint());
+    QAbstractButton *button = buttonNamed(message, QStringLiteral("Operate"));
+    ASSERT_NE(button, nullptr);
+    QApplication::setDoubleClickInterval(10 * 60 * 1'000);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTest::mouseDClick(button, Qt::LeftButton);
+    QTest::mouseClick(buttonNamed(message, QStringLiteral("Close this message")), Qt::LeftButton);
+    EXPECT_TRUE(triggered.isEmpty());
+    EXPECT_TRUE(closed.isEmpty());
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    EXPECT_EQ(triggered.size(), 1) << "a key goes where the focus is";
+    QApplication::setDoubleClickInterval(0); // it is over
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(triggered.size(), 2);
 }
 
 TEST(EmptyState, SaysWhatBelongsHereAndOffersIt)
