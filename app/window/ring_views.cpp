@@ -14,6 +14,7 @@
 #include "encoder/device_number.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/functions/function_questions.h"
 #include "widgets/gateway/gateway_panel.h"
 #include "widgets/gateway/registers_page.h"
 #include "widgets/help/help_topic.h"
@@ -274,7 +275,7 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
             tr("Writes the register that acknowledges the watchdog of the gateway, as the connection says"),
             {}};
     if (action == FaultAction::bringBack)
-        return {tr("Bring back"),
+        return {m_ring.bus()->isOperating() ? tr("Bring back") : tr("Operate, and bring back"),
                 tr("Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since")
                     .arg(fault.node.toString()),
                 m_ring.bus()->isRunning() ? QString() : tr("The bus does not run. Start it first.")};
@@ -306,11 +307,18 @@ void RingViews::act(const Fault &fault, FaultAction action)
     else if (action == FaultAction::acknowledge)
         m_ring.bus()->acknowledgeWatchdog();
     else if (action == FaultAction::run)
-        m_ring.bus()->sendRun(m_ring.bus()->placeOf(fault.node));
+        sendRun(m_ring.bus()->placeOf(fault.node));
     else if (action == FaultAction::bringBack)
         askToOperate([this, place = m_ring.bus()->placeOf(fault.node)] { m_ring.bus()->bringBack(place); });
     else
         m_master->toggleSegment(DeviceNumber::of(fault.cutOff).segment);
+}
+
+void RingViews::sendRun(Place place)
+{
+    const EncoderSession *encoder = m_ring.bus()->encoder(place.node);
+    if (encoder != nullptr && askToSendRun(m_parts.pages.window(), *encoder))
+        m_ring.bus()->sendRun(place);
 }
 
 QAction *RingViews::actionFor(DataCheck::Action action) const

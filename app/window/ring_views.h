@@ -57,6 +57,7 @@ public:
 private:
     void showCurrent() override;
     void leaveActions();
+    void sendRun(Place place);
     std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
     void showTraining();

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults anywhere are shown above the pages of the window.
-#include "app/window/bus_views.h"
+#include "app/window/ring_views.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "simulator/simulated_line.h"
+#include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "widgets/structure/fault_banner.h"
 #include "widgets/structure/structure_view.h"
+#include "words/k3_word.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -138,6 +140,42 @@ TEST_F(FaultBannerInWindow, HasItsButtonBesideTheSentenceWhereThatTakesLessHeigh
     const auto middle = [&](const QWidget &part) { return part.mapTo(&banner(), part.rect().center()).y(); };
     EXPECT_NEAR(middle(show), middle(**sentence), 2);
     EXPECT_LT(banner().height(), 2 * show.height());
+}
+
+// The position jumps to what becomes valid, and the controller sees it.
+TEST_F(FaultBannerInWindow, RunIsSentAfterAsking)
+{
+    send(test::baumer, 0x0200'00FF);
+    advance(100);
+    send(test::baumer, 0);
+    advance(100);
+    ASSERT_TRUE(button("sendRun").isVisible()) << banner().sentence().toStdString();
+    {
+        const test::Question question([](QWidget &box) { QTest::keyClick(&box, Qt::Key_Return); });
+        press("sendRun");
+        EXPECT_TRUE(question.text().startsWith(QStringLiteral("Send run to 2.0?")));
+        EXPECT_TRUE(
+            question.text().contains(QStringLiteral("IN (C20000FF) confirms Steps with the data 255")))
+            << question.text().toStdString();
+    }
+    advance(500);
+    EXPECT_EQ(in(test::baumer), 0xC200'00FFu) << "the default is Cancel";
+    const test::Question question = test::Question::answeredBy(QStringLiteral("Send run"));
+    press("sendRun");
+    advance(500);
+    EXPECT_TRUE(k3::isOperation(in(test::baumer)));
+}
+
+// In Watch nothing is written, unless a button says that it leaves Watch.
+TEST_F(FaultBannerInWindow, BringBackSaysThatItGoesToOperate)
+{
+    const auto *views = window().findChild<RingViews *>();
+    ASSERT_NE(views, nullptr);
+    const Fault left{.node = test::fraba.node, .text = {}, .actions = {FaultAction::bringBack}};
+    EXPECT_EQ(views->offer(left, FaultAction::bringBack).text, QStringLiteral("Bring back"));
+    actions().watch->trigger();
+    advance(99);
+    EXPECT_EQ(views->offer(left, FaultAction::bringBack).text, QStringLiteral("Operate, and bring back"));
 }
 
 // Of all that can be done about faults, only what is offered takes its place.

@@ -11,6 +11,7 @@
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/functions/function_questions.h"
 #include "widgets/job/job_strip.h"
 #include "widgets/job/known_text.h"
 #include "widgets/job/outcome_text.h"
@@ -306,7 +307,7 @@ void CamEditor::readRange()
 
 void CamEditor::bringBack()
 {
-    if (m_cause == Cause::outcome)
+    if (m_cause == Cause::outcome && session() && askToSendRun(window(), *session()))
         start(CamJobs::Purpose::switchMode, EndParameterization{});
 }
 

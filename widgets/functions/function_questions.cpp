@@ -2,6 +2,7 @@
 #include "widgets/functions/function_questions.h"
 
 #include "catalog/device_description.h"
+#include "drivers/what_run_makes_valid.h"
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/dial/now_and_then.h"
@@ -59,8 +60,10 @@ private:
     QPointer<QWidget> m_picture;
 };
 
-bool confirm(QWidget *window, const char *topic, const QString &question, const QStringList &paragraphs,
-             const QString &doIt, const QString &toolTip, QWidget *picture = nullptr)
+// Lapses when the encoder goes, or takes up a job.
+bool confirm(QWidget *window, const EncoderSession &encoder, const char *topic, const QString &question,
+             const QStringList &paragraphs, const QString &doIt, const QString &toolTip,
+             QWidget *picture = nullptr)
 {
     BoxWithPicture box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
     setHelpTopic(box, topic);
@@ -70,6 +73,8 @@ bool confirm(QWidget *window, const char *topic, const QString &question, const 
     yes->setToolTip(toolTip);
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));
     box.setPicture(picture);
+    QObject::connect(&encoder, &QObject::destroyed, &box, &QDialog::reject);
+    QObject::connect(&encoder, &EncoderSession::jobStarted, &box, &QDialog::reject);
     box.exec();
     return box.clickedButton() == yes;
 }
@@ -135,7 +140,7 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder)
 {
-    return confirm(window, "manufacturer-functions.md#the-mode",
+    return confirm(window, encoder, "manufacturer-functions.md#the-mode",
                    Functions::tr("Leave cam mode at %1?").arg(encoder.place().shown()),
                    {Functions::tr("The cams switch no more. A cam program that was changed is stored when it "
                                   "is left: one EEPROM write.")},
@@ -148,7 +153,7 @@ bool askForFrabaPreset(QWidget *window, EncoderSession &encoder)
     const QString value = preset ? valueWithUnit(encoder.device(), {Parameter::preset, preset->value})
                                  : Functions::tr("not known: read it, or write one, under Parameters");
     return confirm(
-        window, "manufacturer-functions.md#the-two-presets-of-a-fraba-encoder",
+        window, encoder, "manufacturer-functions.md#the-two-presets-of-a-fraba-encoder",
         Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().shown()),
         {Functions::tr(
              "FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
@@ -166,12 +171,23 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
             ? Functions::tr("Afterwards the encoder is read, to see what it has then.")
             : Functions::tr(
                   "It cannot be read: afterwards it is assumed to have the factory settings of its manual.");
-    return confirm(window, "manufacturer-functions.md#reset",
+    return confirm(window, encoder, "manufacturer-functions.md#reset",
                    Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
                    {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)),
                     eepromWriteText(encoder), after},
                    Functions::tr("&Reset"),
                    Functions::tr("Sends 0E000000, then run. This cannot be undone."));
+}
+
+bool askToSendRun(QWidget *window, const EncoderSession &encoder)
+{
+    return confirm(
+        window, encoder, "parameters.md#write", Functions::tr("Send run to %1?").arg(encoder.place().shown()),
+        {whatRunMakesValid(encoder),
+         Functions::tr("The encoder then gives its position by these values: it can jump, and what "
+                       "the controller drives by it can move. Which position it will read is not "
+                       "known.")},
+        Functions::tr("&Send run"), Functions::tr("Sends 80000000, then 00000000"));
 }
 
 } // namespace codewheel

@@ -6,6 +6,7 @@
 #include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/functions/encoder_functions.h"
+#include "widgets/functions/function_questions.h"
 #include "widgets/job/job_strip.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/job/outcome_text.h"
@@ -145,7 +146,7 @@ void ParameterPanel::connectParts()
     connect(m_copyAs, &CopyMenu::chosen, this, &ParameterPanel::copyWords);
     connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
-    connect(m_message, &InlineMessage::actionTriggered, this, [this] { start(EndParameterization{}); });
+    connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
     for (JobReview *review : {static_cast<JobReview *>(m_review), static_cast<JobReview *>(m_presetReview)}) {
         connect(review, &JobReview::cancelled, this, [this] {
@@ -343,6 +344,14 @@ void ParameterPanel::start(const Job &job)
     const auto taken = session()->start(job);
     if (!taken)
         showMessage(Cause::refusal, Role::attention, refusalText(taken.error()));
+}
+
+// Where the service ends, nothing becomes valid.
+void ParameterPanel::bringBack()
+{
+    if (session() &&
+        (session()->latest().state == EncoderState::service || askToSendRun(window(), *session())))
+        start(EndParameterization{});
 }
 
 void ParameterPanel::showRefusal(const Refusal &why)

@@ -68,6 +68,7 @@ private:
     void read();
     void review();
     void start(const Job &job);
+    void bringBack();
     void takeKnownAsWanted();
     void askWhatItHas();
     void askWherePositionIs();

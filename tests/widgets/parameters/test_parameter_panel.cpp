@@ -3,6 +3,7 @@
 #include "catalog/catalog.h"
 #include "ring/ring_session.h"
 #include "simulator/training_bus.h"
+#include "tests/app/question.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
@@ -464,6 +465,16 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
               QStringLiteral("The job was cancelled. The encoder is in parameterization: it gives no "
                              "position until run is sent."));
 
+    {
+        const test::Question question([](QWidget &box) { QTest::keyClick(&box, Qt::Key_Return); });
+        click(QStringLiteral("Send run"));
+        EXPECT_TRUE(question.text().startsWith(QStringLiteral("Send run to 1.0?")));
+        EXPECT_TRUE(question.text().contains(QStringLiteral("what it has taken, from here: Steps = 255")))
+            << question.text().toStdString();
+        EXPECT_TRUE(question.text().contains(QStringLiteral("it can jump")));
+    }
+    EXPECT_FALSE(bus.encoder(fraba)->runningJob()) << "the default is Cancel";
+    const test::Question question = test::Question::answeredBy(QStringLiteral("Send run"));
     click(QStringLiteral("Send run"));
     finishJob();
     EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::operation);
