@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 960 x 600 logical pixels are enough for every page and panel, for gloves too.
+#include "esc_line/line_session.h"
 #include "language.h"
 #include "tests/app/window_test.h"
+#include "tests/support/cut_off.h"
+#include "widgets/job/cancel_question.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/line/request_field.h"
 #include "widgets/look/appearance.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/word_card.h"
 #include "widgets/monitor/word_sender.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/parameters/write_review.h"
 #include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
@@ -22,8 +31,12 @@
 #include <QPoint>
 #include <QPushButton>
 #include <QRect>
+#include <QRegion>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSize>
 #include <QStatusBar>
+#include <QTableView>
 #include <QTest>
 #include <QTreeView>
 
@@ -73,6 +86,20 @@ protected:
         EXPECT_EQ(window().size(), smallest) << what.toStdString();
         EXPECT_LE(window().minimumSizeHint().width(), smallest.width()) << what.toStdString();
         EXPECT_LE(window().minimumSizeHint().height(), smallest.height() - titleBar) << what.toStdString();
+    }
+    static void expectWhole(const QWidget &part)
+    {
+        EXPECT_EQ(part.visibleRegion().boundingRect(), part.rect()) << part.objectName().toStdString();
+    }
+    // Of the first encoder, in front.
+    QDockWidget &parameterPanel()
+    {
+        window().findChild<StructureView *>()->choose(test::fraba);
+        auto &panel = *window().findChild<QDockWidget *>(QStringLiteral("parametersDock"));
+        panel.show();
+        panel.raise();
+        advance(50);
+        return panel;
     }
 
 private:
@@ -141,6 +168,100 @@ TEST_P(SmallWindow, LeavesWriteInSight)
                     << panel->windowTitle().toStdString();
             }
     }
+}
+
+// Rows and notes scroll; what it costs and the buttons stay.
+TEST_P(SmallWindow, AReviewShowsTwoRowsWhatItCostsAndItsButtons)
+{
+    window().findChild<WantedValues *>()->replace(test::fraba,
+                                                  {{Parameter::steps, 255},
+                                                   {Parameter::revolutions, 1},
+                                                   {Parameter::direction, 3},
+                                                   {Parameter::preset, 100}},
+                                                  QStringLiteral("Test"));
+    auto &panel = parameterPanel();
+    panel.findChild<QPushButton *>(QStringLiteral("writeParameters"))->click();
+    expectSmall(QStringLiteral("review"));
+    const auto &review = *panel.findChild<WriteReview *>();
+    ASSERT_TRUE(review.isVisible());
+    const auto &table = *review.findChild<QTableView *>();
+    ASSERT_EQ(table.model()->rowCount(), 4);
+    const QRect twoRows(0, 0, table.viewport()->width(), table.rowViewportPosition(1) + table.rowHeight(1));
+    EXPECT_TRUE(QRegion(twoRows).subtracted(table.viewport()->visibleRegion()).isEmpty())
+        << table.viewport()->visibleRegion().boundingRect().height() << " of " << twoRows.height();
+    for (const char *id : {"eepromCost", "confirmWrite"})
+        expectWhole(*review.findChild<QWidget *>(QLatin1String(id)));
+    QScrollBar &bar = *review.findChild<QScrollArea *>()->verticalScrollBar();
+    for (int at = bar.minimum();; at += bar.pageStep()) {
+        bar.setValue(at);
+        for (const QString &cut : test::cutOff(panel))
+            ADD_FAILURE() << cut.toStdString();
+        if (at >= bar.maximum())
+            break;
+    }
+    const auto *count = review.findChild<QWidget *>(QStringLiteral("eepromCount"));
+    EXPECT_TRUE(count->visibleRegion().boundingRect().bottom() == count->rect().bottom())
+        << "the last of the notes";
+}
+
+TEST_P(SmallWindow, TheQuestionHowToCancelShowsItsButtons)
+{
+    auto &panel = parameterPanel();
+    shown->controls().setFault(TrainingFault::slowConfirmation, test::fraba.node, 1);
+    EncoderSession &encoder = *bus().encoder(test::fraba);
+    encoder.tell(Parameter::startUpMode, 1); // position mode
+    ASSERT_TRUE(encoder.start(
+        WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}}, .previous = {}}));
+    bool hasTaken = false;
+    const QObject listener;
+    QObject::connect(&encoder, &EncoderSession::progressed, &listener,
+                     [&](const Progress &progress) { hasTaken = !progress.confirmed.empty(); });
+    for (int i = 0; i < 3'000 && !hasTaken; ++i)
+        advance(1);
+    ASSERT_TRUE(hasTaken);
+    panel.findChild<QPushButton *>(QStringLiteral("cancelJob"))->click();
+    expectSmall(QStringLiteral("how to cancel"));
+    const auto &question = *panel.findChild<CancelQuestion *>();
+    ASSERT_TRUE(question.isVisible());
+    for (const auto *button : question.findChildren<QPushButton *>())
+        expectWhole(*button);
+    for (const QString &cut : test::cutOff(panel))
+        ADD_FAILURE() << cut.toStdString();
+    const auto *text = question.findChild<QLabel *>();
+    EXPECT_GE(text->visibleRegion().boundingRect().height(), 2 * text->fontMetrics().height());
+    EXPECT_GE(text->height(), text->heightForWidth(text->width())) << "the rest can be scrolled to";
+    question.findChildren<QPushButton *>().last()->click(); // go on
+    EXPECT_TRUE(panel.findChild<ParameterTable *>()->isVisible());
+}
+
+TEST_P(SmallWindow, TheQuestionBeforeAWriteOnTheLineIsWhole)
+{
+    auto &terminal = *window().findChild<LineTerminal *>();
+    auto *dock = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
+    ASSERT_NE(dock, nullptr);
+    dock->show();
+    dock->raise();
+    shown->line().session()->setOperate(true);
+    advance(2'000);
+    auto *field = terminal.findChild<RequestField *>();
+    field->setFocus();
+    field->setText(QStringLiteral("05GP000003E9"));
+    QTest::keyClick(field, Qt::Key_Return);
+    advance(50);
+    expectSmall(QStringLiteral("question of the terminal"));
+    const InlineMessage *question = nullptr;
+    for (const auto *message : terminal.findChildren<InlineMessage *>())
+        if (message->isVisible())
+            question = message;
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->sentence().contains(QStringLiteral("1B 30 35 47 50")))
+        << question->sentence().toStdString();
+    expectWhole(*question);
+    for (const QString &cut : test::cutOff(terminal))
+        ADD_FAILURE() << cut.toStdString();
+    for (const auto *button : question->findChildren<QPushButton *>())
+        EXPECT_TRUE(button->toolTip().isEmpty() || Qt::mightBeRichText(button->toolTip()))
+            << "it wraps: " << button->toolTip().toStdString();
 }
 
 TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)

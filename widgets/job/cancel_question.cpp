@@ -5,6 +5,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/known_text.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/models/device_traits.h"
@@ -107,7 +108,9 @@ CancelQuestion::CancelQuestion(QWidget *parent)
     m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid"));
     m_leave->setToolTip(tr("OUT goes back to 0, and the encoder keeps the state it is in"));
     m_goOn->setToolTip(tr("The job goes on"));
-    layOutColumn(this, {m_text, m_restore, m_run, m_leave, m_goOn}, {.margins = QMargins()});
+    m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    layOutColumn(this, {{new ContentScrollArea(m_text, this), 1}, m_restore, m_run, m_leave, m_goOn},
+                 {.margins = QMargins()});
     connect(m_restore, &QPushButton::clicked, this, [this] { answer(OnCancel::restorePrevious); });
     connect(m_run, &QPushButton::clicked, this, [this] { answer(OnCancel::runWithWhatItHas); });
     connect(m_leave, &QPushButton::clicked, this, [this] { answer(OnCancel::leaveAsIs); });

@@ -15,33 +15,49 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QKeyEvent>
 #include <QPushButton>
-#include <QTableView>
+#include <QScrollBar>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
 
 constexpr int narrowestColumn = 50; // px: longer texts wrap
+constexpr int rowsInSight = 2;
+constexpr int mostInSight = 8 * grid::largeIcon; // px, where texts wrap much
+
+QString atMostText(int writes)
+{
+    return JobReview::tr("EEPROM writes by this: at most %1.").arg(writes);
+}
+
+QString statedText(const EncoderSession &encoder)
+{
+    const auto budget = encoder.can().eepromBudget;
+    return budget ? JobReview::tr("The manual states about %1 writes for the encoder's life.").arg(*budget)
+                  : QString();
+}
 
 } // namespace
 
 QString eepromCostText(const EncoderSession &encoder, int atMost)
 {
-    QString text = JobReview::tr("EEPROM writes by this: at most %1.").arg(atMost);
-    if (const auto budget = encoder.can().eepromBudget)
-        text +=
-            u' ' + JobReview::tr("The manual states about %1 writes for the encoder's life.").arg(*budget);
-    return text;
+    return QStringLiteral("%1 %2").arg(atMostText(atMost), statedText(encoder)).trimmed();
 }
 
 JobReview::JobReview(const char *id, QWidget *parent)
     : QWidget(parent)
     , m_model(new ReviewTable(this))
-    , m_table(new QTableView(this))
-    , m_problem(new InlineMessage(this))
-    , m_notes(wrappedLabel(this))
-    , m_gate(new EepromGate(this))
+    , m_parts(new QWidget(this))
+    , m_area(new ContentScrollArea(m_parts, this))
+    , m_table(new WholeTable(m_parts))
+    , m_problem(new InlineMessage(m_parts))
+    , m_notes(wrappedLabel(m_parts))
+    , m_gate(new EepromGate(m_parts))
+    , m_cost(wrappedLabel(this, "eepromCost"))
     , m_options(new QHBoxLayout)
     , m_writeAll(new QCheckBox(tr("Write &all, including what is there"), this))
     , m_write(new QPushButton(lineIcon(Icon::write), {}, this))
@@ -57,7 +73,6 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // no value may be out of sight
-    m_table->setMinimumHeight(2 * grid::largeIcon);
     WrappedCells::useIn(*m_table);
     m_writeAll->setToolTip(tr("Writes everything that is wanted once more. That costs EEPROM writes."));
     m_write->setObjectName(QLatin1String(id));
@@ -66,15 +81,35 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_write->hide(); // until it is known what it writes
     m_cancel->setToolTip(tr("Back; nothing is sent (Esc)"));
 
-    m_options->addWidget(m_writeAll, 1);
-    layOutColumn(this,
-                 {{m_table, 1}, m_problem, m_notes, m_gate, m_options, layOutRow({{m_write, 1}, m_cancel})},
-                 {.margins = QMargins()});
-
+    layOut();
     connect(m_writeAll, &QCheckBox::toggled, this, &JobReview::showContents);
     connect(m_gate, &EepromGate::changed, this, &JobReview::allow);
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_job); });
     connect(m_cancel, &QPushButton::clicked, this, &JobReview::cancelled);
+    connect(m_table, &WholeTable::heightChanged, this, &JobReview::keepRowsInSight);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &JobReview::showCurrentRow);
+}
+
+void JobReview::layOut()
+{
+    m_options->addWidget(m_writeAll, 1);
+    layOutColumn(m_parts, {m_problem, {m_table, 1}, m_notes, m_options, m_gate}, {.margins = QMargins()});
+    layOutColumn(this, {{m_area, 1}, m_cost, layOutRow({{m_write, 1}, m_cancel})}, {.margins = QMargins()});
+}
+
+void JobReview::keepRowsInSight()
+{
+    if (!m_table->isHidden())
+        m_area->setMinimumHeight(std::min(m_table->heightOf(rowsInSight), mostInSight));
+}
+
+// By the keyboard.
+void JobReview::showCurrentRow(const QModelIndex &index)
+{
+    const QRect row = m_table->visualRect(index);
+    const QPoint middle = m_table->viewport()->mapTo(m_parts, row.center());
+    m_area->ensureVisible(middle.x(), middle.y(), 0, row.height());
 }
 
 void JobReview::addTitle(QWidget *title)
@@ -84,9 +119,10 @@ void JobReview::addTitle(QWidget *title)
 
 void JobReview::showInstead(QWidget *picture)
 {
-    auto *rows = static_cast<QBoxLayout *>(layout());
-    rows->insertWidget(rows->indexOf(m_table), new ContentScrollArea(picture, this), 1);
+    auto *rows = static_cast<QBoxLayout *>(m_parts->layout());
+    rows->insertWidget(rows->indexOf(m_table), picture, 1);
     m_table->hide();
+    m_area->setMinimumHeight(0);
 }
 
 void JobReview::addOption(QWidget *option)
@@ -115,6 +151,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     });
     m_writeAll->setChecked(false);
     showContents();
+    m_area->verticalScrollBar()->setValue(0);
     (m_write->isEnabled() ? m_write : m_cancel)->setFocus();
 }
 
@@ -125,21 +162,33 @@ void JobReview::showContents()
     Contents shown = contents(*m_encoder, m_writeAll->isChecked());
     m_job = std::move(shown.job);
     m_model->show(std::move(shown.rows));
-    const int writes = m_model->rowCount() == 0 ? 0 : mostEepromWrites(*m_encoder, m_job);
+    m_writes = m_model->rowCount() == 0 ? 0 : mostEepromWrites(*m_encoder, m_job);
     m_write->setText(shown.write);
-    m_gate->setWrites(*m_encoder, writes);
+    m_gate->setWrites(*m_encoder, m_writes);
     allow();
     if (shown.problem)
         m_problem->showMessage(Role::attention, refusalText(*shown.problem));
     else
         m_problem->withdraw();
-    shown.notes << eepromCostText(*m_encoder, writes);
+    shown.notes << statedText(*m_encoder);
+    shown.notes.removeAll(QString());
     m_notes->setText(shown.problem ? QString() : shown.notes.join(u'\n'));
+    m_cost->setVisible(!shown.problem);
 }
 
 void JobReview::allow()
 {
     m_write->setEnabled(m_model->rowCount() > 0 && m_gate->isOpen());
+    showCost();
+}
+
+// What has to be agreed to may be further down.
+void JobReview::showCost()
+{
+    QStringList sentences{atMostText(m_writes)};
+    if (!m_gate->isOpen())
+        sentences << tr("Agree to that first, at the end of the list.");
+    m_cost->setText(sentences.join(u' '));
 }
 
 void JobReview::keyPressEvent(QKeyEvent *event)

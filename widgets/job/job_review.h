@@ -3,6 +3,7 @@
 
 #include "encoder/encoder_session.h"
 #include "widgets/job/review_table.h"
+#include "widgets/job/whole_table.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -11,10 +12,10 @@ class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QPushButton;
-class QTableView;
 
 namespace codewheel {
 
+class ContentScrollArea;
 class EepromGate;
 class InlineMessage;
 
@@ -22,7 +23,8 @@ class InlineMessage;
 QString eepromCostText(const EncoderSession &encoder, int atMost);
 
 // Shown before anything is written: what will change, what is sent for it, what it costs. Follows what
-// becomes known of the encoder. The parameter panel and the cam editor derive theirs.
+// becomes known of the encoder. In a low panel rows and notes scroll; two rows, the EEPROM writes and the
+// buttons are always in sight. The parameter panel and the cam editor derive theirs.
 class JobReview : public QWidget
 {
     Q_OBJECT
@@ -58,15 +60,23 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
+    void layOut();
     void allow();
+    void showCost();
+    void keepRowsInSight();
+    void showCurrentRow(const QModelIndex &index);
 
     QPointer<EncoderSession> m_encoder;
     Job m_job;
+    int m_writes = 0; // to the EEPROM, at most
     ReviewTable *m_model;
-    QTableView *m_table;
+    QWidget *m_parts; // rows and notes
+    ContentScrollArea *m_area;
+    WholeTable *m_table;
     InlineMessage *m_problem;
     QLabel *m_notes;
     EepromGate *m_gate;
+    QLabel *m_cost;
     QBoxLayout *m_options;
     QCheckBox *m_writeAll;
     QPushButton *m_write;

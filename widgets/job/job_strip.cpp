@@ -8,6 +8,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/wrapped_label.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
@@ -58,9 +59,23 @@ void JobStrip::layOut()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_step);
     layout->addLayout(row);
-    if (m_question)
-        layout->addWidget(m_question);
+    if (m_question) {
+        layout->addWidget(m_question, 1);
+        m_question->installEventFilter(this);
+    }
     setFocusProxy(m_button);
+}
+
+// All else gives way to the question.
+bool JobStrip::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool comes = event->type() == QEvent::ShowToParent;
+    if (watched == m_question && (comes || event->type() == QEvent::HideToParent)) {
+        for (QWidget *part : std::initializer_list<QWidget *>{m_step, m_bar, m_button})
+            part->setVisible(!comes);
+        Q_EMIT asks(comes);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void JobStrip::setEncoder(EncoderSession *encoder)
@@ -69,8 +84,10 @@ void JobStrip::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     m_cancel->begin(encoder);
-    if (encoder != nullptr)
-        connect(encoder, &EncoderSession::progressed, this, &JobStrip::showProgress);
+    if (encoder == nullptr)
+        return;
+    connect(encoder, &EncoderSession::progressed, this, &JobStrip::showProgress);
+    connect(encoder, &EncoderSession::finished, this, [this] { m_cancel->begin(m_encoder); }); // asks no more
 }
 
 void JobStrip::begin()

@@ -64,6 +64,7 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QWidget *makePage();
@@ -80,6 +81,7 @@ private:
     void add(const TrafficRow &row);
     void showCounts();
     void showWhatIsPossible();
+    void keepQuestionWhole();
     bool isConnected() const;
     bool hasJob() const;
 
@@ -91,6 +93,7 @@ private:
     TrafficModel *m_rows;
     QStackedWidget *m_pages;
     QStackedWidget *m_content = nullptr; // the table, or its empty state
+    QWidget *m_rowOptions = nullptr;
     LineRowTable *m_table;
     LineRecordView *m_record;
     QAction *m_follow = nullptr;

@@ -14,9 +14,11 @@
 #include "widgets/monitor/meaning_line.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -75,13 +77,13 @@ QWidget *LineTerminal::makePage()
         page));
     m_content->setMinimumHeight(2 * grid::largeIcon);
     rows->addWidget(m_content, 1);
-    auto *options = new QHBoxLayout;
-    options->setSpacing(grid::margin);
+    m_rowOptions = new QWidget(page);
+    auto *options = layOut<QHBoxLayout>(m_rowOptions, grid::margin);
     auto *columns = new LineRowOptions(*m_table, page);
     connect(columns, &LineRowOptions::changed, this, &LineTerminal::showCounts);
     options->addWidget(columns);
     options->addWidget(m_counts, 1);
-    rows->addLayout(options);
+    rows->addWidget(m_rowOptions);
     makeSending(*rows);
     return page;
 }
@@ -123,8 +125,28 @@ void LineTerminal::makeTools(QToolBar &bar)
     connect(m_bringBack, &QAction::triggered, m_rows, &TrafficModel::bringBack);
 }
 
+// The rows give way to the question before a write, all of which has to be read.
+bool LineTerminal::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool comes = event->type() == QEvent::ShowToParent;
+    if (watched == m_question && (comes || event->type() == QEvent::HideToParent))
+        for (QWidget *part : std::initializer_list<QWidget *>{m_content, m_rowOptions})
+            part->setVisible(!comes);
+    if (watched == m_question && (comes || event->type() == QEvent::Resize)) // once it is arranged
+        QTimer::singleShot(0, this, &LineTerminal::keepQuestionWhole);
+    return QWidget::eventFilter(watched, event);
+}
+
+// A panel does not know that lines wrap.
+void LineTerminal::keepQuestionWhole()
+{
+    if (!m_question->isHidden())
+        m_question->setMinimumHeight(m_question->heightForWidth(m_question->width()));
+}
+
 void LineTerminal::makeSending(QVBoxLayout &rows)
 {
+    m_question->installEventFilter(this);
     rows.addWidget(m_question);
     rows.addWidget(m_message);
     auto *label = new QLabel(tr("Request"), this);

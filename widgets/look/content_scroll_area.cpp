@@ -29,9 +29,8 @@ ContentScrollArea::ContentScrollArea(QWidget *content, QWidget *parent)
 QSize ContentScrollArea::sizeHint() const
 {
     const QSize content = widget()->sizeHint();
-    const int height =
-        widget()->hasHeightForWidth() ? widget()->heightForWidth(viewport()->width()) : content.height();
-    return {content.width(), height};
+    const bool wraps = m_hasWidth && widget()->hasHeightForWidth();
+    return {content.width(), wraps ? widget()->heightForWidth(viewport()->width()) : content.height()};
 }
 
 QSize ContentScrollArea::minimumSizeHint() const
@@ -47,10 +46,19 @@ bool ContentScrollArea::eventFilter(QObject *watched, QEvent *event)
     return QScrollArea::eventFilter(watched, event);
 }
 
+// A content without a layout, like a label, tells its parent.
+bool ContentScrollArea::viewportEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest)
+        updateGeometry();
+    return QScrollArea::viewportEvent(event);
+}
+
 // At another width, lines wrap at other places.
 void ContentScrollArea::resizeEvent(QResizeEvent *event)
 {
     QScrollArea::resizeEvent(event);
+    m_hasWidth = true;
     if (event->size().width() != event->oldSize().width())
         updateGeometry();
 }

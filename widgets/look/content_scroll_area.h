@@ -18,7 +18,11 @@ public:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+    bool viewportEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+
+private:
+    bool m_hasWidth = false; // before the first layout it is any
 };
 
 } // namespace codewheel

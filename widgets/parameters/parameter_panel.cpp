@@ -67,12 +67,13 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
 QWidget *ParameterPanel::makeTablePage()
 {
     auto *page = new QWidget(this);
-    m_table = new ParameterTable(*m_model, page);
-    m_differences = new RoleLabel(page);
-    m_message = new InlineMessage(page);
+    m_values = new QWidget(page);
+    m_table = new ParameterTable(*m_model, m_values);
+    m_differences = new RoleLabel(m_values);
+    m_message = new InlineMessage(m_values);
     m_message->setObjectName(QStringLiteral("panelMessage"));
-    m_before = new KnownBeforeBar(page);
-    m_bar = new ValueBar(page);
+    m_before = new KnownBeforeBar(m_values);
+    m_bar = new ValueBar(m_values);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
     const auto smallText = [page] {
@@ -84,10 +85,9 @@ QWidget *ParameterPanel::makeTablePage()
     m_valueNotes = smallText();
     m_note = smallText();
 
-    layOutColumn(
-        page,
-        {{m_table, 1}, m_before, m_message, m_bar, m_differences, m_valueNotes, m_buttons, m_job, m_note},
-        {.margins = QMargins()});
+    layOutColumn(m_values, {{m_table, 1}, m_before, m_message, m_bar, m_differences, m_valueNotes},
+                 {.margins = QMargins()});
+    layOutColumn(page, {{m_values, 1}, m_buttons, m_job, m_note}, {.margins = QMargins()});
     return page;
 }
 
@@ -148,6 +148,10 @@ void ParameterPanel::connectParts()
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
+    connect(m_job, &JobStrip::asks, this, [this](bool isAsking) {
+        m_values->setVisible(!isAsking);
+        m_note->setVisible(!isAsking && !m_note->text().isEmpty());
+    });
     for (JobReview *review : {static_cast<JobReview *>(m_review), static_cast<JobReview *>(m_presetReview)}) {
         connect(review, &JobReview::cancelled, this, [this] {
             m_pages->setCurrentWidget(m_tablePage);

@@ -99,6 +99,7 @@ private:
     QWidget *m_tablePage = nullptr;
     WriteReview *m_review;
     PresetReview *m_presetReview;
+    QWidget *m_values = nullptr; // all above the buttons
     ParameterTable *m_table = nullptr;
     RoleLabel *m_differences = nullptr;
     QLabel *m_valueNotes = nullptr;

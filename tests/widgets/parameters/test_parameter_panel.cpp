@@ -497,9 +497,14 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     click(QStringLiteral("Cancel"));
     ASSERT_NE(button(QStringLiteral("Restore earlier values")), nullptr);
     EXPECT_FALSE(button(QStringLiteral("Restore earlier values"))->isEnabled());
+    EXPECT_FALSE(table().isVisible()) << "the question has its room";
     click(QStringLiteral("Go on with the handshake"));
+    EXPECT_TRUE(table().isVisible());
+    click(QStringLiteral("Cancel"));
+    EXPECT_FALSE(table().isVisible());
     training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 0);
     finishJob(baumer);
+    EXPECT_TRUE(table().isVisible()) << "there is nothing left to cancel";
     EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
         << message().toStdString();
 }
