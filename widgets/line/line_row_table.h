@@ -10,7 +10,7 @@
 namespace codewheel {
 
 // The rows of a line, on request without the program's own requests, which would push away what was typed.
-// Hidden rows are kept.
+// Hidden rows are kept until there are too many.
 class LineRowFilter : public QSortFilterProxyModel
 {
     Q_OBJECT

@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -98,6 +99,13 @@ public:
 
     // The oldest rows, where a table is bounded.
     void removeFirst(int count) { removeSpan(0, std::min(count, rowCount())); }
+    // Rows anywhere, one flag for each row. All at once, so that the cost does not grow with the gaps between
+    // them.
+    void removeChosen(const std::vector<bool> &chosen)
+    {
+        moveToFront(chosen);
+        removeFirst(static_cast<int>(std::ranges::count(chosen, true)));
+    }
 
 protected:
     virtual int columns() const = 0;
@@ -105,6 +113,29 @@ protected:
     virtual QVariant cell(const Row &row, int column, int role) const = 0;
 
 private:
+    // In their order, and the others behind them in theirs.
+    void moveToFront(const std::vector<bool> &chosen)
+    {
+        if (std::ranges::is_sorted(chosen, std::greater<>()))
+            return;
+        int front = 0;
+        int behind = static_cast<int>(std::ranges::count(chosen, true));
+        std::vector<int> rowNow(m_rows.size());
+        for (std::size_t i = 0; i < m_rows.size(); ++i)
+            rowNow[i] = chosen[i] ? front++ : behind++;
+        Q_EMIT layoutAboutToBeChanged();
+        std::vector<Row> moved(m_rows.size());
+        for (std::size_t i = 0; i < m_rows.size(); ++i)
+            moved[static_cast<std::size_t>(rowNow[i])] = std::move(m_rows[i]);
+        m_rows = std::move(moved);
+        const QModelIndexList before = persistentIndexList();
+        QModelIndexList now;
+        for (const QModelIndex &kept : before)
+            now << index(rowNow[static_cast<std::size_t>(kept.row())], kept.column());
+        changePersistentIndexList(before, now);
+        Q_EMIT layoutChanged();
+    }
+
     void removeSpan(int first, int count)
     {
         if (count <= 0)

@@ -45,6 +45,16 @@ const ColumnShape &shapeOf(TrafficColumn column)
     return columnShapes[static_cast<std::size_t>(column)];
 }
 
+// Which rows go first.
+enum class Keeping : std::uint8_t { automatic, seldom, typed };
+
+Keeping keepingOf(const TrafficRow &row)
+{
+    if (row.isTyped)
+        return Keeping::typed;
+    return row.isAutomatic ? Keeping::automatic : Keeping::seldom;
+}
+
 double inMilliseconds(Instant duration)
 {
     return std::chrono::duration<double, std::milli>(duration).count();
@@ -134,9 +144,13 @@ void TrafficModel::add(TrafficRow row)
     m_waiting.push_back({std::move(row), sinceLast});
     if (waiting() <= m_most)
         return;
-    const int surplus = std::max(waiting() - m_most, m_droppedAtOnce);
-    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + surplus);
-    m_dropped += static_cast<quint64>(surplus);
+    std::vector<ShownTraffic> kept;
+    const std::vector<bool> goes = chooseSurplus(m_waiting);
+    for (std::size_t i = 0; i < goes.size(); ++i)
+        if (!goes[i])
+            kept.push_back(std::move(m_waiting[i]));
+    m_dropped += m_waiting.size() - kept.size();
+    m_waiting = std::move(kept);
 }
 
 void TrafficModel::showWaiting()
@@ -152,9 +166,23 @@ void TrafficModel::dropOldest()
 {
     if (rowCount() <= m_most)
         return;
-    const int surplus = std::max(rowCount() - m_most, m_droppedAtOnce);
-    removeFirst(surplus);
-    m_dropped += static_cast<quint64>(surplus);
+    const int before = rowCount();
+    removeChosen(chooseSurplus(rows()));
+    m_dropped += static_cast<quint64>(before - rowCount());
+}
+
+// What polls a bus by itself must not push out what the user sent. Among rows of one kind the oldest go.
+std::vector<bool> TrafficModel::chooseSurplus(const std::vector<ShownTraffic> &rows) const
+{
+    auto surplus = std::max(std::ssize(rows) - m_most, std::ptrdiff_t{m_droppedAtOnce});
+    std::vector<bool> goes(rows.size());
+    for (const Keeping keeping : {Keeping::automatic, Keeping::seldom, Keeping::typed})
+        for (std::size_t i = 0; i < rows.size() && surplus > 0; ++i)
+            if (keepingOf(rows[i].what) == keeping) {
+                goes[i] = true;
+                --surplus;
+            }
+    return goes;
 }
 
 // Everything from the last time it was sent belongs to the answer.
@@ -250,13 +278,14 @@ QString TrafficModel::dateTimeText(const ShownTraffic &row) const
 
 QString TrafficModel::countsText(int shown) const
 {
-    QStringList texts{tr("%Ln rows", nullptr, rowCount())};
-    if (shown != rowCount())
-        texts << sentence(tr("%1 shown"), {QLocale().toString(shown)});
+    QStringList texts{shown == rowCount()
+                          ? tr("%Ln rows", nullptr, rowCount())
+                          : sentence(tr("%1 of %2 rows shown"),
+                                     {QLocale().toString(shown), QLocale().toString(rowCount())})};
     if (isHeld())
         texts << tr("paused, %Ln new", nullptr, waiting());
     if (dropped() > 0)
-        texts << sentence(tr("%1 oldest dropped"), {QLocale().toString(dropped())});
+        texts << sentence(tr("%1 dropped"), {QLocale().toString(dropped())});
     return texts.join(QStringLiteral("; "));
 }
 

@@ -17,9 +17,9 @@ struct ShownTraffic
 
 ControlCharacters shownControls(); // as far as the number font has them
 
-// The traffic of a bus, newest last; the oldest rows are dropped when there are too many. While it is held,
-// new rows wait until it is released. Cleared rows can be brought back. Behind the handshake trace and the
-// terminal of a line.
+// The traffic of a bus, newest last. When there are too many rows, the oldest automatic ones are dropped
+// first, and what was typed, with its answers, last. While it is held, new rows wait until it is released.
+// Cleared rows can be brought back. Behind the handshake trace and the terminal of a line.
 class TrafficModel : public TableModelBase<ShownTraffic>
 {
     Q_OBJECT
@@ -55,7 +55,7 @@ public:
                      ControlCharacters controls = shownControls()) const;
     // In the locale's short format.
     QString dateTimeText(const ShownTraffic &row) const;
-    // "9 rows; paused, 3 new; 500 oldest dropped". `shown`: a filter hides the others.
+    // "9 rows; paused, 3 new; 500 dropped", or "2 of 9 rows shown; ..." where a filter hides the others.
     QString countsText(int shown) const;
     // A table for other programs, with a header: comma-separated, UTF-8, time in ISO 8601, whatever the
     // locale.
@@ -80,6 +80,7 @@ private:
     };
     static std::optional<Instant> between(const Moment &last, const Moment &now);
     void dropOldest();
+    std::vector<bool> chooseSurplus(const std::vector<ShownTraffic> &rows) const; // a flag for each row
 
     const std::span<const TrafficColumn> m_columns;
     int m_most;

@@ -185,6 +185,58 @@ TEST_F(LineRowModelTest, TheOldestRowsGoAndAreCounted)
     EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, Instant{mostRows});
 }
 
+TEST_F(LineRowModelTest, WhatTheProgramAsksByItselfDoesNotPushOutWhatWasTyped)
+{
+    constexpr int few = 200;
+    model.setMost(few);
+    filter.hideAutomatic(true);
+    for (int typed = 0; typed < 3; ++typed) {
+        poll();
+        poll();
+        model.markTyped(wire("05P"));
+        poll();
+        model.showWaiting();
+    }
+    const QPersistentModelIndex first = filter.index(0, 0);
+    for (int i = 0; i < 10 * few; ++i) {
+        poll();
+        model.showWaiting();
+        ASSERT_LE(model.rowCount(), few);
+    }
+    EXPECT_EQ(filter.rowCount(), 6);
+    EXPECT_EQ(first.row(), 0) << "what was chosen stays chosen";
+    EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, at) << "the newest row is there";
+    for (int row = 1; row < model.rowCount(); ++row)
+        ASSERT_LT(model.rowAt(row - 1).what.at, model.rowAt(row).what.at);
+}
+
+TEST_F(LineRowModelTest, WhatWasTypedStaysWhileNobodyLooks)
+{
+    constexpr int few = 200;
+    model.setMost(few);
+    poll();
+    model.markTyped(wire("05P"));
+    for (int i = 0; i < 10 * few; ++i)
+        poll();
+    EXPECT_LE(model.waiting(), few);
+    model.showWaiting();
+    filter.hideAutomatic(true);
+    EXPECT_EQ(filter.rowCount(), 2);
+}
+
+TEST_F(LineRowModelTest, WhatWasTypedIsBoundedToo)
+{
+    constexpr int few = 200;
+    model.setMost(few);
+    for (int i = 0; i < 2 * few; ++i) {
+        poll();
+        model.markTyped(wire("05P"));
+        model.showWaiting();
+        ASSERT_LE(model.rowCount(), few);
+    }
+    EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, at);
+}
+
 TEST_F(LineRowModelTest, RowsAreCountedInTheNumbersOfTheLanguage)
 {
     const QLocale before;
@@ -195,6 +247,14 @@ TEST_F(LineRowModelTest, RowsAreCountedInTheNumbersOfTheLanguage)
     const QString counts = model.countsText(model.rowCount());
     QLocale::setDefault(before);
     EXPECT_TRUE(counts.startsWith(QStringLiteral("1,234 rows"))) << counts.toStdString();
+}
+
+TEST_F(LineRowModelTest, HowManyRowsAreShownComesFirst)
+{
+    poll();
+    add(Kind::sent, wire("05M"));
+    model.showWaiting();
+    EXPECT_EQ(model.countsText(1), QStringLiteral("1 of 3 rows shown"));
 }
 
 TEST_F(LineRowModelTest, OtherOptionsExplainTheRowsThereAreAnew)
