@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_driver.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -35,14 +36,16 @@ Result<void> EscDriver::begin(JobId id, const Job &job, Pace pace, Instant now)
     if (auto checked = m_encoder.plan().check(job); !checked)
         return checked;
     m_job.emplace(id, job, pace, m_encoder);
-    m_now = now;
+    m_now = m_confirmed = now;
     return {};
 }
 
 void EscDriver::proceed()
 {
-    if (m_job)
-        m_job->proceed();
+    if (!m_job)
+        return;
+    m_job->proceed();
+    m_confirmed = m_now;
 }
 
 void EscDriver::cancel(OnCancel how, Instant now)
@@ -123,6 +126,7 @@ void EscDriver::answered(const esc::Request &request, const esc::ExchangeResult 
 {
     m_now = now;
     const Asks asks = std::exchange(m_asks, Asks::nobody);
+    const bool isTooLate = isJobTooLate(result, now);
     count(result, now);
     switch (asks) {
     case Asks::nobody:
@@ -140,7 +144,20 @@ void EscDriver::answered(const esc::Request &request, const esc::ExchangeResult 
             endJob();
         break;
     }
+    if (isTooLate && m_job && m_job->hasYetToWrite()) {
+        m_job->endUnsent(m_encoder.settings.jobPatience);
+        endJob();
+    }
     m_encoder.flushKnowledge();
+}
+
+// Whoever confirmed a job saw the encoder as it was then. A preset is for one place of the shaft, so for it
+// any wait counts.
+bool EscDriver::isJobTooLate(const esc::ExchangeResult &result, Instant now) const
+{
+    const bool isLong = now - std::max(m_confirmed, m_answered) > m_encoder.settings.jobPatience;
+    const bool isUnanswered = m_unanswered > 0 || !result.answer;
+    return isLong && m_job && (isUnanswered || m_job->isPreset());
 }
 
 // Silence and its end. A request to another place than the encoder's says nothing about the encoder.
@@ -149,6 +166,7 @@ void EscDriver::count(const esc::ExchangeResult &result, Instant now)
     if (m_job && m_job->isSearching())
         return;
     if (result.answer) {
+        m_answered = now;
         if (m_encoder.reading.state == EncoderState::silent)
             m_encoder.tell(now, Severity::information, MessageId::encoderAnswers);
         m_unanswered = m_tries = 0;

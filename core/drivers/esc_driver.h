@@ -29,6 +29,7 @@ public:
     void proceed() override;
     void cancel(OnCancel how, Instant now) override;
     void stop(const Refusal &why, Instant now) override;
+    Instant positionInterval() const override { return m_encoder.settings.positionInterval; }
     std::optional<Instant> wakesAt() const override;
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
@@ -59,6 +60,7 @@ private:
 
     std::optional<esc::Request> position(Instant now);
     std::optional<esc::Request> other(Instant now);
+    bool isJobTooLate(const esc::ExchangeResult &result, Instant now) const;
     void count(const esc::ExchangeResult &result, Instant now);
     void contact(Instant now);
     void positionAnswered(const esc::ExchangeResult &result, Instant now);
@@ -72,6 +74,8 @@ private:
     std::optional<EscJob> m_job;
     Asks m_asks = Asks::nobody;                 // whose request is under way
     bool m_wasPosition = false;                 // the last request was for the position
+    Instant m_confirmed{};                      // the job, or its next step
+    Instant m_answered{};                       // any request
     int m_unanswered = 0;                       // requests in a row
     int m_tries = 0;                            // how often these were sent
     std::optional<std::int64_t> m_serialNumber; // of the encoder currently there

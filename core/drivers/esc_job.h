@@ -29,6 +29,12 @@ public:
     bool isSearching() const { return !m_steps.atEnd() && m_steps.current().task == EscStep::Task::search; }
     void stop(const Refusal &why);
 
+    bool isPreset() const { return job<SetPreset>() != nullptr; }
+    // It was confirmed and goes on to write, and nothing of that was sent yet.
+    bool hasYetToWrite() const;
+    // The encoder did not answer for so long that it is no longer what was confirmed.
+    void endUnsent(std::chrono::seconds unanswered);
+
 private:
     using Said = EscPresetProof::Said;
     // What the reads of a step have yielded so far.

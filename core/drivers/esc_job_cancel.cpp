@@ -79,6 +79,17 @@ bool EscJob::isPositionStep(const EscStep &step) const
     return job<SetPreset>() != nullptr && step.task == EscStep::Task::write;
 }
 
+bool EscJob::hasYetToWrite() const
+{
+    const bool isEnding = isDone() || m_failure || m_cancelled;
+    return !isEnding && !waits() && job<ReadParameters>() == nullptr && !hasTaken();
+}
+
+void EscJob::endUnsent(std::chrono::seconds unanswered)
+{
+    finish(refuse(RefusalKind::device, RefusalId::escNotSentInTime, {std::int64_t{unanswered.count()}}));
+}
+
 // A write that waits for its answer may have been carried out, so the outcome counts it; for the encoder it
 // is counted by whoever gets the answer, or learns that there is none. A write without an answer that was
 // still to be looked for in the encoder is counted here.

@@ -35,6 +35,8 @@ public:
     // the line is gone.
     virtual void stop(const Refusal &why, Instant now) = 0;
 
+    // How often it wants the position at most.
+    virtual Instant positionInterval() const { return {}; }
     // When next() will want something; empty while it waits for the user.
     virtual std::optional<Instant> wakesAt() const = 0;
     // The request wanted at `now`, given once; empty: none. answered() follows before next() is called again.

@@ -21,7 +21,9 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
         return Reason::unsettled;
     if (seen < bus.awakeSince)
         return Reason::slept;
-    return bus.now - seen > Freshness::lateAfter ? Reason::notAsked : Reason::none;
+    if (bus.now - seen <= bus.lateAfter)
+        return Reason::none;
+    return bus.isAnswering ? Reason::notAsked : Reason::silent;
 }
 
 // One whose line was lost is not seen any more, and keeps the position it showed last.

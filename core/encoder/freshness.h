@@ -25,11 +25,14 @@ public:
         notOnBus,     // the segment is off, or behind a fault
         unsettled,    // its word is read, and no two reads agree
         silent,       // it does not answer
-        notAsked,     // not for longer than `lateAfter`: something else keeps the line busy
+        notAsked,     // not for longer than it may be late: something else keeps the line busy
         slept,        // the computer has slept since
         recorded,     // it is of a recording
         notRecorded,  // likewise, and nobody recorded it
     };
+
+    // How late the next one may be at most.
+    static constexpr std::chrono::seconds lateAfter{5};
 
     // The state of the encoder's bus.
     struct Circumstances
@@ -41,9 +44,9 @@ public:
         bool isSettled = true; // its word can be believed
         Instant awakeSince{};  // the computer slept until then, so what was shown before does not count
         Instant now{};
+        Instant lateAfter = Freshness::lateAfter; // where it is asked more often, it is old sooner
+        bool isAnswering = true;                  // its last request was answered
     };
-
-    static constexpr std::chrono::seconds lateAfter{5};
 
     Freshness() = default;
     // `seen`: when it was shown; empty: never.

@@ -133,6 +133,7 @@ enum class RefusalId : std::uint8_t {
     escCommandUnknown,      // command: the encoder answered 03
     escOutOfRange,          // command with its data: the encoder answered 05
     escNoAnswer,            // command, tries
+    escNotSentInTime,       // seconds without an answer since it was confirmed
     escReadsDisagree,       // Parameter, one value, the other
     escWriteUnknown,        // command: no answer, and what the encoder has now could not be read
     escWriteNotDone,        // command: no answer, and the encoder has the old value

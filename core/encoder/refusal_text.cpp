@@ -387,6 +387,10 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
                                  "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
+    RefusalRow{RefusalId::escNotSentInTime, "escNotSentInTime",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "No answer came from the encoder for %1 s after this was confirmed, so "
+                                 "nothing was sent. Check the line, then start again.")},
     RefusalRow{RefusalId::escReadsDisagree, "escReadsDisagree",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 was read as %2 and then as %3, so neither is taken. Check the line "

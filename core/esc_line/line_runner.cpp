@@ -101,6 +101,8 @@ void LineRunner::Private::goOn(Instant until)
     if (const auto *send = std::get_if<esc::Exchange::Send>(&action)) {
         if (const auto written = link.write(send->bytes); !written)
             portIsGone(written.error());
+        else if (underWay->exchange.result().timeOuts > 0)
+            publish(); // what was seen has grown old meanwhile
     } else if (const auto *wait = std::get_if<esc::Exchange::Wait>(&action)) {
         const auto bytes = link.read(std::min(wait->until, until));
         if (!bytes)
@@ -145,6 +147,7 @@ void LineRunner::Private::deviceAnswered(std::size_t device, const esc::Request 
 {
     const LineAddress before = driver(device)->address();
     driver(device)->answered(request, result, link.now());
+    noteRound(device);
     collect(device);
     if (driver(device)->address() != before)
         tellTaken();
@@ -229,6 +232,8 @@ void LineRunner::Private::publish()
             shown.address = device.driver->address();
             shown.reading = device.driver->reading();
             shown.hasJob = device.driver->busy();
+            shown.lateAfter = lateAfter(i);
+            shown.answers = device.answers;
             tap.look(i, shown.reading, state.connected && state.polling, made.at);
         }
         made.devices.push_back(shown);

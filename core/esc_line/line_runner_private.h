@@ -19,6 +19,8 @@ struct LineRunner::Private
         LineCounter counter;
         std::uint64_t turn = 0; // when it was last asked, in requests of the line
         bool answers = false;   // its last request was answered
+        Instant shownAt{};      // its newest position
+        Instant round{};        // from one position to the next
     };
 
     struct UnderWay
@@ -77,6 +79,8 @@ struct LineRunner::Private
     bool anyAnswers() const;
     std::optional<Instant> turnOf(std::size_t device) const; // when it is due; empty: it wants nothing
     void noteTurn(const UnderWay &ended);
+    void noteRound(std::size_t device);
+    Instant lateAfter(std::size_t device) const;
     void forgetTurns();
 
     // line_runner_port.cpp

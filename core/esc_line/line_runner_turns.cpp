@@ -4,6 +4,7 @@
 #include "esc_line/line_runner_private.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 // afterwards.
 constexpr int shareWhileDoubtful = 75;
 constexpr int shareWhileSilent = 5;
+
+// A position counts as old after so many rounds, but not before two encoders may have fallen silent, each
+// asked three times.
+constexpr int roundsUntilLate = 3;
+constexpr Instant soonestLate = std::chrono::seconds(1);
+constexpr int roundsForgotten = 8; // so soon one that took longer no longer counts
 
 } // namespace
 
@@ -81,6 +88,22 @@ void LineRunner::Private::noteTurn(const UnderWay &ended)
         return;
     const int share = isSilent(ended.device) ? shareWhileSilent : shareWhileDoubtful;
     doubtfulFrom = link.now() + (link.now() - ended.begun) * (100 - share) / share;
+}
+
+void LineRunner::Private::noteRound(std::size_t device)
+{
+    Device &its = devices[device];
+    const Instant at = driver(device)->reading().at;
+    const Instant before = std::exchange(its.shownAt, at);
+    if (at == before || before == Instant{})
+        return;
+    its.round = std::max(at - before, its.round - (its.round - (at - before)) / roundsForgotten);
+}
+
+Instant LineRunner::Private::lateAfter(std::size_t device) const
+{
+    const Instant round = std::max(devices[device].round, driver(device)->positionInterval());
+    return std::clamp<Instant>(roundsUntilLate * round, soonestLate, Freshness::lateAfter);
 }
 
 void LineRunner::Private::forgetTurns()

@@ -175,7 +175,7 @@ void LineSession::showLatest()
     const auto shown = d->engine.latest();
     const LineState &state = *shown;
     tellState(std::exchange(d->told, state) != state);
-    const Freshness::Circumstances circumstances{.isConnected = isOpen(),
+    Freshness::Circumstances circumstances{.isConnected = isOpen(),
                                                  .isLinkThere = shown->connected,
                                                  .isRunning = shown->polling,
                                                  .awakeSince = shown->awakeSince,
@@ -188,6 +188,8 @@ void LineSession::showLatest()
         const Place before = session->place();
         const Place now = placeOf(shown->devices[i].address.node());
         session->moveTo(now);
+        circumstances.lateAfter = shown->devices[i].lateAfter;
+        circumstances.isAnswering = shown->devices[i].answers;
         session->show(shown->devices[i].reading, circumstances);
         if (now != before)
             Q_EMIT moved(before, now);

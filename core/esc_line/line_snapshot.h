@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/freshness.h"
 #include "encoder/line_address.h"
 #include "encoder/reading.h"
 #include "encoder/refusal.h"
@@ -35,6 +36,8 @@ struct LineSnapshot : LineState
         bool hasJob = false;
         bool present = true; // false: it has been removed
         LineFigures figures;
+        Instant lateAfter = Freshness::lateAfter; // by the pace at which its positions come
+        bool answers = true;                      // its last request was answered
     };
 
     Instant at{};

@@ -55,6 +55,52 @@ TEST(EscPreset, WithoutScalingTheMeasuringRangeDoesNotBindIt)
     EXPECT_EQ(bench.count("GP"), 1);
 }
 
+// The shaft may be elsewhere by then.
+TEST(EscPreset, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
+{
+    EscBench bench;
+    bench.settle();
+    bench.isOn = false;
+    ASSERT_TRUE(bench.begin(SetPreset{.value = wanted}));
+    bench.run(std::chrono::milliseconds(400));
+    bench.now += std::chrono::seconds(2); // others on the line are asked, and do not answer either
+    bench.isOn = true;
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    ASSERT_FALSE(bench.outcome->result);
+    EXPECT_EQ(bench.outcome->result.error(),
+              (Refusal{RefusalKind::device, RefusalId::escNotSentInTime, {std::int64_t{2}}}));
+    EXPECT_EQ(bench.outcome->eepromWrites, 0);
+    bench.run(std::chrono::seconds(5));
+    EXPECT_EQ(bench.count("GP"), 0);
+    EXPECT_FALSE(bench.driver.busy());
+}
+
+// On a line on which others are silent its turn may come late.
+TEST(EscPreset, ItIsNotSentIfItsTurnComesTooLate)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(SetPreset{.value = wanted}));
+    bench.now += std::chrono::seconds(3);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    ASSERT_FALSE(bench.outcome->result);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotSentInTime);
+    EXPECT_EQ(bench.count("GP"), 0);
+}
+
+TEST(EscPreset, AShortSilenceDoesNotKeepItFromBeingSent)
+{
+    EscBench bench;
+    bench.settle();
+    bench.isOn = false;
+    ASSERT_TRUE(bench.begin(SetPreset{.value = wanted}));
+    bench.run(std::chrono::milliseconds(600));
+    bench.isOn = true;
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_TRUE(bench.outcome->result);
+    EXPECT_EQ(bench.count("GP"), 1);
+}
+
 TEST(EscPreset, TurningOnMeanwhileIsNoFault)
 {
     EscBench bench;

@@ -332,6 +332,22 @@ TEST(EscWrite, TheEncoderIsUnpluggedInTheMiddle)
     EXPECT_EQ(bench.known[Parameter::lowerLimit].evidence, Evidence::read);
 }
 
+TEST(EscWrite, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
+{
+    EscBench bench;
+    bench.settle();
+    bench.isOn = false;
+    ASSERT_TRUE(bench.begin(writingAll({{Parameter::lowerLimit, 0x200}})));
+    bench.run(std::chrono::milliseconds(400));
+    bench.now += std::chrono::seconds(2); // others on the line are asked, and do not answer either
+    bench.isOn = true;
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    ASSERT_FALSE(bench.outcome->result);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotSentInTime);
+    EXPECT_EQ(bench.count("GL"), 0);
+    EXPECT_EQ(bench.outcome->eepromWrites, 0);
+}
+
 // The first of a group is read at once, before the factor puts it into effect. Manual, note on GR, GT and GF:
 // they take effect once the factor has been sent, so what D and M report before says nothing about a command
 // without an answer.

@@ -57,6 +57,16 @@ TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
     EXPECT_GT(line->shown(place)->figures.answers, 2U);
 }
 
+TEST_F(LineSessionTest, ThePaceOfTheLineSaysWhenAPositionIsOld)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->advance(500ms);
+    const EncoderSession *encoder = line->encoder(placeOnLine({5}));
+    EXPECT_TRUE(encoder->freshness().isLive());
+    EXPECT_EQ(line->shown(placeOnLine({5}))->lateAfter, 1s);
+}
+
 TEST_F(LineSessionTest, WhatADriverSaysStandsAtThePlaceOnItsOwnLine)
 {
     constexpr BusId fourth{4};

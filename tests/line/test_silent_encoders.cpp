@@ -158,6 +158,49 @@ TEST_F(SilentEncoders, ADamagedLineMakesNobodySilent)
         EXPECT_GT(shown(i).figures.answers, 1'000U) << i;
 }
 
+TEST_F(SilentEncoders, APositionIsOldSoonerTheMoreOftenItComes)
+{
+    add({3});
+    add({5});
+    run(10s);
+    EXPECT_EQ(shown(0).lateAfter, 1s);
+    EXPECT_TRUE(shown(0).answers);
+    line->setSilent(true);
+    run(3s);
+    EXPECT_FALSE(shown(0).answers);
+    EXPECT_FALSE(shown(1).answers);
+}
+
+// Positions that come every two seconds are not old in between.
+TEST_F(SilentEncoders, APositionThatSeldomComesIsNotOldInBetween)
+{
+    runner.post(line_command::AddDevice{std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"),
+                                                                    LineAddress{3},
+                                                                    EscSettings{.positionInterval = 1500ms}),
+                                        QStringLiteral("encoder")});
+    run(10s);
+    EXPECT_GE(shown(0).lateAfter, 4500ms);
+    EXPECT_LE(shown(0).lateAfter, Freshness::lateAfter);
+}
+
+TEST_F(SilentEncoders, WhileNoneAnswersTheirAgeIsTold)
+{
+    add({3});
+    add({5});
+    add({0x12});
+    addAbsent(1);
+    run(30s);
+    line->setSilent(true);
+    const Instant dead = link.now();
+    const auto isOld = [this](std::size_t device) {
+        const LineSnapshot &line = *latest();
+        return line.at - line.devices.at(device).reading.at > line.devices.at(device).lateAfter;
+    };
+    while (!(isOld(0) && isOld(1) && isOld(2)) && link.now() < dead + 10s)
+        run(10ms);
+    EXPECT_LT(link.now() - dead, 1500ms);
+}
+
 TEST_F(SilentEncoders, AJobIsNotPutOff)
 {
     add({3});

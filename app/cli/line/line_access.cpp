@@ -333,7 +333,7 @@ Refusal LineAccess::whatIsLost() const
 Complaint LineAccess::complaint(const Refusal &why) const
 {
     Complaint told = complaintAbout(why);
-    const bool isSilence = why.id == RefusalId::escNoAnswer;
+    const bool isSilence = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotSentInTime;
     if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
         told.text = isSilence ? lost.text : lost.text + u' ' + told.text; // nothing else was wrong
     else if (isSilence)
