@@ -11,6 +11,7 @@
 #include "encoder/sentence.h"
 #include "links/own_addresses.h"
 #include "project/ring_plan.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/look/role_label.h"
 #include "widgets/offer/offer_form.h"
 #include "widgets/offer/offer_page.h"
@@ -20,6 +21,8 @@
 #include "widgets/project/project_document.h"
 
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace codewheel {
 
@@ -55,6 +58,7 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
 OfferViews::~OfferViews()
 {
     delete m_status;
+    delete m_question;
 }
 
 QString OfferViews::whyNot() const
@@ -70,7 +74,38 @@ bool OfferViews::isOn() const
 
 void OfferViews::end()
 {
-    m_offer.end();
+    const ClientCounts counts = m_offer.isOn() ? m_offer.counts() : ClientCounts();
+    if (counts.came == counts.left)
+        m_offer.end();
+    else
+        askToEnd(static_cast<int>(counts.came - counts.left));
+}
+
+// Not by exec(): the offer may end, or the window be rebuilt, while it is open.
+void OfferViews::askToEnd(int clients)
+{
+    withdrawQuestion();
+    m_question = new QMessageBox(
+        QMessageBox::Question, tr("Stop offering"),
+        sentence(tr("Connected clients: %1. Stop offering and disconnect them?"), {QString::number(clients)}),
+        QMessageBox::NoButton, m_page.window());
+    m_question->setObjectName(QStringLiteral("endOfferQuestion"));
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    setHelpTopic(*m_question, "serving.md#in-the-window");
+    if (m_offer.place().seats > 0)
+        m_question->setInformativeText(tr("The rings of all seats end, with all that was written to them."));
+    QPushButton *stop = m_question->addButton(tr("&Stop offering"), QMessageBox::AcceptRole);
+    stop->setToolTip(tr("Disconnects all clients (Alt+S)"));
+    m_question->setDefaultButton(m_question->addButton(QMessageBox::Cancel));
+    connect(stop, &QPushButton::clicked, &m_offer, &RingOffer::end);
+    m_question->open();
+}
+
+void OfferViews::withdrawQuestion()
+{
+    if (m_question)
+        m_question->reject();
+    m_question = nullptr;
 }
 
 void OfferViews::listAddresses()
@@ -95,6 +130,8 @@ void OfferViews::begin(const OfferWish &wish)
 
 void OfferViews::showPlace()
 {
+    if (!m_offer.isOn())
+        withdrawQuestion();
     m_page.setPlace(m_offer.isOn() ? std::optional(m_offer.place()) : std::nullopt);
     if (m_offer.isOn())
         m_page.offered().setDevices(m_offer.devices());

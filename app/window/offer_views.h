@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QPointer>
 
+class QMessageBox;
+
 namespace codewheel {
 
 class OfferPage;
@@ -29,7 +31,7 @@ public:
     // Why it cannot be offered now, in a sentence; empty: it can.
     QString whyNot() const;
     bool isOn() const;
-    void end();
+    void end();           // asks first if clients are connected
     void listAddresses(); // of this computer, as they are now
     void showFrame();
 
@@ -38,6 +40,8 @@ Q_SIGNALS:
 
 private:
     void begin(const OfferWish &wish);
+    void askToEnd(int clients);
+    void withdrawQuestion();
     void showPlace();
     void showStatus();
     SeatsView &seats() const;
@@ -51,6 +55,7 @@ private:
     WindowSettings &m_settings;
     StatusLine &m_line;
     QPointer<RoleLabel> m_status;
+    QPointer<QMessageBox> m_question; // whether to end it
 };
 
 } // namespace codewheel

@@ -70,7 +70,7 @@ void ServedClients::count(ServedClient &client, const ServedUnits::Answer &answe
 {
     ++client.requests;
     client.refused += answer.isException ? 1 : 0;
-    client.writes += answer.isWrite && !answer.isException ? 1 : 0;
+    client.writes += answer.written ? 1 : 0;
 }
 
 void ServedClients::leave(unsigned id)

@@ -34,7 +34,7 @@ struct ServedClient
     Time seen{};                      // its last request, or when it came
     std::optional<int> unit{};        // of its last request
     std::uint64_t requests = 0;       // all of them
-    std::uint64_t writes = 0;         // those that were carried out
+    std::uint64_t writes = 0;         // those that changed a word
     std::uint64_t refused = 0;        // those answered with an exception
     std::optional<Written> written{}; // the last
 

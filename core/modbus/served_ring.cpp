@@ -137,7 +137,7 @@ tl::expected<std::vector<Register>, ModbusException> ServedRing::read(RegisterAr
     return tl::unexpected(ModbusException::illegalAddress);
 }
 
-tl::expected<ServedWord, ModbusException>
+tl::expected<std::optional<ServedWord>, ModbusException>
 ServedRing::write(int first, const std::vector<ModbusRequest::Change> &changes) const
 {
     const GuestImage image = m_guests->image(longestWait);
@@ -150,11 +150,13 @@ ServedRing::write(int first, const std::vector<ModbusRequest::Change> &changes) 
     for (std::size_t i = 0; i < map->devices(); ++i)
         if (const auto word = changeOf(*map, i, first, changes))
             words.push_back(*word);
-    const std::size_t last = words.back().device;
-    const auto sent = m_guests->write(image, std::move(words), longestWait);
+    const auto sent = m_guests->write(image, words, longestWait);
     if (!sent)
         return tl::unexpected(exceptionOf(sent.error()));
-    return ServedWord{(*image.ring)[last].number, sent->words.back(), sent->at};
+    for (std::size_t i = words.size(); i-- > 0;)
+        if (sent->words[i] != sent->before[i])
+            return ServedWord{(*image.ring)[words[i].device].number, sent->words[i], sent->at};
+    return std::nullopt;
 }
 
 } // namespace codewheel

@@ -47,10 +47,11 @@ public:
 
     // illegalAddress: not in the map; deviceFailure: there is no ring at the moment.
     tl::expected<std::vector<Register>, ModbusException> read(RegisterArea area, int first, int count) const;
-    // What is written only in part keeps its other bits. deviceFailure: the ring is stopped, has failed, or
-    // is in Watch; deviceBusy: a job holds one of the words.
-    tl::expected<ServedWord, ModbusException> write(int first,
-                                                    const std::vector<ModbusRequest::Change> &changes) const;
+    // What is written only in part keeps its other bits. Empty: all of it stood there already, as when a
+    // master repeats its words in each of its cycles; of several words the last that differs. deviceFailure:
+    // the ring is stopped, has failed, or is in Watch; deviceBusy: a job holds one of the words.
+    tl::expected<std::optional<ServedWord>, ModbusException>
+    write(int first, const std::vector<ModbusRequest::Change> &changes) const;
 
 private:
     std::shared_ptr<const GatewayMap> mapOf(const GuestImage &image) const;

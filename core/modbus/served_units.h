@@ -18,8 +18,8 @@ public:
     {
         ModbusBytes pdu;
         bool isException = false;
-        bool isWrite = false; // it was to write
-        std::optional<ServedWord> written{};
+        bool isWrite = false;                // it was to write
+        std::optional<ServedWord> written{}; // empty too if it stood there already
     };
 
     // One ring, whatever the unit.

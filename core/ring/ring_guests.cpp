@@ -77,9 +77,11 @@ void RingGuests::show(const Result<void> &exchanged, const std::function<void(Gu
             end(*write, tl::unexpected(exchanged.error()));
             continue;
         }
-        GuestSent sent{m_image.cycle, m_image.at, {}};
-        for (const GuestWord &word : write->words)
+        GuestSent sent{m_image.cycle, m_image.at, {}, {}};
+        for (const GuestWord &word : write->words) {
             sent.words.push_back(word.word);
+            sent.before.push_back(word.before);
+        }
         end(*write, std::move(sent));
     }
 }

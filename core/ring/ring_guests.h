@@ -22,6 +22,7 @@ struct GuestWord
     std::size_t device = 0;
     Word word = 0;
     Word mask = ~Word{0};
+    Word before = 0; // what stood in OUT; known once it is carried out
 };
 
 // The ring as its guests see it, after one cycle.
@@ -41,7 +42,8 @@ struct GuestSent
 {
     std::uint64_t cycle = 0;
     Instant at{};
-    std::vector<Word> words{}; // whole ones, in the order of the write
+    std::vector<Word> words{};  // whole ones, in the order of the write
+    std::vector<Word> before{}; // what stood in their place: whoever repeats its words changes nothing
 };
 
 // Programs that read and write the words of a ring beside its user, such as clients of a Modbus server: the

@@ -51,7 +51,8 @@ void RingRunner::Private::carryOutGuestWords()
 Result<void> RingRunner::Private::takeGuestWords(std::vector<GuestWord> &words)
 {
     for (GuestWord &word : words) {
-        word.word = (image[word.device] & ~word.mask) | (word.word & word.mask);
+        word.before = image[word.device];
+        word.word = (word.before & ~word.mask) | (word.word & word.mask);
         word.mask = ~Word{0};
         if (auto allowed = mayWrite(word.device, word.word); !allowed)
             return allowed;

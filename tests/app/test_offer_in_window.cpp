@@ -6,6 +6,7 @@
 #include "widgets/offer/offer_form.h"
 
 #include <QDockWidget>
+#include <QMessageBox>
 #include <QTabWidget>
 #include <QTest>
 
@@ -31,6 +32,7 @@ protected:
         setRingPlan(project, firstRing, plan);
         shown->project().edit(std::move(project), QStringLiteral("Connection"));
     }
+    QMessageBox *question() { return window().findChild<QMessageBox *>(QStringLiteral("endOfferQuestion")); }
     bool isInTrace(const QString &word)
     {
         const auto *rows = window()
@@ -116,7 +118,7 @@ TEST_F(OfferInWindow, EachSeatHasARingOfItsOwn)
     partOf<QTabWidget>(offerPage(), "offeredTables")
         .setCurrentWidget(&partOf<QWidget>(offerPage(), "seatPage"));
     EXPECT_TRUE(
-        waitFor([&] { return inTable("seatTable", 1, 6).startsWith(QStringLiteral("2.0  00000007")); }));
+        waitFor([&] { return inTable("seatTable", 1, 4).startsWith(QStringLiteral("2.0  00000007")); }));
     EXPECT_EQ(inTable("seatTable", 0, 1), QStringLiteral("1"));
 
     auto &table = partOf<QTableView>(offerPage(), "seatTable");
@@ -143,11 +145,34 @@ TEST_F(OfferInWindow, StoppingDisconnectsAll)
     ModbusClient client(port());
     ASSERT_EQ(client.readHolding(0, 2).size(), 2U);
     click("stopOffering");
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->defaultButton(), question()->button(QMessageBox::Cancel));
+    EXPECT_TRUE(question()->text().contains(QStringLiteral("clients: 1.")))
+        << question()->text().toStdString();
+    question()->button(QMessageBox::Cancel)->click();
+    EXPECT_TRUE(waitFor([&] { return question() == nullptr; }));
+    EXPECT_TRUE(ring().offer().isOn());
+    EXPECT_EQ(client.readHolding(0, 2).size(), 2U);
+    click("stopOffering");
+    ASSERT_NE(question(), nullptr);
+    for (QAbstractButton *button : question()->buttons())
+        if (question()->buttonRole(button) == QMessageBox::AcceptRole) {
+            button->click();
+            break;
+        }
     EXPECT_FALSE(ring().offer().isOn());
     EXPECT_TRUE(client.readHolding(0, 2).empty());
     EXPECT_EQ(status(), QString());
     EXPECT_TRUE(isSaid(QStringLiteral("No longer offered")));
     EXPECT_TRUE(bus().isOpen()) << "the ring itself goes on";
+}
+
+TEST_F(OfferInWindow, WithoutClientsItStopsAtOnce)
+{
+    offer();
+    click("stopOffering");
+    EXPECT_EQ(question(), nullptr);
+    EXPECT_FALSE(ring().offer().isOn());
 }
 
 TEST_F(OfferInWindow, AnotherProjectEndsItAndSaysSo)

@@ -30,7 +30,7 @@ using test::partOf;
 using test::Question;
 
 constexpr std::uint16_t inRun = 0x00E0;
-enum SeatColumn : std::uint8_t { inColumn = 3, outColumn, faultsColumn };
+enum SeatColumn : std::uint8_t { faultsColumn = 3, inColumn = 5, outColumn };
 
 class SeatsOfClass : public test::OfferTest
 {

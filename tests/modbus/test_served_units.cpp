@@ -205,6 +205,22 @@ TEST_F(ServedUnitsTest, WhatWasWrittenIsTold)
     EXPECT_TRUE(ask(pdu({6, 99, 1})).isWrite);
 }
 
+// As masters do that send their whole image in each of their cycles.
+TEST_F(ServedUnitsTest, WhatStoodThereAlreadyIsNotWritten)
+{
+    EXPECT_FALSE(ask(writing(0, {0, 0})).written) << "nor the zeros from the start";
+    ask(writing(5, {0, 0x11}));
+    const auto again = ask(writing(5, {0, 0x11}));
+    EXPECT_FALSE(again.isException);
+    EXPECT_TRUE(again.isWrite);
+    EXPECT_FALSE(again.written);
+    const auto half = ask(pdu({6, 6, 0x12}));
+    ASSERT_TRUE(half.written);
+    EXPECT_EQ(half.written->word, 0x12U);
+    const auto first = ask(writing(0, {0, 7, 0, 0, 0, 0, 0x12}));
+    EXPECT_TRUE(first.isException || (first.written && first.written->place == NodeId("1.0")));
+}
+
 // On a ring with a master, which sets the outputs to 0 when the bus fails.
 TEST(ServedUnitsOnARing, AFaultIsInTheStatusAndStopsWriting)
 {
@@ -258,12 +274,13 @@ TEST(ServedClients, TellWhoIsThereAndWhatTheyDid)
     const ServedWord word{NodeId("1.0"), 7, Instant(5)};
     clients.took(*first, 3, {.pdu = {}, .isException = false, .isWrite = true, .written = word}, now);
     clients.took(*first, 3, {.pdu = {}, .isException = true, .isWrite = true, .written = {}}, now);
+    clients.took(*first, 3, {.pdu = {}, .isException = false, .isWrite = true, .written = {}}, now);
     const auto there = clients.clients();
     ASSERT_EQ(there.size(), 2U);
     EXPECT_EQ(there[0].address, QStringLiteral("one"));
     EXPECT_EQ(there[0].unit, 3);
-    EXPECT_EQ(there[0].requests, 2U);
-    EXPECT_EQ(there[0].writes, 1U);
+    EXPECT_EQ(there[0].requests, 3U);
+    EXPECT_EQ(there[0].writes, 1U) << "what stood there already is not written";
     EXPECT_EQ(there[0].refused, 1U);
     ASSERT_TRUE(there[0].written);
     EXPECT_EQ(there[0].written->word, word);
@@ -271,7 +288,7 @@ TEST(ServedClients, TellWhoIsThereAndWhatTheyDid)
     EXPECT_TRUE(clients.come(QStringLiteral("four"), now));
     EXPECT_EQ(clients.refusedConnections(), 1U);
     EXPECT_EQ(clients.everCame(), 3U);
-    EXPECT_EQ(clients.total().requests, 2U) << "those of who left included";
+    EXPECT_EQ(clients.total().requests, 3U) << "those of who left included";
     std::vector<What> news;
     for (const ClientNews &one : clients.takeNews())
         news.push_back(one.what);

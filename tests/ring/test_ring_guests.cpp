@@ -95,6 +95,7 @@ TEST_F(RingGuestsTest, OfAWordOnlyTheBitsInTheMaskAreChanged)
     const auto sent = write({{0, 0xABCDABCD, 0x0000FFFF}});
     ASSERT_TRUE(sent);
     EXPECT_THAT(sent->words, ElementsAre(0x1111ABCDU));
+    EXPECT_THAT(sent->before, ElementsAre(0x11112222U));
     EXPECT_EQ(m_got[0].back(), 0x1111ABCDU);
 }
 

@@ -29,7 +29,7 @@ class SeatsModel : public TableModelBase<Seat>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { unit, clients, ring, in, out, faults, written, columnCount_ };
+    enum Column : std::uint8_t { unit, clients, ring, faults, written, in, out, columnCount_ };
 
     using TableModelBase::TableModelBase;
 

@@ -31,8 +31,9 @@ SeatsView::SeatsView(QWidget *parent)
 {
     setUpQuietTable(*m_table, *m_seats, tr("Seats"));
     fixColumns(*m_table, {QStringLiteral("64"), QStringLiteral("64"), QString(grid::smallIcon, u'n'),
-                          QStringLiteral("00000000"), QStringLiteral("00000000"),
-                          QString(grid::smallIcon, u'n'), ServedText::widestWritten()});
+                          QString(grid::smallIcon, u'n'), ServedText::widestWritten(),
+                          QStringLiteral("00000000"), QStringLiteral("00000000")});
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel); // narrow beside the panel
     allowEliding(*m_table, SeatsModel::faults);
     m_restart->setAutoDefault(false);
     connect(m_restart, &QPushButton::clicked, this, [this] {
