@@ -8,6 +8,7 @@ namespace codewheel {
 TrendCsv::TrendCsv(QIODevice &device, const TrendExtract &extract, HistoryOf historyOf, const CsvStyle &style)
     : m_device(device)
     , m_style(style)
+    , m_shift(extract.commonShift())
     , m_rows(extract, std::move(historyOf))
 {
     for (const TrendColumn &column : extract.columns)
@@ -27,13 +28,13 @@ void TrendCsv::appendTitles(const TrendExtract &extract)
     if (const std::string title = m_style.dateTitle(); !title.empty())
         m_text += m_style.separator + title;
     for (const TrendColumn &column : extract.columns)
-        m_text += m_style.separator + m_style.field(column.title());
+        m_text += m_style.separator + m_style.field(extract.title(column));
     m_text += "\r\n";
 }
 
 void TrendCsv::appendRow(Instant at, RowMerge::Cells cells)
 {
-    m_times.append(m_text, at);
+    m_times.append(m_text, at - m_shift);
     for (std::size_t column = 0; column < cells.size(); ++column) {
         m_cells[column].show(cells[column], m_style.decimalSign);
         m_text += m_style.separator;

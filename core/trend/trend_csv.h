@@ -39,6 +39,7 @@ private:
 
     QIODevice &m_device;
     const CsvStyle m_style;
+    const Instant m_shift; // its times are told without it
     RowMerge m_rows;
     CsvTimes m_times{m_style};
     std::vector<Cell> m_cells;

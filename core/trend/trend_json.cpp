@@ -87,11 +87,12 @@ KnownTimes knownTimes(const History *history, const TimeSpan &span)
     return known;
 }
 
-void addKnownTimes(QJsonObject &json, const KnownTimes &known)
+// `shift`: without it they are those of the table.
+void addKnownTimes(QJsonObject &json, const KnownTimes &known, Instant shift)
 {
     const bool isKnown = known.from <= known.to;
-    json.insert(QStringLiteral("knownFrom"), textOrNull(isKnown ? isoText(known.from) : QString()));
-    json.insert(QStringLiteral("knownTo"), textOrNull(isKnown ? isoText(known.to) : QString()));
+    json.insert(QStringLiteral("knownFrom"), textOrNull(isKnown ? isoText(known.from - shift) : QString()));
+    json.insert(QStringLiteral("knownTo"), textOrNull(isKnown ? isoText(known.to - shift) : QString()));
     json.insert(QStringLiteral("gaps"), known.gaps);
     json.insert(QStringLiteral("gapSeconds"), std::chrono::duration<double>(known.missing).count());
 }
@@ -103,12 +104,18 @@ double perStepOf(const TrendColumn &column)
     return column.scale.factor(column.track.channel) * unitsOfSample;
 }
 
-QJsonObject columnJson(const TrendColumn &column)
+double secondsOf(Instant duration)
 {
-    const auto &[track, name, scale] = column;
-    const QLatin1String unit = scale.symbol(track.channel);
+    return std::chrono::duration<double>(duration).count();
+}
+
+QJsonObject columnJson(const TrendExtract &extract, const TrendColumn &column)
+{
+    const Track &track = column.track;
+    const QLatin1String unit = column.scale.symbol(track.channel);
     QJsonObject json{
-        {QStringLiteral("name"), column.title()},
+        {QStringLiteral("name"), extract.title(column)},
+        {QStringLiteral("shiftSeconds"), secondsOf(extract.remainingShift(column))},
         {QStringLiteral("track"), track.key()},
         {QStringLiteral("channel"), channelKey(track.channel)},
         {QStringLiteral("bit"), track.bit ? QJsonValue(static_cast<int>(*track.bit)) : QJsonValue()},
@@ -122,8 +129,8 @@ QJsonArray columnsJson(const TrendExtract &extract, const HistoryOf &historyOf)
 {
     QJsonArray columns;
     for (const TrendColumn &column : extract.columns) {
-        QJsonObject json = columnJson(column);
-        addKnownTimes(json, knownTimes(historyOf(column.track), extract.span));
+        QJsonObject json = columnJson(extract, column);
+        addKnownTimes(json, knownTimes(historyOf(column.track), extract.span), extract.commonShift());
         columns.append(json);
     }
     return columns;
@@ -174,15 +181,26 @@ QJsonObject noteJson(const QString &text)
     return {{QStringLiteral("kind"), QStringLiteral("note")}, {QStringLiteral("text"), text}};
 }
 
-QJsonArray marksJson(const std::deque<Mark> &marks, const TimeSpan &span)
+// What other buses said then was at another time than what a shifted recording has.
+bool isOfTable(const Mark &mark, const TrendExtract &extract)
+{
+    if (mark.at < extract.span.from || mark.at > extract.span.to)
+        return false;
+    return !mark.place || extract.commonShift() == Instant() ||
+           std::ranges::any_of(extract.columns, [&mark](const TrendColumn &column) {
+               return column.track.place.bus == mark.place->bus;
+           });
+}
+
+QJsonArray marksJson(const std::deque<Mark> &marks, const TrendExtract &extract)
 {
     QJsonArray all;
     for (const Mark &mark : marks) {
-        if (mark.at < span.from || mark.at > span.to)
+        if (!isOfTable(mark, extract))
             continue;
         const auto *const note = std::get_if<QString>(&mark.what);
         QJsonObject json = note != nullptr ? noteJson(*note) : messageJson(std::get<Message>(mark.what));
-        json.insert(QStringLiteral("at"), isoText(mark.at));
+        json.insert(QStringLiteral("at"), isoText(mark.at - extract.commonShift()));
         if (mark.place)
             addPlace(json, *mark.place);
         all.append(json);
@@ -209,6 +227,8 @@ QJsonObject zoneJson(const QTimeZone &zone, Instant from)
 QByteArray trendJson(const TrendTable &table, const HistoryOf &historyOf, const TrendOrigin &origin)
 {
     const auto &[fileName, extract, style, rows] = table;
+    const Instant shift = extract.commonShift();
+    const Instant from = extract.span.from - shift;
     const QJsonObject json{{QStringLiteral("format"), trendFormat},
                            {QStringLiteral("version"), trendVersion},
                            {QStringLiteral("program"), QStringLiteral("Codewheel ") + origin.version},
@@ -219,12 +239,13 @@ QByteArray trendJson(const TrendTable &table, const HistoryOf &historyOf, const 
                            {QStringLiteral("decimalSign"), QString::fromStdString(style.decimalSign)},
                            {QStringLiteral("timeColumn"), QString::fromStdString(style.timeTitle())},
                            {QStringLiteral("dateColumn"), dateColumnJson(style)},
-                           {QStringLiteral("from"), isoText(extract.span.from)},
-                           {QStringLiteral("to"), isoText(extract.span.to)},
-                           {QStringLiteral("timeZone"), zoneJson(origin.now.timeZone(), extract.span.from)},
+                           {QStringLiteral("from"), isoText(from)},
+                           {QStringLiteral("to"), isoText(extract.span.to - shift)},
+                           {QStringLiteral("shownLaterSeconds"), secondsOf(shift)},
+                           {QStringLiteral("timeZone"), zoneJson(origin.now.timeZone(), from)},
                            {QStringLiteral("columns"), columnsJson(extract, historyOf)},
                            {QStringLiteral("encoders"), encodersJson(extract, origin.encoders)},
-                           {QStringLiteral("marks"), marksJson(origin.marks, extract.span)},
+                           {QStringLiteral("marks"), marksJson(origin.marks, extract)},
                            {QStringLiteral("dropped"), static_cast<qint64>(origin.dropped)}};
     return QJsonDocument(json).toJson();
 }

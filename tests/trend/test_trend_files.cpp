@@ -69,6 +69,47 @@ protected:
                        .now = QDateTime(QDate(2026, 3, 1), QTime(14, 5), QTimeZone("Europe/Berlin"))};
 };
 
+TEST_F(TrendFilesTest, AShiftedRecordingIsWrittenAtItsOwnTimes)
+{
+    constexpr std::chrono::seconds shift{34};
+    for (TrendColumn &column : extract.columns) {
+        column.shift = shift;
+        column.busName = QStringLiteral("b Master");
+    }
+    origin.marks = {{.at = at(12'000), .place = ringPosition.place, .what = QStringLiteral("slips")},
+                    {.at = at(12'000), .place = linePosition.place, .what = QStringLiteral("elsewhere")}};
+    ASSERT_TRUE(save());
+    const QList<QByteArray> lines = contentOf(path).split('\n');
+    EXPECT_TRUE(lines[0].startsWith("time [s],b Master/1.0 Hoist: position [deg],b Master/1.0 speed [rpm]"))
+        << lines[0].toStdString();
+    EXPECT_TRUE(lines[1].startsWith("1772370096.000000,")) << lines[1].toStdString();
+    const QJsonObject json = description();
+    EXPECT_EQ(json[u"from"], QStringLiteral("2026-03-01T13:01:36.000000Z"));
+    EXPECT_EQ(json[u"shownLaterSeconds"], 34);
+    const QJsonObject column = json[u"columns"].toArray().at(0).toObject();
+    EXPECT_EQ(column[u"shiftSeconds"], 0);
+    EXPECT_EQ(column[u"knownFrom"], QStringLiteral("2026-03-01T13:01:36.000000Z"));
+    const QJsonArray marks = json[u"marks"].toArray();
+    ASSERT_EQ(marks.size(), 1);
+    EXPECT_EQ(marks[0].toObject()[u"at"], QStringLiteral("2026-03-01T13:01:38.000000Z"));
+}
+
+// One table has one time, so what lies on another one says by how much it was shifted.
+TEST_F(TrendFilesTest, OfRecordingsOnTopOfEachOtherTheShiftIsNamed)
+{
+    extract.columns[0].shift = std::chrono::milliseconds(-34'500);
+    ASSERT_TRUE(save());
+    const QList<QByteArray> lines = contentOf(path).split('\n');
+    EXPECT_TRUE(lines[0].contains("1.0 Hoist: position [deg] shifted -34.500 s,1.0 speed [rpm],"))
+        << lines[0].toStdString();
+    EXPECT_TRUE(lines[1].startsWith("1772370130.000000,"));
+    const QJsonArray columns = description()[u"columns"].toArray();
+    EXPECT_EQ(columns[0].toObject()[u"shiftSeconds"], -34.5);
+    EXPECT_EQ(columns[0].toObject()[u"name"], QStringLiteral("1.0 Hoist: position [deg] shifted -34.500 s"));
+    EXPECT_EQ(columns[1].toObject()[u"shiftSeconds"], 0);
+    EXPECT_EQ(description()[u"shownLaterSeconds"], 0);
+}
+
 TEST_F(TrendFilesTest, TheDescriptionStandsBesideTheTable)
 {
     EXPECT_EQ(TrendFiles::descriptionPath(QStringLiteral("/a/hoist.csv")), QStringLiteral("/a/hoist.json"));

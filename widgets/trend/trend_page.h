@@ -2,6 +2,7 @@
 #pragma once
 
 #include "trend/csv_style.h"
+#include "trend/trend_extract.h"
 #include "trend/trend_origin.h"
 #include "widgets/look/page.h"
 #include "widgets/look/printed_view.h"
@@ -91,6 +92,7 @@ private:
     void askPicture();
     void askExport(Extract what);
     std::optional<TimeSpan> spanOf(Extract what) const;
+    TrendColumn columnOf(const TrendTracks::Shown &shown) const;
     CsvStyle csvStyle() const;
     TrendOrigin origin() const;
     void endExport(const QString &failure);

@@ -130,6 +130,17 @@ void TrendPage::askExport(Extract what)
         exportTo(path, what);
 }
 
+TrendColumn TrendPage::columnOf(const TrendTracks::Shown &shown) const
+{
+    const Place place = shown.track.place;
+    TrendColumn column{.track = shown.track, .name = m_station(place), .scale = m_scales.of(shown)};
+    if (const Archive *archive = m_histories.archiveOf(place)) {
+        column.shift = archive->shift();
+        column.busName = nameAmongOthers(place.bus);
+    }
+    return column;
+}
+
 void TrendPage::exportTo(const QString &path, Extract what)
 {
     const auto span = spanOf(what);
@@ -137,7 +148,7 @@ void TrendPage::exportTo(const QString &path, Extract what)
         return;
     TrendExtract extract{.columns = {}, .span = *span};
     for (const TrendTracks::Shown &shown : m_tracks.shown())
-        extract.columns.push_back({shown.track, m_station(shown.track.place), m_scales.of(shown)});
+        extract.columns.push_back(columnOf(shown));
     delete m_export;
     m_export = new TrendExport(
         std::make_unique<TrendFiles>(path, extract, historyOf(m_histories), csvStyle()),

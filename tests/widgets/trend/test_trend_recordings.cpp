@@ -7,7 +7,10 @@
 #include "widgets/trend/shift_bar.h"
 
 #include <QAction>
+#include <QFile>
 #include <QMenu>
+#include <QScopeGuard>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 namespace codewheel {
@@ -106,6 +109,25 @@ TEST_F(TrendRecordingsTest, TheShiftCanBeTyped)
     QTest::keyClick(&field, Qt::Key_Return);
     EXPECT_EQ(night->shift(), -1'500ms);
     EXPECT_EQ(histories.of(position(8).place, Channel::position)->span()->from, noon - 1'500ms);
+}
+
+TEST_F(TrendRecordingsTest, ItsTableHasItsOwnTimesWhateverTheShift)
+{
+    const auto night = open(8);
+    night->setShift(34s);
+    setBusNames({{BusId{8}, QStringLiteral("b Master")}});
+    const auto noNames = qScopeGuard([] { setBusNames({}); });
+    page.showTrack(position(8));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("night.csv"));
+    page.exportTo(path, TrendPage::Extract::all);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readLine().startsWith("time [s],b Master/1.0 position"));
+    const QByteArray first =
+        QByteArray::number(qint64{std::chrono::floor<std::chrono::seconds>(noon).count()});
+    EXPECT_TRUE(file.readLine().startsWith(first + '.'));
 }
 
 TEST_F(TrendRecordingsTest, FollowsWhatIsPlayed)
