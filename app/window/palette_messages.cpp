@@ -37,7 +37,7 @@ std::vector<PaletteEntry> PaletteMessages::next()
         const auto text = [&](int column) { return m_messages.index(row, column).data().toString(); };
         const StoredMessage message = m_messages.message(row);
         const QString place = text(MessageModel::placeColumn);
-        const QString time = MessageModel::text(message, MessageModel::timeColumn);
+        const QString time = m_messages.text(message, MessageModel::timeColumn);
         entries.push_back(
             {.kind = PaletteEntry::Kind::message,
              .title = text(MessageModel::textColumn),

@@ -36,7 +36,12 @@ QString placeName(const std::optional<Place> &place)
     if (!place)
         return {};
     const QString shown = place->shown();
-    return shown.isEmpty() ? Fields::tr("Bus") : shown;
+    return shown.isEmpty() ? nameOfNamelessBus() : shown;
+}
+
+QString nameOfNamelessBus()
+{
+    return Fields::tr("Bus");
 }
 
 QString placeText(const std::optional<Place> &place)

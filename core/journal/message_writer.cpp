@@ -3,6 +3,7 @@
 
 #include "encoder/csv_text.h"
 #include "journal/message_fields.h"
+#include "journal/told_bus_names.h"
 
 #include <QCoreApplication>
 #include <QIODevice>
@@ -68,12 +69,14 @@ QString htmlBegin()
                           Export::tr("Message")}));
 }
 
-QString htmlRow(const StoredMessage &message)
+QString htmlRow(const StoredMessage &message, const ToldBusNames *names)
 {
+    const QString place =
+        names != nullptr ? names->placeName(message.place, message.at) : placeName(message.place);
     return QStringLiteral("<tr class=\"%1\">%2</tr>\n")
         .arg(severityKey(message.severity),
-             cells("td", {messageTime(message.at), severityName(message.severity), placeName(message.place),
-                          messageText(message)}));
+             cells("td",
+                   {messageTime(message.at), severityName(message.severity), place, messageText(message)}));
 }
 
 } // namespace
@@ -98,7 +101,7 @@ bool MessageWriter::write(const std::vector<StoredMessage> &messages)
 {
     QString text;
     for (const StoredMessage &message : messages)
-        text += m_format == Format::html ? htmlRow(message) : csvLine(message);
+        text += m_format == Format::html ? htmlRow(message, m_names) : csvLine(message);
     return put(text);
 }
 

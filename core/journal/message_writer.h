@@ -9,6 +9,8 @@ class QIODevice;
 
 namespace codewheel {
 
+class ToldBusNames;
+
 // Writes messages to a file, piece by piece, so that a million of them need no memory. The device reports
 // errors (QIODevice::errorString). Used by window and command line.
 class MessageWriter
@@ -20,9 +22,11 @@ public:
         html, // one page, in the user's language
     };
 
-    MessageWriter(QIODevice &device, Format format)
+    // `names`: of buses when the messages were told. They outlive it; null: the names of now.
+    MessageWriter(QIODevice &device, Format format, const ToldBusNames *names = nullptr)
         : m_device(device)
         , m_format(format)
+        , m_names(names)
     {}
 
     // "csv" or "html", by the ending of a file's name; empty for any other.
@@ -37,6 +41,7 @@ private:
 
     QIODevice &m_device;
     Format m_format;
+    const ToldBusNames *m_names;
 };
 
 } // namespace codewheel

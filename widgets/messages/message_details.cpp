@@ -33,8 +33,8 @@ MessageDetails::MessageDetails(QWidget *parent)
 void MessageDetails::show(const MessageModel &messages, int row)
 {
     const StoredMessage newest = messages.message(row);
-    const auto cell = [](const StoredMessage &message, int column) {
-        return MessageModel::text(message, column);
+    const auto cell = [&messages](const StoredMessage &message, int column) {
+        return messages.text(message, column);
     };
     const qint64 count = messages.countOf(row);
     QStringList head;

@@ -17,7 +17,7 @@ MessageExport::MessageExport(const MessageModel &messages, const QString &fileNa
     , m_messages(messages)
     , m_ids(messages.ids())
     , m_file(fileName)
-    , m_writer(m_file, format)
+    , m_writer(m_file, format, &messages.busNames())
 {
     connect(&m_timer, &QTimer::timeout, this, &MessageExport::writePiece);
     m_timer.start(0);

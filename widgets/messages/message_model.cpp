@@ -60,6 +60,8 @@ void MessageModel::setClock(EncoderBus &bus)
 
 void MessageModel::add(const Message &message, const QDateTime &at)
 {
+    if (message.place)
+        m_busNames.note(message.place->bus, at.toMSecsSinceEpoch());
     m_store.add(message, at);
     Q_EMIT added(message);
     if (message.severity == Severity::information)
@@ -423,7 +425,7 @@ std::vector<StoredMessage> MessageModel::newest(qint64 most) const
     return messages;
 }
 
-QString MessageModel::text(const StoredMessage &message, int column)
+QString MessageModel::text(const StoredMessage &message, int column) const
 {
     switch (column) {
     case timeColumn:
@@ -431,7 +433,7 @@ QString MessageModel::text(const StoredMessage &message, int column)
     case severityColumn:
         return severityName(message.severity);
     case placeColumn:
-        return placeName(message.place);
+        return m_busNames.placeName(message.place, message.at);
     case textColumn:
         return messageText(message);
     default:

@@ -4,6 +4,7 @@
 #include "journal/id_runs.h"
 #include "journal/message_search.h"
 #include "journal/message_store.h"
+#include "journal/told_bus_names.h"
 
 #include <QAbstractTableModel>
 #include <QCache>
@@ -82,7 +83,9 @@ public:
     std::vector<StoredMessage> read(const std::vector<qint64> &ids) const;
 
     // A single message as it is copied: with date, and time to the millisecond.
-    static QString text(const StoredMessage &message, int column);
+    QString text(const StoredMessage &message, int column) const;
+
+    const ToldBusNames &busNames() const { return m_busNames; } // when they were told
 
     // Shows what was added and found since the last call. Called internally ten times a second.
     void refresh();
@@ -124,6 +127,7 @@ private:
     IdRuns m_ids;            // that fit
     MessageRows m_rows;      // of m_ids
     int m_unseen = 0;
+    ToldBusNames m_busNames;
     MessageSearch m_search;
     double m_searched = 0;
     mutable QCache<qint64, StoredMessage> m_cache; // by id

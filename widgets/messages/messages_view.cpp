@@ -273,7 +273,7 @@ void MessagesView::copy()
     for (const StoredMessage &message : m_messages.read(chosenIds())) {
         QStringList cells;
         for (int column = 0; column < MessageModel::columnTotal; ++column)
-            cells.append(MessageModel::text(message, column));
+            cells.append(m_messages.text(message, column));
         text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
     }
     QApplication::clipboard()->setText(text);

@@ -108,6 +108,22 @@ protected:
     QTemporaryDir folder;
 };
 
+TEST_F(MessagesViewTest, AMessageKeepsTheNameThatItsBusHad)
+{
+    setBusNames({{fraba.bus, QStringLiteral("Ring")}}, {{fraba.bus, QStringLiteral("Ring")}});
+    add("cable off", fraba);
+    setBusNames({{fraba.bus, QStringLiteral("Seat 2")}}, {{fraba.bus, QStringLiteral("Seat 2")}});
+    const auto placeIn = [this](int row) {
+        return messages.index(row, MessageModel::placeColumn).data().toString();
+    };
+    EXPECT_EQ(placeIn(1), QStringLiteral("Ring/1.0"));
+    ring.bus.advance(1000);
+    add("cable on", fraba);
+    setBusNames({});
+    EXPECT_EQ(placeIn(1), QStringLiteral("Ring/1.0"));
+    EXPECT_EQ(placeIn(2), QStringLiteral("Seat 2/1.0"));
+}
+
 TEST_F(MessagesViewTest, SaysWhatBelongsThereAsLongAsThereIsNothing)
 {
     EXPECT_TRUE(view.findChild<EmptyState *>()->isVisible());
@@ -216,7 +232,7 @@ TEST_F(MessagesViewTest, BringsBackWhatWasCleared)
     add("after");
     QTest::mouseClick(view.findChild<InlineMessage *>()->findChild<QPushButton *>(), Qt::LeftButton);
     ASSERT_EQ(shownNow(), 2);
-    EXPECT_EQ(MessageModel::text(messages.message(1), MessageModel::textColumn), QStringLiteral("before"));
+    EXPECT_EQ(messages.text(messages.message(1), MessageModel::textColumn), QStringLiteral("before"));
     EXPECT_EQ(note(), QString());
 }
 
