@@ -1092,6 +1092,10 @@
         <source>The encoder moves: the place that gets the new position is where it stands when the command arrives.</source>
         <translation>Der Geber dreht sich: Die neue Position bekommt die Stelle, an der er steht, wenn der Befehl ankommt.</translation>
     </message>
+    <message>
+        <source>The position was set before, and stays so.</source>
+        <translation>Die Position war schon gesetzt und bleibt es.</translation>
+    </message>
 </context>
 <context>
     <name>Leds</name>
@@ -3162,6 +3166,10 @@
         <source>The encoder did not answer within %1 s (OUT %2, IN %3). Check the first register of OUT in the connection: its words may go elsewhere. Then check which encoder it is, and whether it is switched on.</source>
         <translation>Der Geber hat nicht innerhalb von %1 s geantwortet (OUT %2, IN %3). In der Verbindung das erste Register von OUT prüfen: Seine Worte gehen vielleicht woandershin. Dann prüfen, welcher Geber es ist und ob er eingeschaltet ist.</translation>
     </message>
+    <message>
+        <source>No answer came from the encoder for %1 s after this was confirmed, so nothing was sent. Check the line, then start again.</source>
+        <translation>Nach dem Bestätigen kam %1 s lang keine Antwort vom Geber, deshalb wurde nichts gesendet. Die Leitung prüfen, dann neu beginnen.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3648,7 +3656,7 @@
     </message>
     <message>
         <source>no: the handshake did not end well</source>
-        <translation>nein: Der Handshake endete nicht gut</translation>
+        <translation>nein: Der Handshake ist gescheitert</translation>
     </message>
     <message>
         <source>read back from the encoder, and equal</source>
@@ -4895,10 +4903,6 @@
         <translation>In welchem Zustand soll der Geber %1 bleiben?</translation>
     </message>
     <message>
-        <source>Restore writes the earlier values again and runs with them.</source>
-        <translation>Wiederherstellen schreibt die vorigen Werte neu, dann Run.</translation>
-    </message>
-    <message>
         <source>The earlier values are not all known, so they cannot be restored.</source>
         <translation>Die vorigen Werte sind nicht alle bekannt und lassen sich deshalb nicht wiederherstellen.</translation>
     </message>
@@ -4913,6 +4917,14 @@
     <message>
         <source>Before that, run makes valid what it has taken: until the earlier values are written, the controller sees a position by these. Leave it in parameterization to avoid that.</source>
         <translation>Davor macht Run gültig, was er übernommen hat: Bis die früheren Werte geschrieben sind, sieht die Steuerung eine Position nach diesen. In der Parametrierung lassen vermeidet das.</translation>
+    </message>
+    <message>
+        <source>The position was set. That cannot be undone, and by the earlier values the encoder would show yet another one: they are not restored.</source>
+        <translation>Die Position wurde gesetzt. Das lässt sich nicht rückgängig machen, und mit den vorigen Werten würde der Geber noch eine andere zeigen: Sie werden nicht wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Restore writes the earlier values again and runs with them. EEPROM writes for that: %1 at most.</source>
+        <translation>Wiederherstellen schreibt die vorigen Werte zurück und sendet Run. EEPROM-Schreibvorgänge dafür: höchstens %1.</translation>
     </message>
 </context>
 <context>
@@ -5801,7 +5813,7 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
     <message>
         <source>last at</source>
-        <translation>zuletzt um</translation>
+        <translation>zuletzt an</translation>
     </message>
     <message>
         <source>writes</source>
@@ -7970,6 +7982,10 @@ ist. Braucht keinen Bus.</translation>
         <source>The bus is not connected</source>
         <translation>Der Bus ist nicht verbunden</translation>
     </message>
+    <message>
+        <source>There is nothing to compare: this link does not tell which devices are on the ring. Those shown as connected are the ones that the project had when the ring was connected.</source>
+        <translation>Es gibt nichts zu vergleichen: Diese Verbindung sagt nicht, welche Teilnehmer im Ring sind. Als angeschlossen gezeigt werden die, die das Projekt beim Verbinden hatte.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ConnectPage</name>
@@ -9519,6 +9535,22 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>set the position, zero, zero point</source>
         <translation>Position setzen, nullen, Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Send run to %1?</source>
+        <translation>Run an %1 senden?</translation>
+    </message>
+    <message>
+        <source>The encoder then gives its position by these values: it can jump, and what the controller drives by it can move. Which position it will read is not known.</source>
+        <translation>Danach gibt der Geber seine Position nach diesen Werten aus: Sie kann springen, und was die Steuerung danach antreibt, kann sich bewegen. Welche Position er anzeigen wird, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>&amp;Send run</source>
+        <translation>Run &amp;senden</translation>
+    </message>
+    <message>
+        <source>Sends 80000000, then 00000000</source>
+        <translation>Sendet 80000000, dann 00000000</translation>
     </message>
 </context>
 <context>
@@ -11157,6 +11189,10 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>EEPROM writes by this: at most %1.</source>
         <translation>EEPROM-Schreibvorgänge hierdurch: höchstens %1.</translation>
+    </message>
+    <message>
+        <source>Agree to that first, at the end of the list.</source>
+        <translation>Zuerst am Ende der Liste zustimmen.</translation>
     </message>
 </context>
 <context>
@@ -14271,6 +14307,26 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
             <numerusform>%n Clients</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stop offering</source>
+        <translation>Nicht mehr anbieten</translation>
+    </message>
+    <message>
+        <source>Connected clients: %1. Stop offering and disconnect them?</source>
+        <translation>Verbundene Clients: %1. Nicht mehr anbieten und sie trennen?</translation>
+    </message>
+    <message>
+        <source>The rings of all seats end, with all that was written to them.</source>
+        <translation>Die Ringe aller Sitzplätze enden, mit allem, was in sie geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop offering</source>
+        <translation>Nicht &amp;mehr anbieten</translation>
+    </message>
+    <message>
+        <source>Disconnects all clients (Alt+S)</source>
+        <translation>Trennt alle Clients (Alt+M)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::OfferedView</name>
@@ -14337,11 +14393,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>This ring is real. Shall the program write to it?</source>
-        <translation>Dieser Ring ist echt. Soll das Programm auf ihn schreiben?</translation>
+        <translation>Dieser Ring ist echt. Soll das Programm in ihn schreiben?</translation>
     </message>
     <message>
         <source>%1 is a real ring. Shall the program write to it?</source>
-        <translation>%1 ist ein echter Ring. Soll das Programm auf ihn schreiben?</translation>
+        <translation>%1 ist ein echter Ring. Soll das Programm in ihn schreiben?</translation>
     </message>
     <message>
         <source>&amp;Operate</source>
@@ -16188,6 +16244,19 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>The last position of the previous encoder</source>
         <translation>Die Position, die der vorige Geber zuletzt zeigte</translation>
+    </message>
+    <message>
+        <source>&amp;Position %1, seen at %2. Then nobody saw the encoder for a while; it was not seen to be away.</source>
+        <translation>&amp;Position %1, gesehen um %2. Danach hat eine Weile niemand den Geber gesehen; dass er weg war, wurde nicht gesehen.</translation>
+    </message>
+    <message>
+        <source>%1 The encoder was scaled otherwise then: now this is another position.</source>
+        <comment>a sentence, or most of one</comment>
+        <translation>%1 Der Geber war damals anders skaliert: Jetzt ist das eine andere Position.</translation>
+    </message>
+    <message>
+        <source>The computer slept, or the bus was stopped or lost: the encoder may still be the previous one</source>
+        <translation>Der Rechner war im Ruhezustand, oder der Bus war angehalten oder nicht erreichbar: Es kann noch der bisherige Geber sein</translation>
     </message>
 </context>
 <context>
@@ -18090,6 +18159,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Sends 80000000 to %1, then 00000000: what it has taken becomes valid, and it shows its position again</source>
         <translation>Sendet 80000000 an %1, dann 00000000: Was er übernommen hat, wird gültig, und er zeigt seine Position wieder</translation>
     </message>
+    <message>
+        <source>Operate, and bring back</source>
+        <translation>Bedienen und zurückholen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RodConsequences</name>
@@ -18433,10 +18506,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Zustand seines Rings</translation>
     </message>
     <message>
-        <source>Device, OUT word, and when it was on the bus, whoever wrote it</source>
-        <translation>Teilnehmer, OUT-Wort und wann es auf dem Bus war, wer immer es schrieb</translation>
-    </message>
-    <message>
         <source>IN</source>
         <translation>IN</translation>
     </message>
@@ -18459,6 +18528,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>What the trainer or a fault plan has caused in its ring, and is not over</source>
         <translation>Was der Ausbilder oder ein Fehlerplan in seinem Ring bewirkt hat und nicht vorbei ist</translation>
+    </message>
+    <message>
+        <source>Device, OUT word, and when it was on the bus, whoever wrote it; not what stood there already</source>
+        <translation>Teilnehmer, OUT-Wort und wann es auf dem Bus war, gleich wer es schrieb; nicht, was schon dort stand</translation>
     </message>
 </context>
 <context>
@@ -19286,10 +19359,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>&amp;Zahlen</translation>
     </message>
     <message>
-        <source>The sign before decimals. Typed numbers are understood with either.</source>
-        <translation>Das Zeichen vor den Nachkommastellen. Getippte Zahlen werden mit beiden verstanden.</translation>
-    </message>
-    <message>
         <source>Decimal point: 0.25</source>
         <translation>Dezimalpunkt: 0.25</translation>
     </message>
@@ -19464,6 +19533,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Entered with each EEPROM write, beside the name of this computer, in the window and on the command line. May stay empty.</source>
         <translation>Wird zu jedem EEPROM-Schreibvorgang eingetragen, neben dem Namen dieses Rechners, im Fenster und auf der Kommandozeile. Kann leer bleiben.</translation>
+    </message>
+    <message>
+        <source>The sign before decimals. The other one may be typed too, but not before three digits.</source>
+        <translation>Das Zeichen vor den Nachkommastellen. Das andere darf auch getippt werden, aber nicht vor drei Ziffern.</translation>
     </message>
 </context>
 <context>
@@ -20451,14 +20524,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>%1, getippt</translation>
     </message>
     <message>
-        <source>%1 shown</source>
-        <translation>%1 gezeigt</translation>
-    </message>
-    <message>
-        <source>%1 oldest dropped</source>
-        <translation>%1 älteste verworfen</translation>
-    </message>
-    <message>
         <source>Since last, ms</source>
         <translation>Seit letzter, ms</translation>
     </message>
@@ -20475,6 +20540,14 @@ Worte: IN %3, OUT %4</translation>
             <numerusform>angehalten, %Ln neue</numerusform>
             <numerusform>angehalten, %Ln neue</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows shown</source>
+        <translation>%1 von %2 Zeilen gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 dropped</source>
+        <translation>%1 verworfen</translation>
     </message>
 </context>
 <context>
@@ -21194,6 +21267,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Accepted, but not valid until run is sent</source>
         <translation>Übernommen, aber erst nach Run gültig</translation>
+    </message>
+    <message>
+        <source>Acknowledged, not active</source>
+        <translation>Quittiert, nicht wirksam</translation>
     </message>
 </context>
 <context>
@@ -22749,6 +22826,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
         <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+    <message>
+        <source>The encoder has lost its parameters (error 3), and works again only with all of parameters 1 to 4. Without a value: %1. Want these too, or reset it to its default values.</source>
+        <translation>Der Geber hat seine Parameter verloren (Fehler 3) und arbeitet erst wieder mit allen Parametern 1 bis 4. Ohne Wert: %1. Auch diese vorgeben, oder ihn auf seine Standardwerte zurücksetzen.</translation>
     </message>
 </context>
 </TS>

@@ -91,6 +91,8 @@ public:
     virtual BusState state() const = 0;
     bool isOpen() const { return state() == BusState::open || state() == BusState::lost; } // connected
     virtual bool isSimulated() const = 0;                                                  // its encoders are
+    // False: its devices are those of the project as it was when the bus was connected.
+    virtual bool findsDevices() const { return true; }
     // It shows a recording: nobody is at work there, nothing is sent, and what it shows is of then.
     virtual bool isReplay() const { return false; }
     virtual bool isRunning() const = 0; // RUN; for a serial line: the port is there, and positions are polled

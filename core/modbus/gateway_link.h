@@ -61,6 +61,7 @@ public:
     void wait(Instant until) override;
     bool isDue() const override { return !m_map || now() >= m_nextExchange; }
     bool boundsWordsToCycles() const override { return false; }
+    bool findsDevices() const override { return false; }
     void interrupt() override { m_port->interrupt(); }
 
 private:

@@ -443,6 +443,11 @@ BusState RingSession::state() const
     return d->latest().connected ? BusState::open : BusState::lost;
 }
 
+bool RingSession::findsDevices() const
+{
+    return d->link->findsDevices();
+}
+
 bool RingSession::isSimulated() const
 {
     return d->link->isSimulated();

@@ -67,6 +67,7 @@ public:
 
     BusState state() const override;
     bool isSimulated() const override;
+    bool findsDevices() const override;
     const RingStructure &structure() const;
     const BusOutline &outline() const override;
     std::vector<Place> places() const override;

@@ -10,6 +10,7 @@
 #include "widgets/gateway/registers_page.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/master/ring_comparison.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/training/training_panel.h"
@@ -94,6 +95,22 @@ TEST_F(GatewayInWindowTest, IsCalledAGatewayInTheBusStructure)
     connectGateway();
     const auto &tree = *window().findChild<QTreeView *>(QStringLiteral("structure"));
     EXPECT_EQ(tree.model()->index(0, 0).data().toString(), QStringLiteral("Gateway"));
+}
+
+// A gateway has no ID cycle: what it has is what it was told.
+TEST_F(GatewayInWindowTest, NothingIsComparedWhereNobodySaysWhatIsThere)
+{
+    connectGateway();
+    window().showComparison();
+    advance(40);
+    const auto &page = *window().findChild<RingComparison *>();
+    EXPECT_TRUE(std::ranges::any_of(page.findChildren<QLabel *>(), [](const QLabel *label) {
+        return label->text().startsWith(QStringLiteral("There is nothing to compare"));
+    }));
+    for (const QPushButton *button : page.findChildren<QPushButton *>())
+        EXPECT_FALSE(button->isVisible() && button->isEnabled() &&
+                     button->text().contains(QStringLiteral("project")))
+            << button->text().toStdString();
 }
 
 TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)

@@ -338,7 +338,7 @@ TEST(EscWrite, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
     bench.settle();
     bench.isOn = false;
     ASSERT_TRUE(bench.begin(writingAll({{Parameter::lowerLimit, 0x200}})));
-    bench.run(std::chrono::milliseconds(400));
+    bench.run(std::chrono::milliseconds(100));
     bench.now += std::chrono::seconds(2); // others on the line are asked, and do not answer either
     bench.isOn = true;
     bench.runUntil([&] { return bench.outcome.has_value(); });

@@ -33,6 +33,7 @@ public:
     bool isDue() const override { return m_link->isDue(); }
     bool boundsWordsToCycles() const override { return m_link->boundsWordsToCycles(); }
     bool isSimulated() const override { return m_link->isSimulated(); }
+    bool findsDevices() const override { return m_link->findsDevices(); }
     void interrupt() override { m_link->interrupt(); }
     MasterLink *master() override { return m_link->master(); }
 

@@ -169,6 +169,14 @@ void ComparisonPage::compare()
 // What nobody hears of now is told as it was.
 void ComparisonPage::showSummary()
 {
+    if (isConnected() && !m_bus->findsDevices()) {
+        m_age->stop();
+        m_summary->setText(
+            tr("There is nothing to compare: this link does not tell which devices are on the ring. "
+               "Those shown as connected are the ones that the project had when the ring was "
+               "connected."));
+        return;
+    }
     const std::vector<OldDevices> old = oldDevices(m_connected);
     const bool isSame = differences() == 0;
     QStringList sentences{old.empty() ? isSame ? tr("The bus is as configured.")
@@ -202,8 +210,9 @@ void ComparisonPage::takeIntoProject(const std::vector<std::size_t> &lines)
 
 void ComparisonPage::showWhatIsPossible()
 {
-    m_lineIntoProject->setEnabled(isConnected() && m_table->selectionModel()->hasSelection());
-    m_allIntoProject->setEnabled(isConnected() && differences() > 0);
+    const bool canTake = isConnected() && m_bus->findsDevices();
+    m_lineIntoProject->setEnabled(canTake && m_table->selectionModel()->hasSelection());
+    m_allIntoProject->setEnabled(canTake && differences() > 0);
 }
 
 } // namespace codewheel

@@ -98,10 +98,12 @@ void JobReview::layOut()
     layOutColumn(this, {{m_area, 1}, m_cost, layOutRow({{m_write, 1}, m_cancel})}, {.margins = QMargins()});
 }
 
+// Rows are higher where a scroll bar leaves them less width, so during a review the room only grows.
 void JobReview::keepRowsInSight()
 {
-    if (!m_table->isHidden())
-        m_area->setMinimumHeight(std::min(m_table->heightOf(rowsInSight), mostInSight));
+    const int wanted = std::min(m_table->heightOf(rowsInSight), mostInSight);
+    if (!m_table->isHidden() && wanted > m_area->minimumHeight())
+        m_area->setMinimumHeight(wanted);
 }
 
 // By the keyboard.
@@ -141,6 +143,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = &encoder;
+    m_area->setMinimumHeight(0);
     m_model->setColumns(std::move(columns), size);
     m_write->setToolTip(tip);
     m_write->show();

@@ -123,8 +123,9 @@ void SettingsDialog::makeLook()
     m_language->addItem(tr("Same as the system"), QString());
     m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
     m_language->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
-    m_decimalSign = addChoice(form, tr("&Numbers"),
-                              tr("The sign before decimals. Typed numbers are understood with either."));
+    m_decimalSign = addChoice(
+        form, tr("&Numbers"),
+        tr("The sign before decimals. The other one may be typed too, but not before three digits."));
     m_decimalSign->setObjectName(QStringLiteral("settingsNumbers"));
     m_decimalSign->addItem(tr("As usual in the language"), static_cast<int>(DecimalSign::ofLanguage));
     m_decimalSign->addItem(tr("Decimal point: 0.25"), static_cast<int>(DecimalSign::point));
