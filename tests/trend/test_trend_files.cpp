@@ -159,7 +159,8 @@ TEST_F(TrendFilesTest, TheDescriptionTellsOfEachColumnWhatItIsAndHowMuchIsMissin
                            {QStringLiteral("knownFrom"), QStringLiteral("2026-03-01T13:02:10.000000Z")},
                            {QStringLiteral("knownTo"), QStringLiteral("2026-03-01T13:02:21.000000Z")},
                            {QStringLiteral("gaps"), 1},
-                           {QStringLiteral("gapSeconds"), 0.5}}));
+                           {QStringLiteral("gapSeconds"), 0.5},
+                           {QStringLiteral("shiftSeconds"), 0.0}}));
     EXPECT_EQ(columns[1][u"unit"], QStringLiteral("rpm"));
     EXPECT_DOUBLE_EQ(columns[1][u"perStep"].toDouble(), 60. / 4'096);
     EXPECT_TRUE(columns[1][u"knownFrom"].isNull());
