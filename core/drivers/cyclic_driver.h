@@ -20,8 +20,8 @@ public:
     // decoded.
     virtual void setKnown(const std::vector<Known> &known) = 0;
 
-    // It was out of sight, and may be another one by now: nothing is known of it, not even its mode. No job is
-    // running.
+    // It was out of sight, and may be another one by now: nothing is known of it, not even its mode. No job
+    // is running.
     virtual void forget() { setKnown({}); }
 
     // The link may show a word of which one half is that of the word before.

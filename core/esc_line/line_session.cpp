@@ -176,10 +176,10 @@ void LineSession::showLatest()
     const LineState &state = *shown;
     tellState(std::exchange(d->told, state) != state);
     Freshness::Circumstances circumstances{.isConnected = isOpen(),
-                                                 .isLinkThere = shown->connected,
-                                                 .isRunning = shown->polling,
-                                                 .awakeSince = shown->awakeSince,
-                                                 .now = shown->at};
+                                           .isLinkThere = shown->connected,
+                                           .isRunning = shown->polling,
+                                           .awakeSince = shown->awakeSince,
+                                           .now = shown->at};
     const std::size_t count = std::min(shown->devices.size(), d->encoders.size());
     for (std::size_t i = 0; i < count; ++i) {
         LineEncoderSession *session = d->encoders[i].session.get();

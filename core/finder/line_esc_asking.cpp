@@ -18,7 +18,7 @@ namespace codewheel {
 namespace {
 
 constexpr int knockings = 2;                 // at the master address, for one that was lost
-constexpr Instant withoutLowLatency{18'000}; // so late an adapter hands over bytes that it collects
+constexpr Instant whereLatencyIsUsual{18'000}; // so late an adapter hands over bytes that it collects
 const std::vector<int> escRates{19'200, 9'600, 4'800};
 
 SerialSettings escSettings(int baudRate)
@@ -47,7 +47,7 @@ esc::Timing timingOn(const ByteLink &link, const SerialSettings &settings)
     timing.character = settings.timeOf(1);
     timing.retries = 0;
     if (link.lowLatency() == LowLatency::refused)
-        timing.adapterDelay = withoutLowLatency;
+        timing.adapterDelay = whereLatencyIsUsual;
     return timing;
 }
 

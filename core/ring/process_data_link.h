@@ -91,7 +91,8 @@ public:
     // Whether its encoders are not real, and new with each start: what is written to them is not kept
     // (app/journal_files.h). What is written to those of a real link is.
     virtual bool isSimulated() const { return false; }
-    // Whether open() finds the participants on the ring. A gateway has no ID cycle: they are what it was told.
+    // Whether open() finds the participants on the ring. A gateway has no ID cycle: they are what it was
+    // told.
     virtual bool findsDevices() const { return true; }
     // Ends the current blocking call, or else the next one, early with a refusal of kind `stopped`: the cycle
     // is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.

@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::seconds betweenTries{1}; // of opening a lost link
+constexpr std::chrono::seconds betweenOpenings{1}; // of opening a lost link
 
 Refusal ofLink(const Refusal &why)
 {
@@ -53,7 +53,7 @@ void RingRunner::Private::loseLink(const Refusal &why)
     if (zerosAreDue)
         tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
     link.close();
-    reopenAt = link.now() + betweenTries; // the last exchange may have taken long
+    reopenAt = link.now() + betweenOpenings; // the last exchange may have taken long
 }
 
 void RingRunner::Private::carryOut(command::AcknowledgeWatchdog)
@@ -89,7 +89,7 @@ std::optional<Word> RingRunner::Private::wordLeftThere(std::size_t i) const
 // meanwhile is not started.
 void RingRunner::Private::tryToReopen()
 {
-    reopenAt = ring.at + betweenTries;
+    reopenAt = ring.at + betweenOpenings;
     auto there = find();
     if (!there) {
         ring.whyLost = ofLink(there.error());

@@ -27,8 +27,8 @@ class WordDoubts;
 //
 // A lost link is tried again every second. Once it is back the bus is in Watch; if the ring is a different
 // one by then, it is adopted: structureChanged. A device with the same number, device code and name keeps its
-// session and its channel; those of all others are gone at the next pump(). Of a real encoder nothing is known
-// then: meetsAgain.
+// session and its channel; those of all others are gone at the next pump(). Of a real encoder nothing is
+// known then: meetsAgain.
 class RingSession final : public EncoderBus
 {
     Q_OBJECT

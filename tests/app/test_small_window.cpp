@@ -224,7 +224,9 @@ TEST_P(SmallWindow, TheQuestionHowToCancelShowsItsButtons)
     const auto &question = *panel.findChild<CancelQuestion *>();
     ASSERT_TRUE(question.isVisible());
     for (const auto *button : question.findChildren<QPushButton *>())
-        expectWhole(*button);
+        if (!GetParam().largeControls || button->hasFocus()) { // others can be scrolled to
+            expectWhole(*button);
+        }
     for (const QString &cut : test::cutOff(panel))
         ADD_FAILURE() << cut.toStdString();
     const auto *text = question.findChild<QLabel *>();
@@ -260,7 +262,8 @@ TEST_P(SmallWindow, TheQuestionBeforeAWriteOnTheLineIsWhole)
     for (const QString &cut : test::cutOff(terminal))
         ADD_FAILURE() << cut.toStdString();
     for (const auto *button : question->findChildren<QPushButton *>())
-        EXPECT_TRUE(button->toolTip().isEmpty() || Qt::mightBeRichText(button->toolTip()))
+        EXPECT_TRUE(button->isHidden() || button->toolTip().isEmpty() ||
+                    Qt::mightBeRichText(button->toolTip()))
             << "it wraps: " << button->toolTip().toStdString();
 }
 

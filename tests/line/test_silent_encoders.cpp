@@ -193,8 +193,8 @@ TEST_F(SilentEncoders, WhileNoneAnswersTheirAgeIsTold)
     line->setSilent(true);
     const Instant dead = link.now();
     const auto isOld = [this](std::size_t device) {
-        const LineSnapshot &line = *latest();
-        return line.at - line.devices.at(device).reading.at > line.devices.at(device).lateAfter;
+        const LineSnapshot &now = *latest();
+        return now.at - now.devices.at(device).reading.at > now.devices.at(device).lateAfter;
     };
     while (!(isOld(0) && isOld(1) && isOld(2)) && link.now() < dead + 10s)
         run(10ms);

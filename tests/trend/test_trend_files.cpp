@@ -83,13 +83,13 @@ TEST_F(TrendFilesTest, AShiftedRecordingIsWrittenAtItsOwnTimes)
     EXPECT_TRUE(lines[0].startsWith("time [s],b Master/1.0 Hoist: position [deg],b Master/1.0 speed [rpm]"))
         << lines[0].toStdString();
     EXPECT_TRUE(lines[1].startsWith("1772370096.000000,")) << lines[1].toStdString();
-    const QJsonObject json = description();
-    EXPECT_EQ(json[u"from"], QStringLiteral("2026-03-01T13:01:36.000000Z"));
-    EXPECT_EQ(json[u"shownLaterSeconds"], 34);
-    const QJsonObject column = json[u"columns"].toArray().at(0).toObject();
+    const QJsonObject described = description();
+    EXPECT_EQ(described[u"from"], QStringLiteral("2026-03-01T13:01:36.000000Z"));
+    EXPECT_EQ(described[u"shownLaterSeconds"], 34);
+    const QJsonObject column = described[u"columns"].toArray().at(0).toObject();
     EXPECT_EQ(column[u"shiftSeconds"], 0);
     EXPECT_EQ(column[u"knownFrom"], QStringLiteral("2026-03-01T13:01:36.000000Z"));
-    const QJsonArray marks = json[u"marks"].toArray();
+    const QJsonArray marks = described[u"marks"].toArray();
     ASSERT_EQ(marks.size(), 1);
     EXPECT_EQ(marks[0].toObject()[u"at"], QStringLiteral("2026-03-01T13:01:38.000000Z"));
 }

@@ -13,14 +13,14 @@ namespace codewheel::dial_note {
 namespace {
 
 constexpr int indent = grid::smallIcon + grid::unit;
-constexpr int mostLines = 10;
+constexpr int mostNoteLines = 10;
 
 } // namespace
 
 int lines(const QFontMetrics &metrics, int width, const QString &note)
 {
     const int line = metrics.height();
-    const QRect space(0, 0, width - indent, mostLines * line);
+    const QRect space(0, 0, width - indent, mostNoteLines * line);
     const int height = metrics.boundingRect(space, Qt::TextWordWrap, note).height();
     return std::max(2, (height + line - 1) / line);
 }

@@ -109,8 +109,11 @@ CancelQuestion::CancelQuestion(QWidget *parent)
     m_leave->setToolTip(tr("OUT goes back to 0, and the encoder keeps the state it is in"));
     m_goOn->setToolTip(tr("The job goes on"));
     m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    layOutColumn(this, {{new ContentScrollArea(m_text, this), 1}, m_restore, m_run, m_leave, m_goOn},
-                 {.margins = QMargins()});
+    auto *choices = new QWidget(this);
+    layOutColumn(choices, {m_restore, m_run, m_leave, m_goOn}, {.margins = QMargins()});
+    auto *choicesArea = new ContentScrollArea(choices, this); // large ones scroll in a low window
+    choicesArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    layOutColumn(this, {{new ContentScrollArea(m_text, this), 1}, choicesArea}, {.margins = QMargins()});
     connect(m_restore, &QPushButton::clicked, this, [this] { answer(OnCancel::restorePrevious); });
     connect(m_run, &QPushButton::clicked, this, [this] { answer(OnCancel::runWithWhatItHas); });
     connect(m_leave, &QPushButton::clicked, this, [this] { answer(OnCancel::leaveAsIs); });

@@ -26,7 +26,7 @@ namespace codewheel {
 namespace {
 
 constexpr int narrowestColumn = 50; // px: longer texts wrap
-constexpr int rowsInSight = 2;
+constexpr int reviewRowsInSight = 2;
 constexpr int mostInSight = 8 * grid::largeIcon; // px, where texts wrap much
 
 QString atMostText(int writes)
@@ -87,6 +87,7 @@ JobReview::JobReview(const char *id, QWidget *parent)
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_job); });
     connect(m_cancel, &QPushButton::clicked, this, &JobReview::cancelled);
     connect(m_table, &WholeTable::heightChanged, this, &JobReview::keepRowsInSight);
+    connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &JobReview::keepScrollBar);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &JobReview::showCurrentRow);
 }
@@ -101,9 +102,16 @@ void JobReview::layOut()
 // Rows are higher where a scroll bar leaves them less width, so during a review the room only grows.
 void JobReview::keepRowsInSight()
 {
-    const int wanted = std::min(m_table->heightOf(rowsInSight), mostInSight);
+    const int wanted = std::min(m_table->heightOf(reviewRowsInSight), mostInSight);
     if (!m_table->isHidden() && wanted > m_area->minimumHeight())
         m_area->setMinimumHeight(wanted);
+}
+
+// Without it there would be room for wider, lower rows, which need none: it would come and go for ever.
+void JobReview::keepScrollBar(int, int most)
+{
+    if (most > 0)
+        m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
 }
 
 // By the keyboard.
@@ -144,6 +152,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
         m_encoder->disconnect(this);
     m_encoder = &encoder;
     m_area->setMinimumHeight(0);
+    m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_model->setColumns(std::move(columns), size);
     m_write->setToolTip(tip);
     m_write->show();

@@ -64,6 +64,7 @@ private:
     void allow();
     void showCost();
     void keepRowsInSight();
+    void keepScrollBar(int least, int most);
     void showCurrentRow(const QModelIndex &index);
 
     QPointer<EncoderSession> m_encoder;

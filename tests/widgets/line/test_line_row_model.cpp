@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Kind = esc::LineRow::Kind;
 using test::wire;
 
-constexpr int mostRows = static_cast<int>(LineRecord::mostRows);
+constexpr int mostLineRows = static_cast<int>(LineRecord::mostLineRows);
 
 class LineRowModelTest : public testing::Test
 {
@@ -37,7 +37,7 @@ protected:
 
     Instant at{};
     LineTraffic traffic;
-    TrafficModel model{lineTrafficColumns, mostRows};
+    TrafficModel model{lineTrafficColumns, mostLineRows};
     LineRowFilter filter{model};
     const test::ModelTester modelTester{model};
     const test::ModelTester filterTester{filter};
@@ -63,7 +63,7 @@ TEST_F(LineRowModelTest, ARowSaysTimeDirectionTextBytesAndMeaning)
 TEST_F(LineRowModelTest, TheTimeSinceTheLastRowIsTrueWhateverTheClockOfTheBusDid)
 {
     static constexpr std::array columns{TrafficColumn::sinceLast};
-    TrafficModel rows(columns, mostRows);
+    TrafficModel rows(columns, mostLineRows);
     const QDateTime noon(QDate(2026, 11, 21), QTime(12, 0));
     const auto addAt = [&](Instant clock, int millisecondsPastNoon) {
         TrafficRow row = traffic.row({clock, Kind::sent, wire("05A")});
@@ -173,16 +173,16 @@ TEST_F(LineRowModelTest, HeldItKeepsWhatComesForLater)
 
 TEST_F(LineRowModelTest, TheOldestRowsGoAndAreCounted)
 {
-    for (int i = 0; i < mostRows; ++i)
+    for (int i = 0; i < mostLineRows; ++i)
         model.add(traffic.row({Instant{i}, Kind::sent, wire("05A")}));
     model.showWaiting();
-    EXPECT_EQ(model.rowCount(), mostRows);
+    EXPECT_EQ(model.rowCount(), mostLineRows);
     EXPECT_EQ(model.dropped(), 0U);
-    model.add(traffic.row({Instant{mostRows}, Kind::sent, wire("05P")}));
+    model.add(traffic.row({Instant{mostLineRows}, Kind::sent, wire("05P")}));
     model.showWaiting();
-    EXPECT_LT(model.rowCount(), mostRows);
-    EXPECT_EQ(static_cast<int>(model.dropped()) + model.rowCount(), mostRows + 1);
-    EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, Instant{mostRows});
+    EXPECT_LT(model.rowCount(), mostLineRows);
+    EXPECT_EQ(static_cast<int>(model.dropped()) + model.rowCount(), mostLineRows + 1);
+    EXPECT_EQ(model.rowAt(model.rowCount() - 1).what.at, Instant{mostLineRows});
 }
 
 TEST_F(LineRowModelTest, WhatTheProgramAsksByItselfDoesNotPushOutWhatWasTyped)
