@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostRows = 2'000; // children of one element: a table of words may have more, all alike
+constexpr int mostChildren = 2'000; // children of one element: a table of words may have more, all alike
 
 QString roleOf(const QAccessibleInterface &element)
 {
@@ -55,7 +55,7 @@ void addTo(QString &tree, const QAccessibleInterface *element, int depth)
     if (element == nullptr || element->state().invisible)
         return;
     tree += QString(2 * depth, u' ') + lineOf(*element) + u'\n';
-    for (int i = 0; i < std::min(element->childCount(), mostRows); ++i)
+    for (int i = 0; i < std::min(element->childCount(), mostChildren); ++i)
         addTo(tree, element->child(i), depth + 1);
 }
 

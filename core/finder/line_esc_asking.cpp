@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int knockings = 2;                 // at the master address, for one that was lost
+constexpr int knockings = 2;                   // at the master address, for one that was lost
 constexpr Instant whereLatencyIsUsual{18'000}; // so late an adapter hands over bytes that it collects
 const std::vector<int> escRates{19'200, 9'600, 4'800};
 

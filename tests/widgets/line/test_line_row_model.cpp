@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Kind = esc::LineRow::Kind;
 using test::wire;
 
-constexpr int mostLineRows = static_cast<int>(LineRecord::mostLineRows);
+constexpr int mostLineRows = static_cast<int>(LineRecord::mostRows);
 
 class LineRowModelTest : public testing::Test
 {
