@@ -135,7 +135,7 @@ def projects():
 def recordings():
     yield ["record", "-o", "all.cwrec", "--for", "2"]
     yield ["record", "1.0", "05", "-o", "two.cwrec", "--for", "1", "--no-traffic"]
-    yield ["record", "2.0", "-o", "trigger.cwrec", "--trigger", "2.0/position>10", "--before", "1", "--after", "1"]
+    yield ["record", "2.0", "-o", "trigger.cwrec", "--trigger", "2.0/in.10=1", "--before", "1", "--after", "1"]
     for name in ("all", "two", "trigger"):
         yield ["export", f"{name}.cwrec"]
         yield ["export", f"{name}.cwrec", "-o", f"{name}.csv"]

@@ -1,14 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files that the program wrote, as text."""
 
+import decimal
 import pathlib
+import re
 import sqlite3
 
 
 def readable(path: pathlib.Path) -> str:
     if path.read_bytes()[:15] == b"SQLite format 3":
         return tables(path)
-    return path.read_text(encoding="utf-8", errors="replace")
+    text = path.read_text(encoding="utf-8", errors="replace")
+    return from_the_first(text) if path.suffix == ".csv" else text
+
+
+def from_the_first(text):
+    """Seconds since 1970 at the beginning of each row, as seconds since the first row."""
+    time = re.compile(r"^\d{10}[.,]\d+", re.MULTILINE)
+    first = time.search(text)
+    if first is None:
+        return text
+    begun = decimal.Decimal(first.group().replace(",", "."))
+    return time.sub(lambda row: f"+{decimal.Decimal(row.group().replace(',', '.')) - begun}", text)
 
 
 def tables(path):
@@ -25,4 +38,6 @@ def tables(path):
 def plain(value):
     if isinstance(value, int) and value > 1_000_000_000_000:
         return "<moment>"
+    if isinstance(value, bytes):  # packed with its moment; what it holds is in the tables that are exported from it
+        return f"<{len(value)} bytes>"
     return value
