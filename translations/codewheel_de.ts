@@ -11434,8 +11434,8 @@ ist. Braucht keinen Bus.</translation>
 <context>
     <name>codewheel::KnownBeforeBar</name>
     <message>
-        <source>Before it was connected anew this was known: %1 (%2). Is it the same encoder?</source>
-        <translation>Vor dem neuen Verbinden war bekannt: %1 (%2). Ist es derselbe Geber?</translation>
+        <source>Is it the same encoder? Before it was connected anew this was known: %1 (%2).</source>
+        <translation>Ist es derselbe Geber? Vor dem neuen Verbinden war bekannt: %1 (%2).</translation>
     </message>
     <message>
         <source>The sa&amp;me</source>

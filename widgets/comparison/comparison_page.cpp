@@ -123,7 +123,7 @@ bool ComparisonPage::isConnected() const
 void ComparisonPage::showState()
 {
     m_empty->setVisible(!isConnected());
-    m_table->setVisible(isConnected());
+    m_table->setVisible(isConnected() && m_bus->findsDevices());
     m_message->withdraw();
     m_comparedAt.reset(); // how its devices stand is told with the next frame; the clock may stand still
     compare();

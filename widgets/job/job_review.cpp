@@ -86,7 +86,8 @@ JobReview::JobReview(const char *id, QWidget *parent)
     connect(m_gate, &EepromGate::changed, this, &JobReview::allow);
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_job); });
     connect(m_cancel, &QPushButton::clicked, this, &JobReview::cancelled);
-    connect(m_table, &WholeTable::heightChanged, this, &JobReview::keepRowsInSight);
+    // Not in the middle of a layout, which it would begin anew.
+    connect(m_table, &WholeTable::heightChanged, this, &JobReview::keepRowsInSight, Qt::QueuedConnection);
     connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &JobReview::keepScrollBar);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &JobReview::showCurrentRow);

@@ -71,7 +71,7 @@ void KnownBeforeBar::ask()
     setToolTip(valueList(m_encoder->device(), valuesOf(before)));
     showMessage(Role::attention,
                 codewheel::sentence(
-                    tr("Before it was connected anew this was known: %1 (%2). Is it the same encoder?"),
+                    tr("Is it the same encoder? Before it was connected anew this was known: %1 (%2)."),
                     {shortList(m_encoder->device(), valuesOf(before)),
                      QLocale().toString(newestOf(before).toLocalTime(), QLocale::ShortFormat)}),
                 tr("The sa&me"), tr("An&other one"));

@@ -22,8 +22,12 @@ WholeTable::WholeTable(QWidget *parent)
     connect(horizontalHeader(), &QHeaderView::geometriesChanged, this, &WholeTable::tellHeight);
 }
 
+// A scroll bar of its own would take width from the rows, which would then be higher, and the table too: so
+// it has one only beyond its height.
 void WholeTable::tellHeight()
 {
+    setVerticalScrollBarPolicy(verticalHeader()->count() > mostRowsAtOnce ? Qt::ScrollBarAsNeeded
+                                                                          : Qt::ScrollBarAlwaysOff);
     updateGeometry();
     Q_EMIT heightChanged();
 }

@@ -6,6 +6,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/cancel_question.h"
 #include "widgets/job/job_strip.h"
+#include "widgets/look/appearance.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/word_card.h"
 #include "widgets/monitor/word_field.h"
@@ -239,6 +240,28 @@ TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
     EXPECT_EQ(restoreThen("Write"), OnCancel::restorePrevious);
     const auto runs = test::Question::answeredBy(QStringLiteral("Run"));
     EXPECT_EQ(cancel(), OnCancel::runWithWhatItHas);
+}
+
+// A row is higher where it has less width, and a scroll bar takes width: in no size this goes on for ever.
+TEST_F(EepromGateTest, AReviewHasItsSizeWhateverRoomThereIs)
+{
+    WriteReview review;
+    review.review(ring.encoder(fraba), {{Parameter::steps, 4'096},
+                                        {Parameter::revolutions, 16},
+                                        {Parameter::direction, 4},
+                                        {Parameter::preset, 1'000},
+                                        {Parameter::zeroOffset, 12'345}});
+    review.show();
+    for (const bool large : {false, true}) {
+        applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = large});
+        for (int width = 180; width <= 420; width += 7)
+            for (int height = 120; height <= 480; height += 30) {
+                review.resize(width, height);
+                QApplication::processEvents();
+            }
+    }
+    applyAppearance(*qApp, {.scheme = Scheme::light});
+    EXPECT_TRUE(find<QPushButton>(review, "confirmWrite").isVisible());
 }
 
 TEST_F(EepromGateTest, TheQuestionSaysWhetherAndAtWhatCostTheEarlierValuesComeBack)
