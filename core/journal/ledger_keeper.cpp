@@ -7,6 +7,7 @@
 #include <algorithm>
 
 namespace codewheel {
+
 LedgerKeeper::LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent)
     : QObject(parent)
     , m_bus(bus)

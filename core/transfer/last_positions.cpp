@@ -7,6 +7,7 @@
 #include "words/k3_word.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -116,15 +117,18 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
 void LastPositions::look(const EncoderBus &bus)
 {
     follow(bus);
+    const QDateTime now = bus.dateTime(bus.now());
     for (const Place number : bus.places())
-        if (const EncoderSession *encoder = bus.encoder(number))
-            look(bus, *encoder, m_watched[number]);
+        if (const EncoderSession *encoder = bus.encoder(number)) {
+            follow(*encoder);
+            look(bus, *encoder, now, m_watched[number]);
+        }
 }
 
 // By the date, since the clock of a bus stands still while the computer sleeps.
-void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, Watched &watched)
+void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, const QDateTime &now,
+                         Watched &watched)
 {
-    const QDateTime now = bus.dateTime(bus.now());
     const bool isFirst = !watched.lookedAt.isValid();
     const std::chrono::milliseconds sinceLook{isFirst ? 0 : watched.lookedAt.msecsTo(now)};
     const bool wasWatched = sinceLook.count() >= 0 && sinceLook < untilGone;
@@ -144,7 +148,8 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, W
         return;
     const Reading &reading = encoder.latest();
     watched.last = SeenPosition{.position = *reading.position, .at = bus.dateTime(reading.at)};
-    watched.scale = knownScale(encoder);
+    if (std::exchange(watched.isScaleOld, false))
+        watched.scale = knownScale(encoder);
 }
 
 // An encoder that was seen to be away says more than one that nobody saw.
@@ -163,22 +168,21 @@ void LastPositions::keepBefore(Watched &watched, Since since)
 
 void LastPositions::follow(const EncoderBus &bus)
 {
-    if (m_followed.insert(&bus).second) {
-        connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
-        connect(&bus, &EncoderBus::writeAboutToBeSent, this, [this](const TypedWrite &write) {
-            if (changeScale(write.values, m_watched[write.place].scaleBefore))
-                scaledAnew(write.place);
-        });
-    }
-    for (const Place place : bus.places())
-        if (const EncoderSession *encoder = bus.encoder(place);
-            encoder != nullptr && m_followed.insert(encoder).second)
-            follow(*encoder);
+    if (!m_followed.insert(&bus).second)
+        return;
+    connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
+    connect(&bus, &EncoderBus::writeAboutToBeSent, this, [this](const TypedWrite &write) {
+        if (changeScale(write.values, m_watched[write.place].scaleBefore))
+            scaledAnew(write.place);
+    });
 }
 
 void LastPositions::follow(const EncoderSession &encoder)
 {
     const EncoderSession *its = &encoder;
+    if (!m_followed.insert(its).second)
+        return;
+    m_watched[its->place()].isScaleOld = true;
     connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
@@ -199,7 +203,9 @@ void LastPositions::follow(const EncoderSession &encoder)
 
 void LastPositions::compareScale(const EncoderSession &encoder)
 {
-    if (scalesDiffer(m_watched[encoder.place()].scaleBefore, knownScale(encoder)))
+    Watched &watched = m_watched[encoder.place()];
+    watched.isScaleOld = true;
+    if (scalesDiffer(watched.scaleBefore, knownScale(encoder)))
         scaledAnew(encoder.place());
 }
 

@@ -60,6 +60,7 @@ private:
     {
         std::optional<SeenPosition> last;
         ParameterValues scale{};             // known of the encoder with it
+        bool isScaleOld = true;              // something else is known of the encoder since
         std::optional<SeenPosition> before;  // the encoder went away, or nobody saw it for long
         ParameterValues scaleBefore{};       // known of the encoder with it
         QDateTime lookedAt{};                // invalid: never
@@ -67,7 +68,7 @@ private:
     };
 
     void look(const EncoderBus &bus);
-    void look(const EncoderBus &bus, const EncoderSession &encoder, Watched &watched);
+    void look(const EncoderBus &bus, const EncoderSession &encoder, const QDateTime &now, Watched &watched);
     void follow(const EncoderBus &bus);
     void follow(const EncoderSession &encoder);
     void compareScale(const EncoderSession &encoder);
