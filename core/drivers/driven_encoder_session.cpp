@@ -4,6 +4,7 @@
 #include "drivers/job_report.h"
 #include "encoder/position_speed.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -15,6 +16,12 @@ bool showsTheSame(const DeviceDescription &device, const Reading &before, const 
     const bool isSeen = before.state != EncoderState::notSeen;
     return device.hasWords() ? isSeen && before.in == now.in
                              : before.state == now.state && before.position == now.position;
+}
+
+// What it was given, not which encoder it is.
+bool isGivenValue(const std::pair<const Parameter, Known> &one)
+{
+    return one.first != Parameter::serialNumber;
 }
 
 } // namespace
@@ -200,17 +207,14 @@ void DrivenEncoderSession::takeKnownBefore()
 
 bool DrivenEncoderSession::knowsValues() const
 {
-    return std::ranges::any_of(m_known, [](const auto &one) { return one.first != Parameter::serialNumber; });
+    return std::ranges::any_of(m_known, isGivenValue);
 }
 
 void DrivenEncoderSession::forgetValues()
 {
     setKnownBefore({});
-    const auto serial = known(Parameter::serialNumber);
-    m_known.clear();
+    std::erase_if(m_known, isGivenValue);
     m_cams.clear();
-    if (serial)
-        m_known.emplace(serial->parameter, *serial);
     postAllKnown();
 }
 

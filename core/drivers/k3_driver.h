@@ -16,6 +16,7 @@ public:
         : WordDriver(device, timing)
     {}
 
+    void forget() override { m_encoder.forget(); } // its mode and its cams too
     void expectTornWords() override { m_encoder.knowledge.expectTornWords(); }
     bool mayStand(Word out) const override { return !m_encoder.knowledge.isManufacturerPreset(out); }
 };

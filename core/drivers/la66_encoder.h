@@ -21,7 +21,6 @@ struct La66Encoder
     }
 
     void setKnown(const std::vector<Known> &known) { knowledge.values().set(known); }
-    void forget() { setKnown({}); }
     Result<void> check(const Job &job) const { return plan.check(job); }
     void observe(Word in, Word out, Instant now);
     void forget(Parameter parameter);

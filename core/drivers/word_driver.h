@@ -10,7 +10,7 @@ namespace codewheel {
 
 // What the drivers of cyclic encoders that take jobs have in common: it keeps the job in progress, a WordRun.
 // `Encoder` is the encoder as currently known, shared with the job: reading, events, check(job), setKnown(),
-// forget(), observe().
+// observe().
 template <typename Encoder, typename Run>
 class WordDriver : public CyclicDriver
 {
@@ -24,7 +24,6 @@ public:
     const Reading &reading() const override { return m_encoder.reading; }
     bool busy() const override { return m_run.has_value(); }
     void setKnown(const std::vector<Known> &known) override { m_encoder.setKnown(known); }
-    void forget() override { m_encoder.forget(); }
 
     Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant) override
     {
