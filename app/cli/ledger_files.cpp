@@ -44,14 +44,16 @@ QString savedText(const QString &file, int entries)
            u'\n';
 }
 
-// Several sources at once; all of them, or none.
-Checked<Ledger::Merged> merge(Ledger &ledger, const QString &file,
-                              const std::vector<std::vector<Ledger::Record>> &sources)
+Checked<Ledger> opened(const QString &file)
 {
-    std::vector<Ledger::Record> all;
-    for (const auto &records : sources)
-        all.insert(all.end(), records.begin(), records.end());
-    return ledger.merge(all).map_error([&](const DatabaseError &why) { return aboutLedger(file, why); });
+    return Ledger::open(DatabasePlace::file(file)).map_error([&](const DatabaseError &why) {
+        return aboutLedger(file, why);
+    });
+}
+
+void append(std::vector<Ledger::Record> &all, const std::vector<Ledger::Record> &more)
+{
+    all.insert(all.end(), more.begin(), more.end());
 }
 
 // In a shared folder: named after this computer, so that each writes only its own.
@@ -68,9 +70,9 @@ QString ownFileIn(const QDir &folder)
 struct SharedFiles
 {
     QStringList read;
-    std::vector<std::vector<Ledger::Record>> records; // of each
-    std::vector<Refusal> unreadable;
-    QStringList unreadableFiles;
+    std::vector<Ledger::Record> records; // of these
+    QStringList notRead;
+    QStringList reasons;
 };
 
 SharedFiles sharedFilesIn(const QDir &folder)
@@ -79,13 +81,12 @@ SharedFiles sharedFilesIn(const QDir &folder)
     for (const QString &name :
          folder.entryList({QStringLiteral("%1*.json").arg(sharedName)}, QDir::Files, QDir::Name)) {
         const QString file = folder.filePath(name);
-        auto records = recordsIn(file);
-        if (records) {
+        if (const auto records = recordsIn(file)) {
             files.read << file;
-            files.records.push_back(std::move(*records));
+            append(files.records, *records);
         } else {
-            files.unreadableFiles << file;
-            files.unreadable.push_back(records.error());
+            files.notRead << file;
+            files.reasons << complaintAbout(records.error()).text;
         }
     }
     return files;
@@ -93,17 +94,13 @@ SharedFiles sharedFilesIn(const QDir &folder)
 
 std::optional<Complaint> complaintAboutFiles(const SharedFiles &files)
 {
-    if (files.unreadable.empty())
+    if (files.notRead.isEmpty())
         return std::nullopt;
-    QStringList reasons;
-    for (const Refusal &why : files.unreadable)
-        reasons << complaintAbout(why).text;
-    Complaint complaint =
-        badInput(QStringLiteral("ledgerFilesNotRead"),
-                 CommandLine::tr("Not taken in, and left as they are: %1"), {reasons.join(u' ')})
-            .value();
-    complaint.exit = ExitCode::refused;
-    return complaint;
+    const QString reasons = files.reasons.join(u' ');
+    return Complaint{ExitCode::refused,
+                     QStringLiteral("ledgerFilesNotRead"),
+                     sentence(CommandLine::tr("Not taken in, and left as they are: %1"), {reasons}),
+                     {reasons}};
 }
 
 // Not written again if nothing is new, so that what keeps the folder alike on several computers has nothing
@@ -134,10 +131,7 @@ Checked<std::optional<Ledger>> existingLedger(const QString &file)
 {
     if (!QFileInfo::exists(file))
         return std::nullopt;
-    auto ledger = Ledger::open(DatabasePlace::file(file));
-    if (!ledger)
-        return tl::unexpected(aboutLedger(file, ledger.error()));
-    return std::move(*ledger);
+    return opened(file).map([](Ledger &&ledger) { return std::optional(std::move(ledger)); });
 }
 
 Checked<Answer> exportLedger(const Call &call, const QString &target)
@@ -160,24 +154,25 @@ Checked<Answer> exportLedger(const Call &call, const QString &target)
 
 Checked<Answer> importLedgers(const Call &call, const QStringList &sources)
 {
-    std::vector<std::vector<Ledger::Record>> records;
+    std::vector<Ledger::Record> records;
     for (const QString &source : sources) {
-        auto read = recordsIn(source);
+        const auto read = recordsIn(source);
         if (!read)
             return tl::unexpected(complaintAbout(read.error()));
-        records.push_back(std::move(*read));
+        append(records, *read);
     }
     const QString file = ledgerMeant(call);
-    auto ledger = Ledger::open(DatabasePlace::file(file));
+    auto ledger = opened(file);
     if (!ledger)
-        return tl::unexpected(aboutLedger(file, ledger.error()));
-    return merge(*ledger, file, records).map([&](const Ledger::Merged &merged) {
-        return Answer{
-            .text = sentence(CommandLine::tr("Imported into %1: new entries: %2; known already: %3."),
-                             {file, QString::number(merged.added), QString::number(merged.known)}) +
-                    u'\n',
-            .json = {{QStringLiteral("added"), merged.added}, {QStringLiteral("known"), merged.known}}};
-    });
+        return tl::unexpected(ledger.error());
+    const auto merged = ledger->merge(records);
+    if (!merged)
+        return tl::unexpected(aboutLedger(file, merged.error()));
+    return Answer{
+        .text = sentence(CommandLine::tr("Imported into %1: new entries: %2; known already: %3."),
+                         {file, QString::number(merged->added), QString::number(merged->known)}) +
+                u'\n',
+        .json = {{QStringLiteral("added"), merged->added}, {QStringLiteral("known"), merged->known}}};
 }
 
 Checked<Answer> mergeLedgerFolder(const Call &call, const QString &path)
@@ -194,12 +189,12 @@ Checked<Answer> mergeLedgerFolder(const Call &call, const QString &path)
                             {own, CommandLine::tr("Another program has locked its folder.")}}));
     const SharedFiles files = sharedFilesIn(folder);
     const QString file = ledgerMeant(call);
-    auto ledger = Ledger::open(DatabasePlace::file(file));
+    auto ledger = opened(file);
     if (!ledger)
-        return tl::unexpected(aboutLedger(file, ledger.error()));
-    const auto merged = merge(*ledger, file, files.records);
+        return tl::unexpected(ledger.error());
+    const auto merged = ledger->merge(files.records);
     if (!merged)
-        return tl::unexpected(merged.error());
+        return tl::unexpected(aboutLedger(file, merged.error()));
 
     Answer answer{.text =
                       sentence(CommandLine::tr("Imported from %1 into %2: files: %3; new entries: %4; known "
@@ -208,11 +203,11 @@ Checked<Answer> mergeLedgerFolder(const Call &call, const QString &path)
                                 QString::number(merged->added), QString::number(merged->known)}) +
                       u'\n',
                   .json = {{QStringLiteral("read"), QJsonArray::fromStringList(files.read)},
-                           {QStringLiteral("notRead"), QJsonArray::fromStringList(files.unreadableFiles)},
+                           {QStringLiteral("notRead"), QJsonArray::fromStringList(files.notRead)},
                            {QStringLiteral("added"), merged->added},
                            {QStringLiteral("known"), merged->known}},
                   .complaint = complaintAboutFiles(files)};
-    if (files.unreadableFiles.contains(own)) // it may hold what nobody else has
+    if (files.notRead.contains(own)) // it may hold what nobody else has
         return answer;
     const auto records = ledger->records();
     if (!records)
